@@ -348,6 +348,67 @@
     </message>
 </context>
 <context>
+    <name>PaneClip</name>
+    <message>
+        <source>Clip</source>
+        <translation>Beschnitt</translation>
+    </message>
+</context>
+<context>
+    <name>PaneMeasurements</name>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>Plane alone: %1</source>
+        <translation>Ebene allein: %1</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Measurement removed</source>
+        <translation>Messung entfernt</translation>
+    </message>
+    <message>
+        <source>Measurement moved</source>
+        <translation>Messung verschoben</translation>
+    </message>
+</context>
+<context>
+    <name>PaneRequest</name>
+    <message>
+        <source>In colours: the size of pixels is not calibrated</source>
+        <translation>In Farben: Die Pixelgröße ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>In colours: some slices are interpolated</source>
+        <translation>In Farbe: einige Schichten sind interpoliert</translation>
+    </message>
+    <message>
+        <source>In colours: %1</source>
+        <translation>In Farben: %1</translation>
+    </message>
+    <message>
+        <source>The size of its pixels is not calibrated</source>
+        <translation>Die Größe seiner Pixel ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Some of its slices are interpolated</source>
+        <translation>Einige seiner Schichten sind interpoliert</translation>
+    </message>
+    <message>
+        <source>In the plane of the study: %1</source>
+        <translation>In der Ebene der Studie: %1</translation>
+    </message>
+    <message>
+        <source>Not in a plane of the study</source>
+        <translation>Nicht in einer Ebene der Studie</translation>
+    </message>
+</context>
+<context>
     <name>PatientQuestion</name>
     <message>
         <source>ID</source>
@@ -395,6 +456,69 @@
     <message>
         <source>Sagittal slices; 3D is not shown</source>
         <translation>Sagittale Schichten; 3D wird nicht gezeigt</translation>
+    </message>
+</context>
+<context>
+    <name>PictureTexts</name>
+    <message>
+        <source>In colours: %1</source>
+        <translation>In Farben: %1</translation>
+    </message>
+    <message>
+        <source>Middle of the slab: %1</source>
+        <translation>Mitte des Slabs: %1</translation>
+    </message>
+    <message>
+        <source>%1, in %2</source>
+        <translation>%1, in %2</translation>
+    </message>
+    <message>
+        <source>Measurements are of the study alone</source>
+        <translation>Messungen gelten nur für die Studie</translation>
+    </message>
+    <message>
+        <source>Segments: middle of the slab</source>
+        <translation>Segmente: Mitte des Slabs</translation>
+    </message>
+    <message>
+        <source>No memory for this picture: make the window smaller</source>
+        <translation>Kein Speicher für dieses Bild: machen Sie das Fenster kleiner</translation>
+    </message>
+    <message>
+        <source>Segments: fractions of half or more</source>
+        <translation>Segmente: Anteile ab der Hälfte</translation>
+    </message>
+    <message>
+        <source>Segments: nearest voxel of another grid</source>
+        <translation>Segmente: nächstes Voxel eines anderen Rasters</translation>
+    </message>
+    <message>
+        <source>Low values are white, as in the images</source>
+        <translation>Niedrige Werte sind weiß, wie in den Bildern</translation>
+    </message>
+    <message>
+        <source>Low values are white, as is custom for PET</source>
+        <translation>Niedrige Werte sind weiß, wie bei PET üblich</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
+    </message>
+    <message>
+        <source>Interpolated between dashed lines: no image was taken there</source>
+        <translation>Zwischen gestrichelten Linien interpoliert: dort wurde kein Bild aufgenommen</translation>
+    </message>
+    <message>
+        <source>Some of these slices are interpolated</source>
+        <translation>Einige dieser Schichten sind interpoliert</translation>
+    </message>
+    <message>
+        <source>Some slices of the slab are interpolated</source>
+        <translation>Einige Schichten des Slabs sind interpoliert</translation>
+    </message>
+    <message>
+        <source>Interpolated: no image was taken here</source>
+        <translation>Interpoliert: hier wurde kein Bild aufgenommen</translation>
     </message>
 </context>
 <context>
@@ -525,6 +649,40 @@
     </message>
 </context>
 <context>
+    <name>SegmentEdits</name>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Segment in colour</source>
+        <translation>Segment farbig</translation>
+    </message>
+    <message>
+        <source>Segments in 3D</source>
+        <translation>Segmente in 3D</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Segmentations</source>
+        <translation>Segmentierungen</translation>
+    </message>
+</context>
+<context>
+    <name>SliceKeys</name>
+    <message>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
+    </message>
+</context>
+<context>
     <name>SliceMenu</name>
     <message>
         <source>Window</source>
@@ -565,6 +723,13 @@
     <message>
         <source>The whole slice is seen, in the middle of the pane</source>
         <translation>Die ganze Schicht ist zu sehen, in der Mitte des Bildfelds</translation>
+    </message>
+</context>
+<context>
+    <name>SlicePainting</name>
+    <message>
+        <source>No study is open</source>
+        <translation>Keine Studie ist offen</translation>
     </message>
 </context>
 <context>
@@ -632,6 +797,17 @@
     <message>
         <source>Read the value of the voxel that is pointed at, in its unit</source>
         <translation>Den Wert des Voxels unter dem Zeiger ablesen, in seiner Einheit</translation>
+    </message>
+</context>
+<context>
+    <name>SliceWindowing</name>
+    <message>
+        <source>Window</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>Window of the second volume</source>
+        <translation>Fensterung des zweiten Volumens</translation>
     </message>
 </context>
 <context>
@@ -745,6 +921,5264 @@
     </message>
 </context>
 <context>
+    <name>WindowContainer</name>
+    <message>
+        <source>Sides of the patient at the left, right, top and bottom: %1, %2, %3, %4</source>
+        <translation>Seiten des Patienten links, rechts, oben und unten: %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm</source>
+        <translation>Links ziehen oder Pfeile gehen um den Patienten herum, das Rad geht näher; Größen sind in mm</translation>
+    </message>
+    <message>
+        <source>The volume in 3D</source>
+        <translation>Das Volumen in 3D</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>The file could not be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check free space and permissions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is larger than {} bytes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that it is the file you meant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file could not be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check its permissions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this series: it needs {}{}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or choose a smaller series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file could not be written: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The system has no random numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder to write into does not exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create it, or choose another place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stands there is no file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or choose something smaller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check disk, connection and permissions, and try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program could not {}: a size in it is beyond all bounds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy it again from its source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program could not {}, for a reason that it did not foresee.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again; if it fails again, report it, with the log of the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key that makes identifiers unreadable for others could not be kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check free space and permissions of that folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file with the key that makes identifiers unreadable for others cannot be read, or holds none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring it back from a backup, or remove it: then a new one is made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another segmentation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A part of Macula could not be loaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Install Macula again, with the packages that it depends on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The 3D picture has values of 16 bits, with an error of at most {:.3g}{}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The 3D picture shows values below {:.4g}{} or above {:.4g}{} as these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image has no usable size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This series is no volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images of this series have no usable size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images of this series differ in size or in kind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values of these cannot be what the images say.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the series again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decoding {} slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loading was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to decode the slices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The compressed image in this file is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the file again from its source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The JPEG 2000 image in this file cannot be decoded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixel data of this file are damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file ends before its pixel data do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This version cannot decode this image: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the series uncompressed or in JPEG 2000.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the file or disc is still there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file has changed since the folder was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file has no pixel data that fit its header.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot be told where the images in this file begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to decode a slice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixel data of this file cannot be decoded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images of this file have no usable size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the file again from its source, or choose another presentation state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state does not say in which colours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state does not say which images it is of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state is of something that is no volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state does not say which series it is of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state does not say where it is looked from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state is drawn by a method that Macula does not know.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colours of the presentation state are damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state has a table of values (VOI LUT) before its colours, which Macula does not know.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state does not say which values its colours are of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A clip of the presentation state is missing in the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A clip of the presentation state is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is not a DICOM presentation state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no presentation state of one rendered volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the presentation state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The label of the presentation state is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take 1 to 16 capital letters, digits, blanks and underscores.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The description is too long, or has characters that it may not have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take at most 64 letters, digits and signs, without a backslash.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view is too large for a presentation state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save it as a view, or remove measurements and large presets from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colours of the presentation state are not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another preset, or a window above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera of the presentation state is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The clip of the presentation state is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another clip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The opacities of the presentation state are not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another preset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shading of the presentation state is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A presentation state refers to DICOM images with a frame of reference, and this volume has none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save it as a view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The files of this study do not say which patient and which study it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the presentation state without patient and study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The DICOM file could not be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check free space and memory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path is longer than this system can open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the folder nearer to the root of the disk, or give the folders shorter names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder does not exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that it is a folder, and its permissions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is not the directory of a DICOM disc.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The dictionary of the DICOM toolkit (dicom.dic) is not there, so that DICOM files cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Install DCMTK&apos;s data files again, or set DCMDICTPATH to the path of dicom.dic.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation lie too far apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading a segmentation of {} frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The segmentation ends before its last frame does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The segmentation changed while it was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the study again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation do not lie on one grid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Putting segments on the voxels of the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The series of the segmentation is no volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The segmentation cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no segmentation that this version knows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation are of no kind that this version knows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The segmentation does not say what its values mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The segmentation does not say where all of its frames lie.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The segmentation does not say where its frames lie.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The segmentation does not say what its frames show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation lie too far apart for a grid of their own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it with the series it was drawn on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The segmentation has more segments than a label map can hold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame {} of the segmentation does not lie on the voxels of the series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the segmentation with the series it was drawn on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The segmentation has no frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing {} files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images at one position were told apart by the order of their numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The study that it belongs to cannot be read any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the study again, or write it without the patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The DICOM file could not be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check memory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A DICOM file could not be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder to write into cannot be created.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the permissions, or choose another place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing {} slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder to write into is not empty, or cannot be replaced.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder that is empty or does not exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The series could not be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check free space, memory and permissions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no MetaImage file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image has several values in each voxel; a volume needs one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values of the image are neither whole numbers of 8 to 64 bits nor floating-point ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values have 8 bytes each, as the size of the file tells, and not 4 as their type says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not give the distance of the voxels: 1 mm was assumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values are written as text, which Macula does not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the file with BinaryData = True.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values lie in several files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the volume to one file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Convert it with the program it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is cut off or damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Get the file again from where it came.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A NIfTI file holds no volume of {} x {} x {} voxels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a .nrrd or .mha file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the path and its permissions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no NIfTI file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image is in colour; a volume needs one value in each voxel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values of the image have NIfTI&apos;s data type {}; Macula reads whole numbers of 8 to 64 bits and floating-point ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The header of the NIfTI file is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file gives two positions in the patient that differ by up to {:.1f} mm (sform and qform): the sform was taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not say how the image lies in the patient: its axes were taken to lead to the right, to the front and up. Left and right may be exchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file with the values (.img) is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put it beside the header.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is an ANALYZE file, which does not tell left from right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write it as NIfTI.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The position of the image in the patient is not usable: its axes do not span a volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no NRRD file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image has several values in each voxel, or an axis of time; a volume needs one value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The position of the image is not given in millimetres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An axis of the image does not lie in space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write one volume to a file of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values are encoded in a way that Macula does not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the file with the encoding raw or gzip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text stands before the values, which Macula does not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing the values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole numbers beyond 2^53 were rounded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values were rounded to 24 significant bits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} voxels hold no finite number: they are treated as outside of the scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The size of a voxel is not calibrated: lengths, areas and volumes are estimates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds {} volumes, one for each point in time; this is number {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image of {} x {} x {} voxels is no volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a file with a volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A volume of {} x {} x {} voxels cannot be shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a smaller one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is cut off: its header tells of {} x {} x {} voxels, and it is too short for them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The map from stored values to units is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the file again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The header of the file is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image has two axes; it is no volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image has {} axes; Macula reads volumes with three.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values lie in another folder or in several files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the volume to one file, or put the file with the values beside the header.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file with the values is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ending of the name is that of no volume file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volumes are not written to files with the ending {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file could not be put in place: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough free space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file needs {} MB.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it did not become whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something unforeseen happened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mask does not fit the pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give one number for each pixel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The number of pixels in a degree is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give 1 to 1000.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such fovea in a picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a picture of 0.1 to 170 degrees, a gaze inside it, and a field above 0 and at most 180 degrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give one number for each pixel of the pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a number for each pixel of the mask.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures of {} x {} pixels are too small for MS-SSIM.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare pictures of at least {} pixels on each side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture file is damaged or incomplete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export or download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture could not be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check free space and permissions of the folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture file does not exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture file could not be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no Radiance HDR, OpenEXR or PNG picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a file of one of these formats; renaming does not convert it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or use a smaller picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a picture of another format.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no flat picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a picture with one layer of pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is too large: {} by {} pixels, {} channels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale it to at most {} pixels on each side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has too many pixels and channels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale it down, or leave channels out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare two pictures of one size, made for display.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures of {} x {} and {} x {} cannot be compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare two pictures of one size, both in colour or both grey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the series can be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another preset or clip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>preview only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>preview around the sharp centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sharp centre traced {:.1f} s ago with {} samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>estimated from the values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>values on cut faces only coarsely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the preview is not sharp enough after {} steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>preview fades out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>preview where it is less noisy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/{} of the pixels each way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of {} samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less than the full resolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>denoised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} samples left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to write the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation type="unfinished">Wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only what is path-traced has a peripheral model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the look cinematic or clear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen that a model could learn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics device has no memory for a model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or show less of the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model could not be made on this graphics device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try another device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics device stopped responding and was started again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no picture of this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw it again; if that does not help, open another device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This was opened without a model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it with one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no model of what is shown yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Train it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No folder was given to keep models in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has learnt nothing yet that could be kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stored model was not replaced: it has learnt more than this one, or could not be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Train this one for longer, or check free space and permissions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model could not be kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check free space and permissions of the folder that was given for models.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A handle of the graphics device that is lent is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give VkInstance, VkPhysicalDevice, VkDevice, and a VkQueue of it with compute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The queue that is lent can be locked, or unlocked, but not both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give both functions, or neither.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model&apos;s name says no format.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name says no format that splats alone are written in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has learnt nothing yet that training could go on with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait until the picture converges, or save it as .ply, .spz or .glb.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model could not be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the model</source>
+        <translation type="unfinished">Das Modell wird gespeichert</translation>
+    </message>
+    <message>
+        <source>What goes on learning needs linear colours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save it as .ply, .spz or .glb, or without colours as displayed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped before the first step; nothing was written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The saved training has no views to learn from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Train anew, with --views above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The saved training has all of its {} steps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give --iterations for as many more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The saved training does not say what its pictures show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is of another program, or of an older one: train anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The saved training is of {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The measurement was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stored sessions were not changed, because Macula found a mistake of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stored model is damaged, and is not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>`macula sessions verify` says what else is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How this study was left was not found in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is kept: open the study again to see it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More was measured on this study than is shown here: another window has it open, or had.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All of it is kept; open the study again to see it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name has letters that cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name has letters that cannot be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type it anew, without pasting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preset needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name is too long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use at most {} letters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a preset of that name already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are too many presets of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete some first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera cannot be kept: a part of it would be lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the curve alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A built-in preset cannot be renamed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a copy of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An export cannot lie inside of the stored sessions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a place elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These are the stored sessions themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder that macula sessions export wrote.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} left, because models of theirs are open. Close other windows of Macula and purge once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of damaged files may hold parts of what was deleted; --damaged-too deletes them as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file of stored sessions was damaged. {}, among them {} and {}, were rescued; the damaged file is kept in {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stored sessions were brought to the format of this version; older ones cannot read them now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other users of this computer may be able to read stored sessions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file of stored sessions was damaged. It was set aside, and what could be read of it was rescued.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>`macula sessions verify` says what is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} studies begin with {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give more digits: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is stored yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check --folder if you expected studies here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A study is named by the first {} or more of its digits, 0 to 9 and a to f.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stored study begins with {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The segments of the view are not here; all of the volume is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view has a second volume in the picture; give it by --second to draw both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--second does nothing in this look: it is of all but projections.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only a folder of DICOM files can have segmentations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave --segments out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracing until the noise is gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of the model&apos;s splats hold what is no number or no rotation, or are so large that they would fill every picture: left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model holds no splats: the pictures are empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This model is one of Macula&apos;s and has a low-pass of its own: --low-pass does nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a folder of that name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be written there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is one of those that are read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another name: what is read is never replaced.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file belongs to the folder that is read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file exists already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give --overwrite to replace it, or choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two outputs have the same name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give each a name of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The diameter of the lens is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give 0 to {:g} mm; 0 is none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance of what is sharp is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a number above 0, up to {:g} mm, or auto.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The depth of the fog is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give {:g} to {:g} mm, or 0 for none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The middle of the picture shows nothing that a lens could be focused on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the camera, or give the distance in mm of what is to be sharp: --focus-mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera stands in what the middle of the picture shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture must be a .png or .exr file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give -o a name with one of these endings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The small picture was not drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for small pictures of presets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every voxel of the series is padding: there is nothing to draw.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder is not empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another one, or empty it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder cannot be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} does nothing in this look: it is of {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} does nothing, as the preset has no curves for steep matter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} does nothing, as the preset has no surface: --surface gives it one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--focus-mm does nothing without --lens-mm: all is sharp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This look is never denoised: --denoise does nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--background does nothing in an EXR, which has coverage instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--keep-unfinished does nothing without --error: nothing is written when stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture of light has no cube, scale and letters over it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture cannot have that size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take 1 to {} pixels for each side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sequence cannot have that many pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take 1 to {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way of the camera has no view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder holds pictures of another sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose an empty folder, or make a new one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device {} was opened without what Macula needs of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it with VK_KHR_push_descriptor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device {} cannot be used: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update its driver, or choose another device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no graphics device &quot;{}&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one by its number or a part of its name: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics device that was lent is not one of its VkInstance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the VkInstance and the VkPhysicalDevice that the device was made of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The headset asks for a graphics device that is not there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart the headset&apos;s software.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program that lends a graphics device gave none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a device, a queue of it, and what it was made of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The queue that was lent is of a family that cannot compute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a queue with compute, and the number of its family.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device {} does not offer {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update its driver, or choose another device with MACULA_DEVICE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This program has as many files open as it may, so what is shared cannot be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close what is not needed, or let the program open more files (ulimit -n).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file descriptor of what is shared is not open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give one that vkGetMemoryFdKHR or vkGetSemaphoreFdKHR made, and close it afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no Vulkan driver on this computer, so nothing can be rendered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Install the driver of the graphics card, or, to render on the CPU, the Debian/Ubuntu package mesa-vulkan-drivers: sudo apt install mesa-vulkan-drivers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Vulkan validation layer was asked for, but is not installed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Install it (Debian/Ubuntu: sudo apt install vulkan-validationlayers), or unset MACULA_VALIDATION.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Vulkan driver of this computer does not offer {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update the graphics driver.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics device stopped responding {} times within a minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or choose another device: `macula devices` lists them, --device or MACULA_DEVICE takes one. The processor (llvmpipe) is slow but always there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {} does not fit on the device {}: it needs {}, and the device allows {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a smaller series, or choose a device with more memory by MACULA_DEVICE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shared image is of another graphics card, or another driver, than {}, which draws.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask macula_device_identify which card draws, and make the image on that one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device {} was opened without what images are shared by.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it with VK_KHR_external_memory_fd; where it does not offer that, have pictures in memory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device {} cannot open a shared image like this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share one of VK_FORMAT_R8G8B8A8_UNORM with optimal tiling, and for fewer uses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device {} shares an image only with memory of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allocate it with VkMemoryDedicatedAllocateInfo, and say so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shared image needs {} bytes at a multiple of {}, and has {} at {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The memory is said to be the shared image&apos;s alone, which needs {} bytes and not {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shared image needs memory of its own, and is said to have none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shared image cannot lie in memory of type {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give VkMemoryAllocateInfo::memoryTypeIndex of the memory that is shared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device {} has no {} of memory that could be shared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was shared is no memory of this graphics card, or smaller than it is said to be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a file descriptor of vkGetMemoryFdKHR with VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT, and the size of the allocation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device {} cannot share semaphores with another program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device {} was opened without what semaphores are shared by.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was shared as a semaphore is none of this graphics card.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a file descriptor of vkGetSemaphoreFdKHR with VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An image of {} x {} pixels cannot be shared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give one of 1 to {} pixels a side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixels of the shared image are of a kind that Macula does not write.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share one of VK_FORMAT_R8G8B8A8_UNORM or VK_FORMAT_R8G8B8A8_SRGB.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tiling of the shared image is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share one of VK_IMAGE_TILING_OPTIMAL or VK_IMAGE_TILING_LINEAR.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shared image was not made for being written to, or for more than is known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it with VK_IMAGE_USAGE_TRANSFER_DST_BIT, and no more than transfers, sampling, storage, and attachments of colour.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shared image was made with flags that Macula does not know.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use no more than those for a mutable format, extended usage and aliases.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shared image cannot be left in the layout that was asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask for VK_IMAGE_LAYOUT_GENERAL, or for a layout of something that the image was made for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No memory was shared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a file descriptor of vkGetMemoryFdKHR, above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shared memory of {} bytes has no room for an image of {} x {} pixels at byte {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give VkMemoryAllocateInfo::allocationSize, and the offset that the image was bound at.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A dedicated allocation has its image at the beginning, and this one has not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the offset 0, or share memory that is not dedicated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shared memory is of a type that does not exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give VkMemoryAllocateInfo::memoryTypeIndex.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was not said which graphics card the shared memory is of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give deviceUUID and driverUUID of VkPhysicalDeviceIDProperties.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was shared as {} is a file, a pipe, a socket or a folder, and no {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a file descriptor of {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A shader cannot be used: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build Macula again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device {} cannot draw in this window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the device that drives the display by MACULA_DEVICE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Could not {}: the computer&apos;s memory is full.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or open a smaller series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Could not {}: the graphics memory is full.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs that draw in 3D, open a smaller series, or choose another device with MACULA_DEVICE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Could not {}: the graphics device stopped responding and was reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again. If this comes back, update the graphics driver, or choose another device with MACULA_DEVICE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Could not {}: the window system took the window away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the window again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Could not {}: the graphics driver reports {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or choose another device with MACULA_DEVICE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light is learnt from what an eye sees, not from parallel rays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a camera that is not parallel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The training was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a preset that shows something of the series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The state of the peripheral model is damaged: its parts do not belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load it again, or have it learnt anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder for pictures cannot be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the path and the permissions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lighting views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Splats learn from what an eye sees, not from parallel rays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The samples of what is compared with cannot be halved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give an even number of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracing what is compared with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracing views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This device runs too few threads together to train models.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another device: `macula devices` lists them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture of {} x {} pixels cannot be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a size from 1 to {} on each side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s near plane is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a distance from 0.001 to 1000000 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s orientation is not a rotation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give three perpendicular unit axes that are not mirrored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s position is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a position within 1000 km of the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s focal length is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose 0.01 to 100000000 pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s principal point is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a point within 1000000 pixels of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way in which splats blend is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a low-pass of 0.01 to 100 square pixels, the least of it no more, a most opaque splat of 0.01 to 0.9999, a faintest of 1e-9 to 0.009, a fringe of 1.1 to 1000000, and a least transmittance of 0 to 0.1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture of {} x {} pixels is too large for this device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one of at most {:.1f} million pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The splats of this model are too large and too many for this device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a smaller picture, or a model of fewer splats.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no memory for the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model is damaged or cut off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy it again, or train it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model is a .macula file of version {}; this Macula reads version {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no memory to pack or unpack the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model is too large for a glTF file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write it as .ply instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model holds no splats.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Train it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the model again from where it came.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The glTF file is damaged or cut off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The glTF file is not of version 2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export it as binary glTF 2.0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The glTF file holds far more than a model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the model alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The glTF file holds no Gaussians.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one with the extension KHR_gaussian_splatting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Gaussians of the glTF file are of another kind than ellipses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The glTF file has colours in linear light of a display, which cannot be drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export it with colours in sRGB.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Gaussians of the glTF file are packed in a way that is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export it without compression, or as PLY or SPZ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Gaussians are not in the glTF file itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export it as one binary file (.glb), without compression.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The glTF file lacks the attribute {} of some Gaussians.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is larger than any {} model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That is a folder, not a model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model does not exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a model of Gaussians, or convert it to PLY.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the file one of these extensions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export or train it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model is one of Macula&apos;s, but what it says about its {} is not understood.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is damaged or of a later version: export it again, or use a newer Macula.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>low-pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the file says about the settings of its training is not understood.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is damaged or of another version: go on with the Macula it was begun with, or train anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PLY file is cut off or damaged at splat {} of {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PLY file is cut off: its header counts {} {}, for which it is too small.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PLY file is cut off or damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model does not fit into memory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or export a smaller one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PLY file holds no points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a model of Gaussians.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The header of the PLY file {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no PLY.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is longer than that of any model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names a version that is not 1.0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names an unknown format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counts fewer elements than none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not say how many elements there are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a list whose length is no whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names an unknown type of number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a property without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a line that is none of a PLY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not name a format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PLY file holds a model in the packed form of SuperSplat, which is not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export it there as a PLY that is not compressed, or as SPZ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PLY file has a list in the place of {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PLY file has {} twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PLY file is no model of Gaussians: it lacks {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a model as 3D Gaussian splatting writes it, not a mesh or a point cloud.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PLY file has {} coefficients of colour f_rest; 0, 9, 24 or 45 without a gap are understood.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export it with spherical harmonics of degree 3 or less.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SPZ file is cut off or damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model reaches farther than an SPZ file can say: 8 km from its origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the splats that are so far away, or write a PLY.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is gzip, but no SPZ model is in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SPZ file has version {}; 1 to {} are read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Convert it to version 4, or to PLY.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SPZ file has spherical harmonics of degree {}; 0 to {} are read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export it with a lower degree.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SPZ file counts {} splats; no more than {} are read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Convert it to PLY, of which there is no such limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SPZ file counts {} splats, for which it is too small.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has {} splats; an SPZ file holds at most {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a PLY.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model&apos;s splats are so much alike that its SPZ file could not be told from a false one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is larger than any SPZ model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SPZ file names axes (number {}) that this version does not know.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Convert it to one with the axes of the format (right, up, back), or to PLY.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds no training that could go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a .macula file, or train anew: PLY and SPZ hold only the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has spherical harmonics of degree {}; 0 to {} are supported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model is damaged: it does not have the same number of entries for all properties.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load or train it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model&apos;s place in the patient is not a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of the {} splats of the model hold values that are not numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The settings of the training make no sense.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position rates and decays must be above 0, other rates not below 0, both betas from 0 to below 1, and epsilon from 1e-30 to 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The state of the training does not fit the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was saved for another model, or is damaged: train anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture to learn from is empty or not of its view&apos;s size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures are halved 0 to 15 times, the weight of D-SSIM and the shares of splats are 0 to 1, the exposure and the steps between density control above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Models of this degree of colour can be shown, but not trained.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reduce the model to degree 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no picture to learn from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add views first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The training was begun by version {} of the trainer, and would go on otherwise with version {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with the Macula it was begun with, or train anew; its model can still be drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The state of the training is damaged: its parts do not belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load it again, or train anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to trace yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a study first.</source>
+        <translation type="unfinished">Öffnen Sie zuerst eine Studie.</translation>
+    </message>
+    <message>
+        <source>A volume of more than 2147 million voxels cannot be masked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show it without a mask.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A volume of {} million voxels is more than can be traced.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a smaller series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another environment, or a built-in light rig.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Projections show all of the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another look.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The search for points on the surface was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This look traces no paths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the cinematic look.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a number from 0 to {} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a number above 0, up to {} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A parallel view has no fovea.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trace all of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The foveation is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a gaze inside the picture, a field above 0 and below 170 degrees, and 1 to 16 times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This number of points on the surface makes no sense.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no second volume with a preset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a second volume, and choose a preset for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the second volume lies is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register the two volumes again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coloured segments are not of this volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the segmentation again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A coloured segment has no colour.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colour of a segment is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give red, green, blue and opacity from 0 to 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The clip is not usable: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the preset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preset has no range of values that could be fitted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use it without fitting, or give it an effectiveRange.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a built-in opacity table, or a 16-bit CLUT, and save the preset again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The filters of the preset are not applied.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point of {} has no usable {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it a number from {:g} to {:g}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {} of the transfer function has {} points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it 1 to {} points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The version of the MITK transfer function is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only version 1 can be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacities or colours outside 0 to 1 were clamped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colour map has no opacities; a ramp from 0 at its first to 1 at its last colour was taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the first volume property, and its first component, are used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the table beside the preset as NAME.plist, or save a 16-bit CLUT with the preset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a JSON preset, a .vp or presets.xml of 3D Slicer, a ParaView or VolView JSON, an XML of MITK, or a plist of Horos.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds {} presets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds a number that cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a key without a value, or a value without a key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that it is complete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The property list is in its binary form.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Convert it on a Mac: plutil -convert xml1 FILE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no property list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A .vp file of 3D Slicer has {} lines; this has {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line {} is not as expected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expected {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {} of the preset {} is no number from 0 to {:g}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct it, or remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use 0 for nearest or 1 for linear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds too many presets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split it into files of at most {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds no volume property of 3D Slicer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a presets.xml, or an MRML scene with volume rendering.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {} of the preset {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the preset again in the program that it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registration was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link the volumes by hand, or choose another series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registering the second volume</source>
+        <translation type="unfinished">Das zweite Volumen wird registriert</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to register the volumes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or link the volumes by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {} of the path is none: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This model was made elsewhere and does not say where the patient&apos;s left or front is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give --camera or --cameras, or none of these to look along its own +z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no list of cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give --cameras the cameras.json that was written beside the model; --camera takes one of Macula&apos;s own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds a list, not one camera of Macula&apos;s own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it as --cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds no cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that it is the cameras.json of this model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture holds display colours, not light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a Radiance HDR or OpenEXR picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is {} by {} pixels, not twice as wide as high.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give an equirectangular panorama.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture holds {} values that are not finite and {} negative ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repair it, or give another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no such lights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture is no rig of lights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose lights by name, or those of a JSON file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These lights hang on the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A peripheral model holds light that stays where it is: choose lights of the patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such preset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The size of the picture is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give --size as WIDTHxHEIGHT in pixels, each from 1 to {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give --window as CENTRE,WIDTH in units of the series, the width above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The background is not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give --background as R,G,B, each from 0 to 1: 1,1,1 is white.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That part of the clip is not there any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take hold of another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This clip cannot be kept with the study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset the clips, and cut again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hiding voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hiding voxels was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to hide parts of the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or hide less. The picture and what is chosen stay as before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The place of the clip is not a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it in mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the volume would be left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another place, or begin without a clip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A clip with a box of another kind has six planes and no more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another face first, or begin without a clip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is left to remove on the {} side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the cross-hair into what is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slab has no thickness.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it in mm, more than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slab would be outside of the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the cross-hair into the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The corner would be outside of the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A ball of that size is not possible here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a radius from {:.4g} to {:.4g} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ball would be outside of the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no clip to turn inside out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a clip, or cut something off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only a clip of one part can be turned inside out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This one has {}; begin without a clip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The depth of the cut is not a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The clip leaves nothing of this volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin again without a clip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw around what is to be removed, in one go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting with the scissors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cut was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the outline around less, or keep the inside with Shift.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to cut this volume with the scissors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or clip with a box, planes or a ball.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hues kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What may be a table is shown, as Macula cannot tell it from the patient for sure; --remove-table leaves it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--keep-table shows what was left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view keeps or hides segments; here they change nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view has segments in colour; here they have none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view has a second volume in the picture; here it is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The background is no colour.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give black, white, grey, or red, green and blue as #rrggbb: #202830 is a dark blue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another one of the rig.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without any light the picture would be black.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave a light, or a sky that is not black.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig has no room for one more light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another presentation state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A presentation state refers to DICOM images with identifiers and a frame of reference, and this series has none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no picture yet to make a presentation state of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait until the study is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state is of other images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the series of these images, or choose another presentation state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No DICOM study is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the series of the presentation state first.</source>
+        <translation type="unfinished">Öffnen Sie zuerst die Serie des Presentation State.</translation>
+    </message>
+    <message>
+        <source>What a newer Macula has written cannot be read; the picture is as others show it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state is of another series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open that series, or choose another presentation state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state is of other images of this series, such as another phase.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the volume of these images, or another presentation state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state is of other images of this series, too, or of a part of these alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state is of the values of the images, and this PET is shown in SUV.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a preset or a window in SUV.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What lies before or behind the depth of its view is shown, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second volume: Same frame of reference, not registered: the patient may have moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second volume was registered, to {:.1f} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the second volume lies in the study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another series by --second-series, or register both by --registration search.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view was saved with another second volume: its place and look are not those of this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second volume is of another patient than the study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a series of the same patient by --second and --second-series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images do not tell whether both volumes are of one patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second volume is the study itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another series by --second-series, of those that macula info lists, or another file by --second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no second volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give its folder or file by --second, or leave out what else is said of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gradient opacity of the second volume&apos;s preset is not drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second volume&apos;s preset is drawn without its curves of steep matter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hiding segments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hiding segments was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to hide segments.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or hide fewer. The picture and what is chosen stay as before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than 255 segments of different colours cannot be shown in 3D.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour fewer of them, or give some the same colour.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colouring segments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colouring segments was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to colour segments.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or colour fewer. The picture and what is chosen stay as before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That does not say what to do with which segment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write keep:LABEL, hide:LABEL or colour:LABEL; macula info lists the labels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No segmentation of this volume has a segment of that label.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>macula info lists the labels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A segmentation of the view is not in the folder, and nothing of it is kept, hidden or coloured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No voxel of these segments lies in the volume; all of it is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurements are written to a .csv or .json file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a name with one of these endings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A window is kept under a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type one, such as Kidney.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are {} windows of your own already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>namedClips: expected another thing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A list of at most {} clips.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view was saved of another series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open that series, or choose another view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view was saved when the images lay in other places, or of another volume of the series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it anew; or choose the volume that it is of. Without &quot;grid&quot; in the file it is taken as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values were not counted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient could not be told from the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, or show the volume with the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Telling the patient from the table was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Telling the patient from the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table can be left out of CT in Hounsfield units only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show these images with the table, or cut it away with a clip plane or box.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to tell the patient from the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The copy of stored sessions was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copying stored models</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Importing stored models</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking the database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking stored models</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The check was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sessions cannot be stored: the folder or a file in it is read-only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sessions cannot be stored: the disk is full.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sessions cannot be stored: the drive cannot lock files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stored sessions are in use by another program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file of stored sessions is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stored sessions were written by a newer version of Macula.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder for sessions holds files of another program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk reported an error while sessions were read or stored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read or store sessions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stored model is damaged; it was set aside.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A model is larger than all that may be stored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stored model is no longer there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stored setting is damaged; it was set aside.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is to be stored is no valid setting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder holds no exported sessions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data are deleted, but traces may remain in a file that another program is reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The series has {} segmentations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one of them with --volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no segmentation {}; the series has {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another with --volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices are tilted against their axis, and the file says so; some programs do not understand that, and show the patient askew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no image.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of the series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder with a CT or MR series of several parallel slices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check its Series Instance UID or number, or choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is not a DICOM image.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another series; macula info lists them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See macula info for the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another folder; macula info tells more about this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Several patients have a series of this UID.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose by the number in front of it in macula info.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such series in the folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See macula info for the list; --series takes the number in front (3, or 3.2 for its second stack), or the series UID.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is one volume; there is nothing to choose from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave --series and --volume out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The phantom has no series to choose from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave --series out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No folder was given: this is the built-in phantom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the phantom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A series was asked for of what is no folder of DICOM images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask for none, or give a folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This folder is of {}, and nothing says which is meant: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask who knows the patient, and open one of the series by its Series Instance UID or by that number (series_uid).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading {} segmentations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading segmentations was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was drawn on other voxels than those of this volume; the nearest voxel is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has fractions; what is half or more is shown as the segment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of its voxels lie outside of this volume, and are not counted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No voxel of it lies in this volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the headset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This build of Macula knows no headsets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build it with the package libopenxr-dev installed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no folder for what the session keeps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say --sessions FOLDER, or set TMPDIR.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no display to open a window on, or it does not answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set DISPLAY or WAYLAND_DISPLAY, or use `macula render`, which needs none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for these pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a smaller size, or close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state could not be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another folder, and check free space and permissions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state could not be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file may be damaged; choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for both pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no preset to save yet.</source>
+        <translation type="unfinished">Es gibt noch keine Voreinstellung zu speichern.</translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preset is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read the presets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for small pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to measure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file of settings is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The usual settings are taken; what you set next is saved, and the damaged file is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The settings could not be saved: their folder cannot be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to keep windows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory to count the values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs, and open the study again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This kind of display cannot show Vulkan pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use an X11 or a Wayland display, or `macula render`.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window cannot show Vulkan pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Install a Vulkan driver for this display.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No study is open.</source>
+        <translation type="unfinished">Keine Studie ist offen.</translation>
+    </message>
+    <message>
+        <source>Open the study that the view is of first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder for pictures is not there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it, or choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder for pictures is full of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empty it, or choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The headset does not say where the eyes are, or what they see.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the headset on, and restart its software if that does not help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The headset asks for a picture of 170 degrees or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart the software of the headset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The software of the headset does not answer as OpenXR 1.0 demands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update or reinstall it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The OpenXR loader is not installed, so no headset can be found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Install it (Debian/Ubuntu: sudo apt install libopenxr-loader1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a headset only path-traced pictures can be shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the cinematic or the clear look.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These lights hang on the camera, and in a headset there are two eyes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose lights that stay in place; macula presets lists them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of this study can be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another preset, or another clip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime that XR_RUNTIME_JSON names cannot be loaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct or unset XR_RUNTIME_JSON.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The software of the headset cannot show pictures made with Vulkan (XR_KHR_vulkan_enable2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update it, or use another OpenXR runtime.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The headset does not say how large its pictures are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Update the software of the headset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The headset needs another version of Vulkan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The headset takes no pictures of 8 bits in sRGB (R8G8B8A8_SRGB).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The headset has ended the session: it was unplugged or fell asleep.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wake it up or plug it in, and begin again; nothing that was chosen is lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The software of the headset has stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start it again, and begin again; nothing that was chosen is lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No software of a headset (OpenXR runtime) answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start SteamVR, Monado or what came with the headset, and make it the active OpenXR runtime.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No headset is connected, or it is switched off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect the headset, switch it on, and try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime knows no headsets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the runtime of the headset the active one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The headset could not {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the whole series again from its source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at these images by themselves, or copy the series again from its source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the series again, or choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No file of this series can be read; it has {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file cannot be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file is listed in the folder, and its content is not on this machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect the drive, or make the files available offline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The medium gave an error where something was to be read from it: it is damaged, dirty or failing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clean the disc, or check drive and cable, and copy the medium again; else ask for another copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A path is longer than this system can open; what lies there is missing here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A DICOM file is damaged and cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A DICOM file ends before its pixel data do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A DICOM image has no pixel data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A DICOM image does not say in a number how many frames it has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames that the files of this series should have, and that are not there: {missing} of {total}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files that hold more than the number of frames they give (NumberOfFrames): {files}. What is beyond is not shown: pixels or descriptions of {frames} frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices may be missing here; copy the series again from its source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes follow the pixel data in some files and are no part of the images, which are whole: up to {bytes}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images in which attributes stand twice, with different values: {count} of {total} ({attributes}). Of each the first value is used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare values and sizes with those that another program shows; have the images set right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files of this series that do not say what kind of object they are: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the series is what it seems to be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images that do not say by what kind of device they were taken (Modality): {count} of {total}; they were taken for {modality}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folders that could not be read: {count}. Images in them are missing here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the permissions of the folders, or copy the study again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Links that lead out of the chosen folder, and were not followed: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder they lead to, if it is wanted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Archives ({kinds}) in the folder, which were not opened: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unpack those that hold images of this study, and open the folder again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files that the directory of this medium (DICOMDIR) lists and that are not there: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the medium again; images may be missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images say that their study has {total} objects (NumberOfStudyRelatedInstances); {count} of it are here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the study again from its source if all of it should be here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files that the directory of this medium (DICOMDIR) names outside the chosen folder, and that were not read: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take care where this medium comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The directory of this medium (DICOMDIR) cannot be read; the files themselves were read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files that are copies of others of this series, and were left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images that have the identifier of another of this series, in a file that differs: {count}. Of each the first file is used; the others are in a stack of their own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare them before relying on this series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files of this series that cannot be read, and were left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the series again from its source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text of this series does not fit the character set it declares; names may be shown wrongly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The files of this series name different patients or studies, and were split into {count} series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check name, ID, birth date and sex of the patient in every part; slices of this patient may lie in another part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images differ in {attributes}, and were separated into {count} stacks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images have different sizes, and were separated into {count} stacks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some images are in colour and others are not; they were separated into {count} stacks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images lie in different orientations, and were separated into {count} stacks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images do not share one coordinate system, or some have no position; they were separated into {count} stacks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images have different pixel spacings, and were separated into {count} stacks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images whose values are in another unit than those of the others, and that are a stack of their own: {count} ({unit}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at both; values of one cannot be compared with those of the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every position was imaged {count} times; each is a volume of its own, told apart by {attribute}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every position was imaged {count} times, and only the order of the image numbers tells them apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the volumes of this series are what they seem to be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images whose {attribute} does not say to which phase they belong, and whose number was asked instead: {numbers}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare these slices with those beside them before relying on them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images of which nothing says for sure to which acquisition or phase they belong: {numbers}. They are in a stack of their own, and the others lack them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at these images by themselves; part of the scan may have been repeated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phases that have fewer images than the others: {count} of {total}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images that lie at the same position as another: {count} of {total}. Nothing in them says which belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which images make a volume? Choose another series, or separate the files of this one by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions that were imaged more than once: {count}. Of each, the image with the lowest number is in the volume, and the others are in a stack of their own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare the repeated images before relying on these slices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files of those that make up one image that are not here: {missing} of {total}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices that seem to be missing beyond the end towards the {side}: {count}; {evidence}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the whole series again from its source; what lies beyond this end is not shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images of this series that seem to be missing: {count}; {evidence}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the whole series again from its source; the slices may end too early.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{other} of this study reaches {mm:.0f} mm farther towards the {side} than these slices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If both should cover the same, images are missing here: compare with the source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series {number} of this study continues this stack, with the same slice distance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at both; together they cover more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a localizer: an overview image, not a slice of a volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a series of slices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image numbers run {count} times along the patient, and nothing else tells these sets of slices apart; each is a stack of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at all of them; they may be several acquisitions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices are {count} even sets, the first two shifted by {offsetMm:.3f} mm against each other, and nothing else tells them apart; each is a stack of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{attribute} changes along the slices, first at slice {slice}; values may step there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not take a step there for a finding.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices {slices} were acquired {minutes:.1f} min before or after those beside them: the patient may have moved, and contrast medium spread.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every other slice differs from those beside it in the same way: two acquisitions may be mixed in this volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare the original images, slice by slice, before relying on this volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images lie in {count} blocks, up to {gapMm:.0f} mm apart; each is a stack of its own, so what is shown is one of {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the other blocks too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every image names a coordinate system (FrameOfReferenceUID) of its own, and together they make an even stack; it was taken for granted that they share one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the slices fit each other. The series is not shown together with others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images that name no coordinate system (FrameOfReferenceUID): {count} of {total}. They continue the stack of the others, and it was taken for granted that they share theirs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames belong to {count} stacks (StackID), which make one even volume together and are shown as one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images that share one identifier (SOPInstanceUID) and lie at different positions: {count}. All are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other programs may show only one of them; have the identifiers set right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images that repeat another at the same position, pixel by pixel, and were left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is lost; the series was probably sent twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} images have a {level} identifier each and would make one even stack together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Are they one series? Then open the folder with --join.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} images with a {level} identifier each were joined to this series because that was asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that all of them are of one patient and one examination.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is only one slice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a series with more slices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images do not say where they lie in the patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames of this multi-frame image do not say where they lie in the patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames of this multi-frame image do not say how they are oriented in the patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames of this multi-frame image do not say how large a pixel is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images do not say how large a pixel is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images say where they lie in a frame of the transducer, and not in the patient: letters of sides, and left and right, are not those of the patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not tell sides from this volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the first frame says where it lies; it was taken for granted that the others follow it along the slice normal, at the distance that the file gives.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If they run the other way, the volume is mirrored: compare with a marker of the side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{attribute} is not written as numbers with backslashes between them, and can be read in no way, or in several.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Have it set right, or export the series again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images whose position, orientation or pixel spacing has other signs between its numbers, or in them, than it should: {count} of {total}. It was read in the only way that there is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure a known length before relying on sizes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The size of a pixel is not calibrated; it was taken from {source}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not measure lengths in these images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The orientation or pixel spacing of a slice is not a valid one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letters of the sides (PatientOrientation) say the opposite of the orientation in space (ImageOrientationPatient), which is used, in {count} of {total} images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left and right, or front and back, may be exchanged: compare with the original images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The row and column directions are {error:.4f} off perpendicular unit vectors, and were set right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices are turned against each other by up to {degrees:.3f} degrees; they are drawn with the mean orientation, and a voxel is up to {errorMm:.3f} mm away from where it is drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allow for this error when measuring.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices that are missing: {missing} of {total}, which are {spacingMm:.3f} mm apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices of the volume that are interpolated, because no image was there: {count} ({slices}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not read anything into interpolated slices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced, {leastMm:.3f} to {mostMm:.3f} mm apart; they were resampled to an even {spacingMm:.3f} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the original images before measuring across slices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices are too unevenly spaced for a volume, {leastMm:.3f} to {mostMm:.3f} mm apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images whose position is missing or cannot be right, and that were left out of the volume: {numbers}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices are not quite evenly spaced: a slice is up to {errorMm:.3f} mm away from where it is drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allow for this error when measuring across slices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images are not parallel to each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images do not make a volume: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices are stacked at an angle of {degrees:.1f} degrees (tilted gantry), and are drawn so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices are {thicknessMm:.2f} mm thick and {spacingMm:.2f} mm apart: {percent:.0f} % of what is between the first and the last was never imaged, and is interpolated here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not read anything into what lies between the slices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no image, and is not shown by itself: {kind}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images of this kind ({kind}) are no slices of a volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images are in colour; a volume needs one value per voxel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images do not say in a usable way which bits of a pixel hold its value: neither whole numbers in 1, 8, 16 or 32 bits nor floating point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This version cannot decode the images: {syntax}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images whose pixels this version cannot decode, and that were left out of the volume: {numbers}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images say that their pixels are encoded as {said}, and they are as {found}, which they were read as.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Have the images exported again; other programs may not read them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images do not say how a value is shown; greater ones were taken as brighter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each image is a mosaic of many slices (Siemens), which this version does not unpack.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the series again as one image for each slice, or convert it with dcm2niix.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These values are a dose distribution (unit: {unit}), and no anatomy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To see anatomy, choose the images that the treatment was planned on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values come from a lookup table in the images, which was applied.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lookup table that makes values of the pixels is not a usable one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rescale slope or intercept of an image is not a usable number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images that do not say how stored numbers become values: {count} of {total}. A missing rescale slope was taken as 1, a missing intercept as 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not rely on the values; presets made for Hounsfield units may not fit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These CT images do not say that their values are Hounsfield units ({reason}); they are taken as plain numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presets for Hounsfield units do not fit, and the table cannot be removed. Use the original images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images whose rescale slope or intercept is missing or cannot be right, and that were left out of the volume: {numbers}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images whose rescale slope or intercept is another than that of all others; it was applied as it is: {numbers}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare these slices with their neighbours; if they are brighter or darker, copy the series again from its source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each image has its own rescale factors; they are applied image by image.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places where the values jump because the rescale slope or intercept changes and the stored numbers do not: {count}, first at slice {slice}, by {step:.4g}. The values on one side are wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not rely on values of this volume; export the series again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images whose pixels {fault}, and that were left out of the volume: {numbers}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images whose pixels {fault}: {count} of {total}. They are shown as the images say.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not rely on the values; export the series again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images that differ from both of their neighbours far more than these from each other; they are shown as they are: {numbers}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare these slices with their neighbours, and copy the series again from its source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values are the real world values that the images define, in {unit}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standardised uptake values cannot be worked out: {missing} is missing or not usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images whose values need more bits than they say, and that were left out of the volume: {numbers}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images with bits outside of those that they say hold the values: {count} of {total}. These bits were dropped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare the values with those that another program shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images that say that their values lie higher in a pixel (HighBit) than the bits in use: {count} of {total}. They were read from the lowest bit on; as the images say, values would be a fraction of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels that are no finite number: {count}. They are treated as outside of the scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not read anything into the places where they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images were compressed with loss; fine detail may be missing or false.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the original images for diagnosis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images have lookup tables that say how they are shown (VOI LUT); these are not used, only windows are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images are meant to be shown with low values bright (MONOCHROME1); values are as stored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The display window of these images is not usable, and was ignored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} voxels belong to several segments; of each only the last is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the segments one by one in the program that made them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} voxels of the segmentation lie outside of the volume, and are not shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that no slices of the series are missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Segment {number} has the number of the background (Pixel Padding Value): nothing of it is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at it in the program that made it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Segment 0 has the number {number} in the label map, in which 0 is none of the segments.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presentation states: {count}; they are no images, and say how a series is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open one of them in the list of studies; macula render draws those of 3D views.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state has {what}, which cannot be shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with what the program shows that made it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The presentation state has {what}; {how}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program changed this presentation state of Macula; it is shown as its standard attributes say.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table is left out, and whatever else lies apart from the patient: {partsText}, {volumeText} (confidence {confidence}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the table again to see everything that was scanned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No table was found. What lies apart from the patient is left out: {partsText}, {volumeText} (confidence {confidence}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing lies apart from the patient; nothing is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient lies against the table in {slices} of {total} slices of the search grid; the surface between them is an estimate there, to about 3 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not judge the skin of the side that the patient lies on; show the table again for that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not clear what is patient and what is table; nothing is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the table away with a clip plane or box.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No patient was found in these images; nothing is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed radiography image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digital X-ray image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digital X-ray image, unprocessed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mammography image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mammography image, unprocessed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Intra-oral X-ray image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X-ray angiographic image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enhanced X-ray angiographic image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X-ray radiofluoroscopic image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enhanced X-ray radiofluoroscopic image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Visible light image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ultrasound clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ultrasound image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key object selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Structured report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presentation state of slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presentation state of a 3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation type="unfinished">Presentation State</translation>
+    </message>
+    <message>
+        <source>Waveform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raw data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spatial registration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spatial fiducials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deformable spatial registration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface segmentation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tractography</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label map segmentation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Real world value mapping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MR spectroscopy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CDA document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radiotherapy structure set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radiotherapy plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radiotherapy object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left drag, arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walk around the patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle drag, Shift + left drag, Shift + arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move sideways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel, right drag, Ctrl + left drag, + and -</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closer, farther</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + left drag, Ctrl + Left and Right, [ and ]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the picture: clockwise to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly in: the camera and what it turns around go forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right drag in maximum, minimum, average</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window: wider to the right, brighter up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + right drag, or drag with T held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transfer function: shift to the right, widen upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click in 3D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn around what is there, and show it on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window of the series again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from anterior</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from posterior</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from the patient&apos;s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from the patient&apos;s right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from superior</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from inferior</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit what is visible</source>
+        <translation type="unfinished">Sichtbares einpassen</translation>
+    </message>
+    <message>
+        <source>Parallel rays, or seen by an eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient, study and series over the picture, in title and lists, or not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cube and scale, or not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on a side of the cube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from there, as near as before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+1 to Ctrl+6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic, clear, ray cast, maximum, minimum, average</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shade the ray cast, or not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the table of a CT, or show it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No clip</source>
+        <translation type="unfinished">Kein Beschnitt</translation>
+    </message>
+    <message>
+        <source>Handles of the clip in all pictures, or not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift + wheel in 3D with handles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut across the line of sight: deeper, less deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a handle, Shift + wheel in 3D with the panel of lights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a light shines from, how strong it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scissors: draw around what is to go in 3D; with Shift, what stays; or not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop a folder or a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open an image or a volume file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a prior or another volume beside the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second volume in the place of the study, and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the view: all that was chosen, and the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a view that was saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the picture, at any size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the measurements as a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the 3D view as a DICOM presentation state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo the last change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F5 to F9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four panes, or 3D, axial, coronal, sagittal alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F2 to F4, F10, F12</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panels: studies, transfer function, clip; presets; lights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel: segmentations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a study of the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel, Up, Down on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next slice; with Shift, or Page Up and Page Down, five; Home and End: to the ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right drag, 1 to 9 on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window: wider to the right, brighter up; or a customary one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel, middle drag, +, - on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closer, sideways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F, double right click on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole slice, in the middle of its pane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tab, Shift + Tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the next pane or control, or back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C, W, Z, M, D, G, E, V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left button on slices: cross-hair, window, zoom, move, distance, angle, ellipse, probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White and black change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play through all slices, or stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the measurement that is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This pane alone, or all four</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings: language, look, keys, what is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+[ and Ctrl+]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames in motion: faster, or more accurate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trace the picture at rest until it is final; Esc stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right click, Menu on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Windows, and those of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+1 to Alt+9 on slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A window of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click on a measurement, Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Four Panes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;3D Alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;xial Alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;oronal Alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sa&amp;gittal Alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::BackgroundMenu</name>
     <message>
         <source>Back&amp;ground</source>
@@ -785,216 +6219,6 @@
     <message>
         <source>Background</source>
         <translation>Hintergrund</translation>
-    </message>
-</context>
-<context>
-    <name>macula::viewer::SecondVolumeBar</name>
-    <message>
-        <source>Study alone</source>
-        <translation>Studie allein</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>Nebeneinander</translation>
-    </message>
-    <message>
-        <source>Second alone</source>
-        <translation>Zweites allein</translation>
-    </message>
-    <message>
-        <source>In colours over the study</source>
-        <translation>Farbig über der Studie</translation>
-    </message>
-    <message>
-        <source>Hot iron</source>
-        <translation>Glühendes Eisen</translation>
-    </message>
-    <message>
-        <source>Green</source>
-        <translation>Grün</translation>
-    </message>
-    <message>
-        <source>Grey</source>
-        <translation>Grau</translation>
-    </message>
-    <message>
-        <source>Second Volume</source>
-        <translation>Zweites Volumen</translation>
-    </message>
-    <message>
-        <source>The second volume</source>
-        <translation>Das zweite Volumen</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Close the second volume; the study stays</source>
-        <translation>Das zweite Volumen schließen; die Studie bleibt</translation>
-    </message>
-    <message>
-        <source>How the second volume is shown</source>
-        <translation>Wie das zweite Volumen gezeigt wird</translation>
-    </message>
-    <message>
-        <source>The second volume beside the study, in its place, or over it. J puts it in the place of the study, and back</source>
-        <translation>Das zweite Volumen neben der Studie, an ihrer Stelle oder darüber. J setzt es an die Stelle der Studie und zurück</translation>
-    </message>
-    <message>
-        <source>How the second volume is linked</source>
-        <translation>Wie das zweite Volumen gekoppelt ist</translation>
-    </message>
-    <message>
-        <source>What takes a place in the study to the same place in the second volume. By hand, the wheel over the second volume moves it alone</source>
-        <translation>Was einen Ort der Studie an denselben Ort im zweiten Volumen führt. Von Hand bewegt das Rad über dem zweiten Volumen nur dieses</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>Von Hand</translation>
-    </message>
-    <message>
-        <source>Same frame of reference</source>
-        <translation>Gleiches Koordinatensystem</translation>
-    </message>
-    <message>
-        <source>Registered</source>
-        <translation>Registriert</translation>
-    </message>
-    <message>
-        <source>Colours of the second volume</source>
-        <translation>Farben des zweiten Volumens</translation>
-    </message>
-    <message>
-        <source>Colours of the second volume where it lies over the study</source>
-        <translation>Farben des zweiten Volumens, wo es über der Studie liegt</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>Farben</translation>
-    </message>
-    <message>
-        <source>Opacity of the second volume in percent</source>
-        <translation>Deckkraft des zweiten Volumens in Prozent</translation>
-    </message>
-    <message>
-        <source>Opacity of the second volume over the study: %1 %</source>
-        <translation>Deckkraft des zweiten Volumens über der Studie: %1 %</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>Window of the second volume from</source>
-        <translation>Fensterung des zweiten Volumens von</translation>
-    </message>
-    <message>
-        <source>Window of the second volume up to</source>
-        <translation>Fensterung des zweiten Volumens bis</translation>
-    </message>
-    <message>
-        <source>Window of the second volume</source>
-        <translation>Fensterung des zweiten Volumens</translation>
-    </message>
-    <message>
-        <source>What is black and what is white of the second volume, in its own unit</source>
-        <translation>Was am zweiten Volumen schwarz und was weiß ist, in seiner eigenen Einheit</translation>
-    </message>
-    <message>
-        <source>Registering…</source>
-        <translation>Wird registriert…</translation>
-    </message>
-    <message>
-        <source>In 3D too</source>
-        <translation>Auch in 3D</translation>
-    </message>
-    <message>
-        <source>The second volume in the 3D picture</source>
-        <translation>Das zweite Volumen im 3D-Bild</translation>
-    </message>
-    <message>
-        <source>The second volume in one 3D picture with the study. It has to be of the same patient, and linked by more than hand; projections show the study alone</source>
-        <translation>Das zweite Volumen in einem 3D-Bild mit der Studie. Es muss vom selben Patienten und anders als von Hand verknüpft sein; Projektionen zeigen die Studie allein</translation>
-    </message>
-    <message>
-        <source>Second volume in 3D</source>
-        <translation>Zweites Volumen in 3D</translation>
-    </message>
-    <message>
-        <source>Preset of the second volume in 3D</source>
-        <translation>Voreinstellung des zweiten Volumens in 3D</translation>
-    </message>
-    <message>
-        <source>What the second volume is drawn with in 3D: window, colours and opacity from here, or a preset</source>
-        <translation>Womit das zweite Volumen in 3D gezeichnet wird: Fensterung, Farben und Deckkraft von hier, oder eine Voreinstellung</translation>
-    </message>
-    <message>
-        <source>Preset of the second volume</source>
-        <translation>Voreinstellung des zweiten Volumens</translation>
-    </message>
-    <message>
-        <source>As over slices</source>
-        <translation>Wie über Schichten</translation>
-    </message>
-    <message>
-        <source>One window</source>
-        <translation>Ein Fenster</translation>
-    </message>
-    <message>
-        <source>One window for the study and the second volume</source>
-        <translation>Ein Fenster für die Untersuchung und das zweite Volumen</translation>
-    </message>
-    <message>
-        <source>Slices of both through one window, as phases are compared. Both have to have one unit</source>
-        <translation>Schichten von beiden durch ein Fenster, wie Phasen verglichen werden. Beide müssen eine Einheit haben</translation>
-    </message>
-</context>
-<context>
-    <name>macula::viewer::SecondVolumeLoader</name>
-    <message>
-        <source>Registering the second volume</source>
-        <translation>Das zweite Volumen wird registriert</translation>
-    </message>
-    <message>
-        <source>Opening the second volume</source>
-        <translation>Das zweite Volumen wird geöffnet</translation>
-    </message>
-    <message>
-        <source>There is no study that a second volume could be beside.</source>
-        <translation>Es gibt keine Studie, neben der ein zweites Volumen stehen könnte.</translation>
-    </message>
-    <message>
-        <source>Open a study first.</source>
-        <translation>Öffnen Sie zuerst eine Studie.</translation>
-    </message>
-    <message>
-        <source>Second volume closed</source>
-        <translation>Zweites Volumen geschlossen</translation>
-    </message>
-    <message>
-        <source>This is the volume that is open already.</source>
-        <translation>Das ist das Volumen, das schon offen ist.</translation>
-    </message>
-    <message>
-        <source>Choose another series to stand beside it.</source>
-        <translation>Wählen Sie eine andere Serie, die daneben steht.</translation>
-    </message>
-    <message>
-        <source>Second volume</source>
-        <translation>Zweites Volumen</translation>
-    </message>
-    <message>
-        <source>Registration</source>
-        <translation>Registrierung</translation>
-    </message>
-    <message>
-        <source>Same frame of reference</source>
-        <translation>Gleiches Koordinatensystem</translation>
-    </message>
-    <message>
-        <source>Linked by hand</source>
-        <translation>Von Hand gekoppelt</translation>
     </message>
 </context>
 <context>
@@ -2966,49 +8190,6 @@
     </message>
 </context>
 <context>
-    <name>macula::viewer::PresetNaming</name>
-    <message>
-        <source>Another name for “%1”.</source>
-        <translation>Ein anderer Name für „%1“.</translation>
-    </message>
-    <message>
-        <source>Rename the preset</source>
-        <translation>Voreinstellung umbenennen</translation>
-    </message>
-    <message>
-        <source>A preset of your own, like “%1”.</source>
-        <translation>Eine eigene Voreinstellung, wie „%1“.</translation>
-    </message>
-    <message>
-        <source>Save as copy</source>
-        <translation>Als Kopie speichern</translation>
-    </message>
-    <message>
-        <source>%1, as seen</source>
-        <translation>%1, wie gezeigt</translation>
-    </message>
-    <message>
-        <source>Curve, look, lights, window, clip and camera, as a preset of your own. It is for all studies: clip and camera go with the size of the volume.</source>
-        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung. Sie gilt für alle Studien: Beschnitt und Kamera richten sich nach der Größe des Volumens.</translation>
-    </message>
-    <message>
-        <source>Keep all that is seen</source>
-        <translation>Alles Gezeigte behalten</translation>
-    </message>
-    <message>
-        <source>The transfer function that is shown, as a preset of your own.</source>
-        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung.</translation>
-    </message>
-    <message>
-        <source>Keep the curve</source>
-        <translation>Kurve behalten</translation>
-    </message>
-    <message>
-        <source>Preset</source>
-        <translation>Voreinstellung</translation>
-    </message>
-</context>
-<context>
     <name>macula::viewer::PresetGallery</name>
     <message>
         <source>Undo</source>
@@ -3247,6 +8428,49 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::PresetNaming</name>
+    <message>
+        <source>Another name for “%1”.</source>
+        <translation>Ein anderer Name für „%1“.</translation>
+    </message>
+    <message>
+        <source>Rename the preset</source>
+        <translation>Voreinstellung umbenennen</translation>
+    </message>
+    <message>
+        <source>A preset of your own, like “%1”.</source>
+        <translation>Eine eigene Voreinstellung, wie „%1“.</translation>
+    </message>
+    <message>
+        <source>Save as copy</source>
+        <translation>Als Kopie speichern</translation>
+    </message>
+    <message>
+        <source>%1, as seen</source>
+        <translation>%1, wie gezeigt</translation>
+    </message>
+    <message>
+        <source>Curve, look, lights, window, clip and camera, as a preset of your own. It is for all studies: clip and camera go with the size of the volume.</source>
+        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung. Sie gilt für alle Studien: Beschnitt und Kamera richten sich nach der Größe des Volumens.</translation>
+    </message>
+    <message>
+        <source>Keep all that is seen</source>
+        <translation>Alles Gezeigte behalten</translation>
+    </message>
+    <message>
+        <source>The transfer function that is shown, as a preset of your own.</source>
+        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Keep the curve</source>
+        <translation>Kurve behalten</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::PresetsController</name>
     <message>
         <source>Kept as presets of your own: %1.</source>
@@ -3463,6 +8687,169 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::SecondVolumeBar</name>
+    <message>
+        <source>Study alone</source>
+        <translation>Studie allein</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Second alone</source>
+        <translation>Zweites allein</translation>
+    </message>
+    <message>
+        <source>In colours over the study</source>
+        <translation>Farbig über der Studie</translation>
+    </message>
+    <message>
+        <source>Hot iron</source>
+        <translation>Glühendes Eisen</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Second Volume</source>
+        <translation>Zweites Volumen</translation>
+    </message>
+    <message>
+        <source>The second volume</source>
+        <translation>Das zweite Volumen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close the second volume; the study stays</source>
+        <translation>Das zweite Volumen schließen; die Studie bleibt</translation>
+    </message>
+    <message>
+        <source>How the second volume is shown</source>
+        <translation>Wie das zweite Volumen gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The second volume beside the study, in its place, or over it. J puts it in the place of the study, and back</source>
+        <translation>Das zweite Volumen neben der Studie, an ihrer Stelle oder darüber. J setzt es an die Stelle der Studie und zurück</translation>
+    </message>
+    <message>
+        <source>How the second volume is linked</source>
+        <translation>Wie das zweite Volumen gekoppelt ist</translation>
+    </message>
+    <message>
+        <source>What takes a place in the study to the same place in the second volume. By hand, the wheel over the second volume moves it alone</source>
+        <translation>Was einen Ort der Studie an denselben Ort im zweiten Volumen führt. Von Hand bewegt das Rad über dem zweiten Volumen nur dieses</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Same frame of reference</source>
+        <translation>Gleiches Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Registered</source>
+        <translation>Registriert</translation>
+    </message>
+    <message>
+        <source>Colours of the second volume</source>
+        <translation>Farben des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>Colours of the second volume where it lies over the study</source>
+        <translation>Farben des zweiten Volumens, wo es über der Studie liegt</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Opacity of the second volume in percent</source>
+        <translation>Deckkraft des zweiten Volumens in Prozent</translation>
+    </message>
+    <message>
+        <source>Opacity of the second volume over the study: %1 %</source>
+        <translation>Deckkraft des zweiten Volumens über der Studie: %1 %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Window of the second volume from</source>
+        <translation>Fensterung des zweiten Volumens von</translation>
+    </message>
+    <message>
+        <source>Window of the second volume up to</source>
+        <translation>Fensterung des zweiten Volumens bis</translation>
+    </message>
+    <message>
+        <source>Window of the second volume</source>
+        <translation>Fensterung des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>What is black and what is white of the second volume, in its own unit</source>
+        <translation>Was am zweiten Volumen schwarz und was weiß ist, in seiner eigenen Einheit</translation>
+    </message>
+    <message>
+        <source>Registering…</source>
+        <translation>Wird registriert…</translation>
+    </message>
+    <message>
+        <source>In 3D too</source>
+        <translation>Auch in 3D</translation>
+    </message>
+    <message>
+        <source>The second volume in the 3D picture</source>
+        <translation>Das zweite Volumen im 3D-Bild</translation>
+    </message>
+    <message>
+        <source>The second volume in one 3D picture with the study. It has to be of the same patient, and linked by more than hand; projections show the study alone</source>
+        <translation>Das zweite Volumen in einem 3D-Bild mit der Studie. Es muss vom selben Patienten und anders als von Hand verknüpft sein; Projektionen zeigen die Studie allein</translation>
+    </message>
+    <message>
+        <source>Second volume in 3D</source>
+        <translation>Zweites Volumen in 3D</translation>
+    </message>
+    <message>
+        <source>Preset of the second volume in 3D</source>
+        <translation>Voreinstellung des zweiten Volumens in 3D</translation>
+    </message>
+    <message>
+        <source>What the second volume is drawn with in 3D: window, colours and opacity from here, or a preset</source>
+        <translation>Womit das zweite Volumen in 3D gezeichnet wird: Fensterung, Farben und Deckkraft von hier, oder eine Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Preset of the second volume</source>
+        <translation>Voreinstellung des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>As over slices</source>
+        <translation>Wie über Schichten</translation>
+    </message>
+    <message>
+        <source>One window</source>
+        <translation>Ein Fenster</translation>
+    </message>
+    <message>
+        <source>One window for the study and the second volume</source>
+        <translation>Ein Fenster für die Untersuchung und das zweite Volumen</translation>
+    </message>
+    <message>
+        <source>Slices of both through one window, as phases are compared. Both have to have one unit</source>
+        <translation>Schichten von beiden durch ein Fenster, wie Phasen verglichen werden. Beide müssen eine Einheit haben</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SecondVolumeController</name>
     <message>
         <source>The second volume that was beside this study is not open; open it with Ctrl+B to see both as they were.</source>
@@ -3518,6 +8905,53 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::SecondVolumeLoader</name>
+    <message>
+        <source>Registering the second volume</source>
+        <translation>Das zweite Volumen wird registriert</translation>
+    </message>
+    <message>
+        <source>Opening the second volume</source>
+        <translation>Das zweite Volumen wird geöffnet</translation>
+    </message>
+    <message>
+        <source>There is no study that a second volume could be beside.</source>
+        <translation>Es gibt keine Studie, neben der ein zweites Volumen stehen könnte.</translation>
+    </message>
+    <message>
+        <source>Open a study first.</source>
+        <translation>Öffnen Sie zuerst eine Studie.</translation>
+    </message>
+    <message>
+        <source>Second volume closed</source>
+        <translation>Zweites Volumen geschlossen</translation>
+    </message>
+    <message>
+        <source>This is the volume that is open already.</source>
+        <translation>Das ist das Volumen, das schon offen ist.</translation>
+    </message>
+    <message>
+        <source>Choose another series to stand beside it.</source>
+        <translation>Wählen Sie eine andere Serie, die daneben steht.</translation>
+    </message>
+    <message>
+        <source>Second volume</source>
+        <translation>Zweites Volumen</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Registrierung</translation>
+    </message>
+    <message>
+        <source>Same frame of reference</source>
+        <translation>Gleiches Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Linked by hand</source>
+        <translation>Von Hand gekoppelt</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SegmentationKeeper</name>
     <message>
         <source>Segmentations</source>
@@ -3533,33 +8967,6 @@
             <numerusform>Es gibt eine Segmentierung dieses Volumens: F11.</numerusform>
             <numerusform>Es gibt %n Segmentierungen dieses Volumens: F11.</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>SegmentEdits</name>
-    <message>
-        <source>Cross-hair</source>
-        <translation>Fadenkreuz</translation>
-    </message>
-    <message>
-        <source>Segment in colour</source>
-        <translation>Segment farbig</translation>
-    </message>
-    <message>
-        <source>Segments in 3D</source>
-        <translation>Segmente in 3D</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Segmentations</source>
-        <translation>Segmentierungen</translation>
     </message>
 </context>
 <context>
@@ -3948,148 +9355,6 @@
     </message>
 </context>
 <context>
-    <name>PaneClip</name>
-    <message>
-        <source>Clip</source>
-        <translation>Beschnitt</translation>
-    </message>
-</context>
-<context>
-    <name>PaneMeasurements</name>
-    <message>
-        <source>%1 mm²</source>
-        <translation>%1 mm²</translation>
-    </message>
-    <message>
-        <source>Plane alone: %1</source>
-        <translation>Ebene allein: %1</translation>
-    </message>
-    <message>
-        <source>Measurement</source>
-        <translation>Messung</translation>
-    </message>
-    <message>
-        <source>Measurement removed</source>
-        <translation>Messung entfernt</translation>
-    </message>
-    <message>
-        <source>Measurement moved</source>
-        <translation>Messung verschoben</translation>
-    </message>
-</context>
-<context>
-    <name>PaneRequest</name>
-    <message>
-        <source>In colours: the size of pixels is not calibrated</source>
-        <translation>In Farben: Die Pixelgröße ist nicht kalibriert</translation>
-    </message>
-    <message>
-        <source>In colours: some slices are interpolated</source>
-        <translation>In Farbe: einige Schichten sind interpoliert</translation>
-    </message>
-    <message>
-        <source>In colours: %1</source>
-        <translation>In Farben: %1</translation>
-    </message>
-    <message>
-        <source>The size of its pixels is not calibrated</source>
-        <translation>Die Größe seiner Pixel ist nicht kalibriert</translation>
-    </message>
-    <message>
-        <source>Some of its slices are interpolated</source>
-        <translation>Einige seiner Schichten sind interpoliert</translation>
-    </message>
-    <message>
-        <source>In the plane of the study: %1</source>
-        <translation>In der Ebene der Studie: %1</translation>
-    </message>
-    <message>
-        <source>Not in a plane of the study</source>
-        <translation>Nicht in einer Ebene der Studie</translation>
-    </message>
-</context>
-<context>
-    <name>PictureTexts</name>
-    <message>
-        <source>In colours: %1</source>
-        <translation>In Farben: %1</translation>
-    </message>
-    <message>
-        <source>Middle of the slab: %1</source>
-        <translation>Mitte des Slabs: %1</translation>
-    </message>
-    <message>
-        <source>%1, in %2</source>
-        <translation>%1, in %2</translation>
-    </message>
-    <message>
-        <source>Measurements are of the study alone</source>
-        <translation>Messungen gelten nur für die Studie</translation>
-    </message>
-    <message>
-        <source>Segments: middle of the slab</source>
-        <translation>Segmente: Mitte des Slabs</translation>
-    </message>
-    <message>
-        <source>No memory for this picture: make the window smaller</source>
-        <translation>Kein Speicher für dieses Bild: machen Sie das Fenster kleiner</translation>
-    </message>
-    <message>
-        <source>Segments: fractions of half or more</source>
-        <translation>Segmente: Anteile ab der Hälfte</translation>
-    </message>
-    <message>
-        <source>Segments: nearest voxel of another grid</source>
-        <translation>Segmente: nächstes Voxel eines anderen Rasters</translation>
-    </message>
-    <message>
-        <source>Low values are white, as in the images</source>
-        <translation>Niedrige Werte sind weiß, wie in den Bildern</translation>
-    </message>
-    <message>
-        <source>Low values are white, as is custom for PET</source>
-        <translation>Niedrige Werte sind weiß, wie bei PET üblich</translation>
-    </message>
-    <message>
-        <source>Inverted</source>
-        <translation>Invertiert</translation>
-    </message>
-    <message>
-        <source>Interpolated between dashed lines: no image was taken there</source>
-        <translation>Zwischen gestrichelten Linien interpoliert: dort wurde kein Bild aufgenommen</translation>
-    </message>
-    <message>
-        <source>Some of these slices are interpolated</source>
-        <translation>Einige dieser Schichten sind interpoliert</translation>
-    </message>
-    <message>
-        <source>Some slices of the slab are interpolated</source>
-        <translation>Einige Schichten des Slabs sind interpoliert</translation>
-    </message>
-    <message>
-        <source>Interpolated: no image was taken here</source>
-        <translation>Interpoliert: hier wurde kein Bild aufgenommen</translation>
-    </message>
-</context>
-<context>
-    <name>SliceKeys</name>
-    <message>
-        <source>Inverted</source>
-        <translation>Invertiert</translation>
-    </message>
-</context>
-<context>
-    <name>SliceWindowing</name>
-    <message>
-        <source>Window</source>
-        <translation>Fensterung</translation>
-    </message>
-    <message>
-        <source>Window of the second volume</source>
-        <translation>Fensterung des zweiten Volumens</translation>
-    </message>
-</context>
-<context>
     <name>macula::viewer::SliceCine</name>
     <message>
         <source>Cine</source>
@@ -4116,13 +9381,6 @@
     <message>
         <source>Slice</source>
         <translation>Schicht</translation>
-    </message>
-</context>
-<context>
-    <name>SlicePainting</name>
-    <message>
-        <source>No study is open</source>
-        <translation>Keine Studie ist offen</translation>
     </message>
 </context>
 <context>
@@ -4683,21 +9941,6 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     </message>
 </context>
 <context>
-    <name>WindowContainer</name>
-    <message>
-        <source>Sides of the patient at the left, right, top and bottom: %1, %2, %3, %4</source>
-        <translation>Seiten des Patienten links, rechts, oben und unten: %1, %2, %3, %4</translation>
-    </message>
-    <message>
-        <source>Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm</source>
-        <translation>Links ziehen oder Pfeile gehen um den Patienten herum, das Rad geht näher; Größen sind in mm</translation>
-    </message>
-    <message>
-        <source>The volume in 3D</source>
-        <translation>Das Volumen in 3D</translation>
-    </message>
-</context>
-<context>
     <name>macula::viewer::ViewsController</name>
     <message>
         <source>Open &amp;View…</source>
@@ -4756,6 +9999,389 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <message>
         <source>Stop; what is shown now stays</source>
         <translation>Anhalten; was jetzt zu sehen ist, bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>titles</name>
+    <message>
+        <source>Cinematic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ray cast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maximum (MIP)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum (MinIP)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Average (X-ray)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angiography</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SUV 0 to 5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SUV 0 to 7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SUV 0 to 15</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SUV 0 to 20</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usual for PET</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation type="unfinished">anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation type="unfinished">posterior</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished">links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished">rechts</translation>
+    </message>
+    <message>
+        <source>superior</source>
+        <translation type="unfinished">superior</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation type="unfinished">inferior</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation type="unfinished">Presentation State</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface gradient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roughness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reflectance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>anisotropy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steep gradient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the light that the steepest boundary scatters like a rough, wet surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steepness of a boundary that is half a surface, in values per mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of surfaces: highlights are smaller and brighter where it is less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of surfaces: the part that they reflect of light which falls straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of what scatters like a cloud: above 0 light goes on forwards, below 0 it comes back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of presets with curves for steep matter: where half of the matter is steep, in values per mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Daylight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Headlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theatre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished">Fensterung</translation>
+    </message>
+    <message>
+        <source>Only the front half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only a ball in the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left upper front eighth taken out, with the slices on the cuts, air black</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left upper front eighth taken out, with the slices on the cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened from the front, with the slice on the cut, air black</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened from the front, with the slice on the cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the lower half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the patient&apos;s left half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the back half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the patient&apos;s right half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only an axial slab through the middle, a tenth of the height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the upper half</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic abdomen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic airways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic aorta</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic bone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic bronchi</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic chest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic colon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic coronary arteries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic teeth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic fat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic heart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic kidneys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic liver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic lung</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic metal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic micro-CT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic MR brain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic MR knee</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic MR skin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic MR vessels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic MR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic muscle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic PET</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic skeleton</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic skin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic soft tissue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic tendons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cinematic vessels</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
