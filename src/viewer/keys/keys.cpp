@@ -61,7 +61,7 @@ QString chosenFor(const KeyRow& row) {
         isChanged = isChanged || key != usual;
         if (!key.isEmpty()) keys << key.toString(QKeySequence::NativeText);
     }
-    const QString hand = inWindowsLanguage(QString::fromUtf8(row.hand));
+    const QString hand = inWindowsLanguage(Text(row.hand));
     // Where a row has no sequence, the words are the keys.
     if (row.sequence[0] == '\0') return isChanged ? keys.join(QStringLiteral(", ")) : hand;
     if (!hand.isEmpty()) keys.prepend(hand);

@@ -84,7 +84,7 @@ void PanesController::shareOwnWindows(const std::optional<std::filesystem::path>
 
 void PanesController::addActions(QMenu& view) {
     for (const LayoutRow& row : kLayouts) {
-        QAction* action = view.addAction(inWindowsLanguage(QString::fromLatin1(row.title)), this,
+        QAction* action = view.addAction(inWindowsLanguage(Text(row.title)), this,
                                          [this, layout = row.layout] { changeLayout(layout); });
         action->setShortcut(keyOf(row));
     }

@@ -277,7 +277,7 @@ void PresetLibrary::onImported(const Result<presets::ImportedPresets>& read) {
             continue;
         }
         titles << QString::fromStdString(title);
-        for (const std::string& note : preset.notes) notes << inWindowsLanguage(note);
+        notes += inWindowsLanguage(preset.notes);
     }
     notes.removeDuplicates();
     if (!titles.isEmpty()) {

@@ -116,9 +116,9 @@ QStringList SecondVolumeController::notes() const {
             "Where the second volume lay when this study was left is not taken over: the images had other "
             "values or positions then, or an older Macula kept it. It is placed anew.");
     const study::OpenedStudy& second = loader_->second()->study;
-    for (const std::string& assumption : second.volume->provenance().assumptions)
+    for (const Text& assumption : second.volume->provenance().assumptions)
         notes << tr("Second volume: %1").arg(inWindowsLanguage(assumption));
-    for (const std::string& message : second.messages)
+    for (const Text& message : second.messages)
         notes << tr("Second volume: %1").arg(inWindowsLanguage(message));
     if (registration::boxOverlap(*context_.session.study().volume, *second.volume, state->secondFromStudy) ==
         0.0)

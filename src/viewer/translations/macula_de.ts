@@ -7783,8 +7783,8 @@
         <translation>Bild oder Volumen öffnen</translation>
     </message>
     <message>
-        <source> What is on screen is still of the study that was open before.</source>
-        <translation> Auf dem Bildschirm ist noch die Studie, die vorher offen war.</translation>
+        <source>What is on screen is still of the study that was open before.</source>
+        <translation>Auf dem Bildschirm ist noch die Studie, die vorher offen war.</translation>
     </message>
 </context>
 <context>

@@ -53,9 +53,8 @@ void MainWindow::showStudy(const study::OpenedStudy& study) {
     browser_->onStudyShown();
     status_->onStudyShown();
     QStringList notes = std::move(opening.notes);
-    for (const std::string& assumption : volume.provenance().assumptions)
-        notes << inWindowsLanguage(assumption);
-    for (const std::string& message : study.messages) notes << inWindowsLanguage(message);
+    notes += inWindowsLanguage(volume.provenance().assumptions);
+    notes += inWindowsLanguage(study.messages);
     notifications_->hide();
     notes_->set(NoteOn::study, notes);
     notes_->show();
