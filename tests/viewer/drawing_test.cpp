@@ -46,7 +46,7 @@ class DrawingTest : public WindowTest {
                                           -0.5 * glm::dvec3(kSize - 1) * kSpacingMm)})
                 .volume);
         return {.volume = kVolume,
-                .identity = {.series = "Made up", .isOfNobody = true},
+                .identity = {.series = Text("Made up"), .isOfNobody = true},
                 .description = "Made up"};
     }
     bool says(const char* text) const { return window_->fidelity().contains(QLatin1String(text)); }
@@ -57,7 +57,7 @@ class DrawingTest : public WindowTest {
 TEST_F(DrawingTest, EachLookIsDrawnAndSaidAndWhatIsNoTableStays) {
     window_->showStudy({.volume = std::make_shared<const Volume>(
                             phantom::make({.size = {128, 112, 80}, .spacingMm = {2.4, 2.4, 3.75}})),
-                        .identity = {.series = "Phantom", .isOfNobody = true},
+                        .identity = {.series = Text("Phantom"), .isOfNobody = true},
                         .description = "Phantom"});
     ASSERT_TRUE(waitForConverged());
     EXPECT_TRUE(says("Path traced"));

@@ -66,7 +66,7 @@ TEST_F(SecondVolumeTest, AnotherPatientIsAskedAboutAndSaid) {
 
 TEST_F(SecondVolumeTest, WhereImagesDoNotTellWhoItIsThePaneSaysSo) {
     study::OpenedStudy file = prior();
-    file.identity = {.series = "File brain.nii"};
+    file.identity = {.series = Text("File brain.nii")};
     secondVolume_->offer(file);
     secondVolume_->cancel();
     EXPECT_FALSE(asked_);
@@ -292,7 +292,7 @@ TEST_F(SecondVolumeTest, In3dOfFloatsAnotherCurveIsNoOtherVolume) {
     };
     const auto first = volumeWith(0.3);
     ASSERT_TRUE(first && volumeWith(0.5) == first);
-    EXPECT_NE(shown.additions()->remark.find("registration doubtful"), std::string::npos);
+    EXPECT_NE(shown.additions()->remark.english().find("registration doubtful"), std::string::npos);
     shown.setSecond(nullptr);
     EXPECT_EQ(shown.additions(), nullptr);
 }

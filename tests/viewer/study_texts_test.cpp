@@ -16,7 +16,7 @@ class StudyTextsTest : public test::OffscreenTest {
                           .patientId = "4711",
                           .studyDate = "20200304",
                           .studyDescription = "Chest",
-                          .series = "CT, series 3: Lung of Doe"};
+                          .series = Text("CT, series 3: Lung of Doe")};
         study.description = "Lung of Doe";
         study.whyThisSeries = "The volume that was chosen.";
         study.volumeTitles = {"DOE, 1", "DOE, 2"};

@@ -323,7 +323,7 @@ class FirstViewTest : public View3dTest {
                             .modality = "CT"},
                            std::move(voxels));
         return {.volume = std::make_shared<const Volume>(*std::move(volume)),
-                .identity = {.series = "Ball", .isOfNobody = true},
+                .identity = {.series = Text("Ball"), .isOfNobody = true},
                 .description = "Ball"};
     }
     // Whether the camera stands where such a view does, as near as what is seen fits.
