@@ -110,7 +110,7 @@ def all_texts(root):
 
 def has_letters(text):
     """Not so "{}, {}", of which there is nothing to translate."""
-    return any(c.isalpha() for c in re.sub(r"\{[^{}]*\}", "", text))
+    return any(c.isalpha() for c in re.sub(r"\{\w*(:[^{}]*)?\}", "", text))
 
 
 def in_quotes(text):
