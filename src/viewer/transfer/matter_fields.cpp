@@ -22,13 +22,13 @@ bool isGradient(const scene::MatterParameter& parameter) {
 
 // "Surface gradient": a label stands by itself, and begins a sentence.
 QString labelOf(const scene::MatterParameter& parameter) {
-    QString label = titleInWindowsLanguage(std::string(parameter.label));
+    QString label = inWindowsLanguage(Text::of(parameter.label, {}));
     label[0] = label[0].toUpper();
     return label;
 }
 
 QString doesOf(const scene::MatterParameter& parameter) {
-    return titleInWindowsLanguage(std::string(parameter.does));
+    return inWindowsLanguage(Text::of(parameter.does, {}));
 }
 
 }  // namespace

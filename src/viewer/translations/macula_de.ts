@@ -1971,7 +1971,7 @@
     </message>
     <message>
         <source>Moving</source>
-        <translation>Bewegung</translation>
+        <translation>In Bewegung</translation>
     </message>
     <message>
         <source>There is not enough memory for it.</source>
@@ -8659,7 +8659,7 @@
     </message>
     <message>
         <source>no {}</source>
-        <translation>kein {}</translation>
+        <translation>ohne Angabe: {}</translation>
     </message>
     <message>
         <source>It is of another patient.</source>
@@ -8856,6 +8856,178 @@
     <message>
         <source>follow hands</source>
         <translation>Händen folgen</translation>
+    </message>
+    <message>
+        <source>Resting, drawn otherwise</source>
+        <translation>In Ruhe, anders gezeichnet</translation>
+    </message>
+    <message>
+        <source>Resting</source>
+        <translation>In Ruhe</translation>
+    </message>
+    <message>
+        <source>stack {}</source>
+        <translation>Stapel {}</translation>
+    </message>
+    <message>
+        <source>repetition {}</source>
+        <translation>Wiederholung {}</translation>
+    </message>
+    <message>
+        <source>copy {}</source>
+        <translation>Kopie {}</translation>
+    </message>
+    <message>
+        <source>acquisition {}</source>
+        <translation>Aufnahme {}</translation>
+    </message>
+    <message>
+        <source>contrast agent {}</source>
+        <translation>Kontrastmittel {}</translation>
+    </message>
+    <message>
+        <source>made by {}</source>
+        <translation>Hersteller {}</translation>
+    </message>
+    <message>
+        <source>kernel {}</source>
+        <translation>Kernel {}</translation>
+    </message>
+    <message>
+        <source>{} kV</source>
+        <translation>{} kV</translation>
+    </message>
+    <message>
+        <source>gantry tilted by {}°</source>
+        <translation>Gantry um {}° geneigt</translation>
+    </message>
+    <message>
+        <source>field of view {} mm</source>
+        <translation>FOV {} mm</translation>
+    </message>
+    <message>
+        <source>slices {} mm thick</source>
+        <translation>Schichtdicke {} mm</translation>
+    </message>
+    <message>
+        <source>TE {} ms</source>
+        <translation>TE {} ms</translation>
+    </message>
+    <message>
+        <source>echo {}</source>
+        <translation>Echo {}</translation>
+    </message>
+    <message>
+        <source>TR {} ms</source>
+        <translation>TR {} ms</translation>
+    </message>
+    <message>
+        <source>TI {} ms</source>
+        <translation>TI {} ms</translation>
+    </message>
+    <message>
+        <source>flip angle {}°</source>
+        <translation>Flipwinkel {}°</translation>
+    </message>
+    <message>
+        <source>b {} s/mm²</source>
+        <translation>b {} s/mm²</translation>
+    </message>
+    <message>
+        <source>sequence {}</source>
+        <translation>Sequenz {}</translation>
+    </message>
+    <message>
+        <source>trigger time {} ms</source>
+        <translation>Triggerzeit {} ms</translation>
+    </message>
+    <message>
+        <source>time point {}</source>
+        <translation>Zeitpunkt {}</translation>
+    </message>
+    <message>
+        <source>{} % of the heartbeat</source>
+        <translation>{} % des Herzschlags</translation>
+    </message>
+    <message>
+        <source>{} % of the breath</source>
+        <translation>{} % des Atemzugs</translation>
+    </message>
+    <message>
+        <source>frame at {} ms</source>
+        <translation>Frame bei {} ms</translation>
+    </message>
+    <message>
+        <source>bounces</source>
+        <translation>Streuungen</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>light rotation</source>
+        <translation>Drehung der Lichter</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>light strength</source>
+        <translation>Stärke der Lichter</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>surface gradient</source>
+        <translation>Gradient der Oberfläche</translation>
+    </message>
+    <message>
+        <source>per mm</source>
+        <translation>je mm</translation>
+    </message>
+    <message>
+        <source>roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>reflectance</source>
+        <translation>Reflexionsgrad</translation>
+    </message>
+    <message>
+        <source>anisotropy</source>
+        <translation>Anisotropie</translation>
+    </message>
+    <message>
+        <source>steep gradient</source>
+        <translation>Gradient des Steilen</translation>
+    </message>
+    <message>
+        <source>Part of the light that the steepest boundary scatters like a rough, wet surface</source>
+        <translation>Teil des Lichts, den die steilste Grenze wie eine raue, nasse Oberfläche streut</translation>
+    </message>
+    <message>
+        <source>Steepness of a boundary that is half a surface, in values per mm</source>
+        <translation>Steilheit einer Grenze, die halb Oberfläche ist, in Werten je mm</translation>
+    </message>
+    <message>
+        <source>Of surfaces: highlights are smaller and brighter where it is less</source>
+        <translation>Von Oberflächen: Je kleiner, desto kleiner und heller sind Glanzlichter</translation>
+    </message>
+    <message>
+        <source>Of surfaces: the part that they reflect of light which falls straight</source>
+        <translation>Von Oberflächen: der Teil senkrecht einfallenden Lichts, den sie spiegeln</translation>
+    </message>
+    <message>
+        <source>Of what scatters like a cloud: above 0 light goes on forwards, below 0 it comes back</source>
+        <translation>Von dem, was wie eine Wolke streut: Über 0 läuft Licht nach vorn weiter, unter 0 kommt es zurück</translation>
+    </message>
+    <message>
+        <source>Of presets with curves for steep matter: where half of the matter is steep, in values per mm</source>
+        <translation>Bei Voreinstellungen mit Kurven für steile Materie: ab wo die Hälfte der Materie steil ist, in Werten je mm</translation>
     </message>
 </context>
 <context>
@@ -12802,54 +12974,6 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <message>
         <source>Custom</source>
         <translation>Benutzerdefiniert</translation>
-    </message>
-    <message>
-        <source>surface</source>
-        <translation>Oberfläche</translation>
-    </message>
-    <message>
-        <source>surface gradient</source>
-        <translation>Gradient der Oberfläche</translation>
-    </message>
-    <message>
-        <source>roughness</source>
-        <translation>Rauheit</translation>
-    </message>
-    <message>
-        <source>reflectance</source>
-        <translation>Reflexionsgrad</translation>
-    </message>
-    <message>
-        <source>anisotropy</source>
-        <translation>Anisotropie</translation>
-    </message>
-    <message>
-        <source>steep gradient</source>
-        <translation>Gradient des Steilen</translation>
-    </message>
-    <message>
-        <source>Part of the light that the steepest boundary scatters like a rough, wet surface</source>
-        <translation>Teil des Lichts, den die steilste Grenze wie eine raue, nasse Oberfläche streut</translation>
-    </message>
-    <message>
-        <source>Steepness of a boundary that is half a surface, in values per mm</source>
-        <translation>Steilheit einer Grenze, die halb Oberfläche ist, in Werten je mm</translation>
-    </message>
-    <message>
-        <source>Of surfaces: highlights are smaller and brighter where it is less</source>
-        <translation>Von Oberflächen: Je kleiner, desto kleiner und heller sind Glanzlichter</translation>
-    </message>
-    <message>
-        <source>Of surfaces: the part that they reflect of light which falls straight</source>
-        <translation>Von Oberflächen: der Teil senkrecht einfallenden Lichts, den sie spiegeln</translation>
-    </message>
-    <message>
-        <source>Of what scatters like a cloud: above 0 light goes on forwards, below 0 it comes back</source>
-        <translation>Von dem, was wie eine Wolke streut: Über 0 läuft Licht nach vorn weiter, unter 0 kommt es zurück</translation>
-    </message>
-    <message>
-        <source>Of presets with curves for steep matter: where half of the matter is steep, in values per mm</source>
-        <translation>Bei Voreinstellungen mit Kurven für steile Materie: ab wo die Hälfte der Materie steil ist, in Werten je mm</translation>
     </message>
     <message>
         <source>edited</source>
