@@ -2263,11 +2263,11 @@
     </message>
     <message>
         <source>{} of damaged files may hold parts of what was deleted; --damaged-too deletes them as well.</source>
-        <translation>{} mit beschädigten Dateien können Teile des Gelöschten enthalten; --damaged-too löscht sie auch.</translation>
+        <translation>Ordner mit beschädigten Dateien, die Teile des Gelöschten enthalten können: {}; --damaged-too löscht auch diese.</translation>
     </message>
     <message>
         <source>The file of stored sessions was damaged. {}, among them {} and {}, were rescued; the damaged file is kept in {}.</source>
-        <translation>Die Datei der gespeicherten Sitzungen war beschädigt. {} wurden gerettet, darunter {} und {}; die beschädigte Datei wird in {} aufbewahrt.</translation>
+        <translation>Die Datei der gespeicherten Sitzungen war beschädigt. Gerettet wurden {}, darunter {} und {}; die beschädigte Datei wird in {} aufbewahrt.</translation>
     </message>
     <message>
         <source>Stored sessions were brought to the format of this version; older ones cannot read them now.</source>
