@@ -47,7 +47,7 @@ class DrawingTest : public WindowTest {
                 .volume);
         return {.volume = kVolume,
                 .identity = {.series = Text("Made up"), .isOfNobody = true},
-                .description = "Made up"};
+                .description = Text("Made up")};
     }
     bool says(const char* text) const { return window_->fidelity().contains(QLatin1String(text)); }
     bool notes(const char* text) const { return window_->notes().contains(QLatin1String(text)); }
@@ -58,7 +58,7 @@ TEST_F(DrawingTest, EachLookIsDrawnAndSaidAndWhatIsNoTableStays) {
     window_->showStudy({.volume = std::make_shared<const Volume>(
                             phantom::make({.size = {128, 112, 80}, .spacingMm = {2.4, 2.4, 3.75}})),
                         .identity = {.series = Text("Phantom"), .isOfNobody = true},
-                        .description = "Phantom"});
+                        .description = Text("Phantom")});
     ASSERT_TRUE(waitForConverged());
     EXPECT_TRUE(says("Path traced"));
     EXPECT_FALSE(isGrey());
@@ -147,7 +147,7 @@ TEST_F(DrawingTest, TheTableGoesOnceItIsAskedForAndComesAndGoesAtOnceFromThenOn)
     EXPECT_FALSE(notes("The table is left out"));
     ASSERT_TRUE(waitForConverged());
     EXPECT_FALSE(says("table left out"));
-    EXPECT_EQ(last_->remarks.find("table"), std::string::npos);
+    EXPECT_EQ(last_->remarks.english().find("table"), std::string::npos);
     table.trigger();
     EXPECT_FALSE(window_->searchingTable());
     EXPECT_TRUE(window_->hidesSomething());

@@ -113,7 +113,8 @@ TEST_F(SecondVolumeTest, AnyOtherIsRegisteredByItself) {
     secondVolume_->offer(studyOf(std::make_shared<const Volume>(*std::move(volume)), "prior", "20220301"));
     EXPECT_TRUE(secondVolume_->isRegistering());
     ASSERT_TRUE(waitUntil([&] { return hasEnded; }));
-    ASSERT_EQ(secondVolume_->state()->link, SecondVolumeLink::registered) << (error_ ? error_->message : "");
+    ASSERT_EQ(secondVolume_->state()->link, SecondVolumeLink::registered)
+        << (error_ ? error_->message : Text());
     EXPECT_NEAR(secondVolume_->state()->secondFromStudy[3].z, 30.0, 2.0);
     session_->undo();
     EXPECT_EQ(secondVolume_->state()->link, SecondVolumeLink::byHand) << "one step";
@@ -124,7 +125,7 @@ TEST_F(SecondVolumeTest, WhatCannotBeRegisteredStaysLinkedByHandAndSaysWhy) {
                                  std::vector<std::uint16_t>(13824, 1000));
     secondVolume_->offer(studyOf(std::make_shared<const Volume>(*std::move(volume)), "flat", "20220301"));
     ASSERT_TRUE(waitUntil([&] { return error_.has_value(); }));
-    EXPECT_NE(error_->message.find("the same value everywhere"), std::string::npos);
+    EXPECT_NE(error_->message.english().find("the same value everywhere"), std::string::npos);
     EXPECT_EQ(secondVolume_->state()->link, SecondVolumeLink::byHand);
 }
 

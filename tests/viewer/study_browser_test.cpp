@@ -107,7 +107,8 @@ TEST_F(StudyBrowserTest, ControlsHaveNamesAndToolTips) {
         EXPECT_TRUE(index.data(Qt::AccessibleTextRole).toString().startsWith(index.data().toString()));
     const QString scout =
         rowTitled(QStringLiteral("Series 1: Scout")).data(Qt::AccessibleTextRole).toString();
-    EXPECT_TRUE(scout.contains(QString::fromStdString(dicom::message(dicom::key::kLocalizer).sentence)));
+    EXPECT_TRUE(
+        scout.contains(QString::fromStdString(dicom::message(dicom::key::kLocalizer).sentence.english())));
 }
 
 TEST_F(StudyBrowserTest, TheModelKeepsItsWord) {
@@ -528,7 +529,7 @@ std::shared_ptr<const study::FoundVolumes> withPresentations() {
     for (const std::string uid : {"1.2", "7.7"}) {
         dicom::OtherObject object{.file = "/doe/" + uid,
                                   .sopClassUid = "1.2.840.10008.5.1.4.1.1.11.9",
-                                  .kind = "Presentation state of a 3D view",
+                                  .kind = Text("Presentation state of a 3D view"),
                                   .referencedSeriesUids = {uid},
                                   .label = "OF " + uid};
         object.presentation =

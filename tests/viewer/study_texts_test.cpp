@@ -17,9 +17,9 @@ class StudyTextsTest : public test::OffscreenTest {
                           .studyDate = "20200304",
                           .studyDescription = "Chest",
                           .series = Text("CT, series 3: Lung of Doe")};
-        study.description = "Lung of Doe";
-        study.whyThisSeries = "The volume that was chosen.";
-        study.volumeTitles = {"DOE, 1", "DOE, 2"};
+        study.description = Text("Lung of Doe");
+        study.whyThisSeries = Text("The volume that was chosen.");
+        study.volumeTitles = {Text("DOE, 1"), Text("DOE, 2")};
         return study;
     }
 };

@@ -324,7 +324,7 @@ class FirstViewTest : public View3dTest {
                            std::move(voxels));
         return {.volume = std::make_shared<const Volume>(*std::move(volume)),
                 .identity = {.series = Text("Ball"), .isOfNobody = true},
-                .description = "Ball"};
+                .description = Text("Ball")};
     }
     // Whether the camera stands where such a view does, as near as what is seen fits.
     bool looksFrom(ViewDirection from) {

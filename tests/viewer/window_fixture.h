@@ -68,7 +68,7 @@ class WindowTest : public testing::Test {
                                      std::vector<std::uint16_t>(512, 1000));
         return {.volume = std::make_shared<const Volume>(*std::move(volume)),
                 .identity = {.series = Text("Second"), .isOfNobody = true},
-                .description = "Second"};
+                .description = Text("Second")};
     }
     static study::OpenedStudy studyThatCannotBeShown() { return smallStudy(Unit::raw); }
     // What a person sees there.
