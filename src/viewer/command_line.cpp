@@ -21,8 +21,9 @@ constexpr double kLongestScriptSeconds = 3600.0;
 constexpr const char* kKeepDaysVariable = "MACULA_KEEP_DAYS";
 constexpr const char* kSessionsVariable = "MACULA_SESSIONS";
 
+// Told in the terminal, in English.
 Error usage(const QString& message, const char* hint = "Run macula-viewer --help.") {
-    return {ErrorCode::usage, message.toStdString(), {}, hint};
+    return {ErrorCode::usage, Text::verbatim(message.toStdString()), {}, Text::verbatim(hint)};
 }
 
 Result<QSize> parseSize(const QString& text) {

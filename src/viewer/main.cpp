@@ -32,8 +32,8 @@
 #include "viewer/driven/orbit_script.h"
 #include "viewer/driven/stations_script.h"
 #include "viewer/driven/workday_script.h"
-#include "viewer/language/core_words.h"
 #include "viewer/language/language.h"
+#include "viewer/language/window_language.h"
 #include "viewer/quit_signals.h"
 #include "viewer/settings/settings.h"
 #include "viewer/theme/theme.h"
@@ -46,9 +46,9 @@ using namespace macula::viewer;
 constexpr double kShareOfScreen = 0.9;  // for four panes
 
 int fail(const Error& error) {
-    std::fprintf(stderr, "macula-viewer: %s%s%s%s %s\n", error.message.c_str(),
+    std::fprintf(stderr, "macula-viewer: %s%s%s%s %s\n", error.message.english().c_str(),
                  error.where.empty() ? "" : " (", error.where.c_str(), error.where.empty() ? "" : ")",
-                 error.hint.c_str());
+                 error.hint.english().c_str());
     return exitCodeOf(error.code);
 }
 

@@ -62,7 +62,8 @@ TEST_F(ClipWindowTest, AFaceIsDraggedInThePictureAndTheCameraStays) {
     ASSERT_TRUE(chosen().clip);
     EXPECT_NEAR(scene::keptBox(chosen().clip, volume)->high.x, 20.0, 6.0) << "L is at the right";
     EXPECT_EQ(camera(), before);
-    ASSERT_TRUE(waitUntil([&] { return last_ && last_->remarks.find("clipped") != std::string::npos; }));
+    ASSERT_TRUE(
+        waitUntil([&] { return last_ && last_->remarks.english().find("clipped") != std::string::npos; }));
     window_->session().undo();
     EXPECT_FALSE(window_->session().canUndo());
     pressKey(Qt::Key_K);
@@ -110,9 +111,9 @@ TEST_F(ClipWindowTest, ScissorsRemoveWhatIsDrawnAroundAndItComesBack) {
     EXPECT_EQ(chosen().cuts.scissors[0].camera, before);
     EXPECT_EQ(camera(), before);
     ASSERT_TRUE(waitUntil([&] { return !window_->cutting() && window_->hidesSomething(); }));
-    ASSERT_TRUE(
-        waitUntil([&] { return last_ && last_->remarks.find("cut with scissors") != std::string::npos; }));
-    EXPECT_EQ(last_->remarks.find("table"), std::string::npos);
+    ASSERT_TRUE(waitUntil(
+        [&] { return last_ && last_->remarks.english().find("cut with scissors") != std::string::npos; }));
+    EXPECT_EQ(last_->remarks.english().find("table"), std::string::npos);
     EXPECT_FALSE(action("no-clip").isChecked());
     const auto again = scene::studyStateFromJson(toJson(window_->state()), {});
     ASSERT_TRUE(again.ok());

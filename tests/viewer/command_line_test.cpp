@@ -120,7 +120,7 @@ TEST(CommandLine, NothingIsDeletedByItselfUnlessDaysAreTold) {
     qputenv("MACULA_KEEP_DAYS", "a month");
     const auto wrong = parse({});
     ASSERT_FALSE(wrong.ok());
-    EXPECT_NE(wrong.error().message.find("MACULA_KEEP_DAYS is 'a month'"), std::string::npos);
+    EXPECT_NE(wrong.error().message.english().find("MACULA_KEEP_DAYS is 'a month'"), std::string::npos);
     EXPECT_TRUE(parse({"--no-session"}).ok()) << "nobody asks for it there";
     qunsetenv("MACULA_KEEP_DAYS");
     for (const char* days : {"0", "-1", "36501", "1.5", "nan", "", "99999999999"})

@@ -46,8 +46,8 @@ class DrawingTest : public WindowTest {
                                           -0.5 * glm::dvec3(kSize - 1) * kSpacingMm)})
                 .volume);
         return {.volume = kVolume,
-                .identity = {.series = "Made up", .isOfNobody = true},
-                .description = "Made up"};
+                .identity = {.series = Text("Made up"), .isOfNobody = true},
+                .description = Text("Made up")};
     }
     bool says(const char* text) const { return window_->fidelity().contains(QLatin1String(text)); }
     bool notes(const char* text) const { return window_->notes().contains(QLatin1String(text)); }
@@ -57,8 +57,8 @@ class DrawingTest : public WindowTest {
 TEST_F(DrawingTest, EachLookIsDrawnAndSaidAndWhatIsNoTableStays) {
     window_->showStudy({.volume = std::make_shared<const Volume>(
                             phantom::make({.size = {128, 112, 80}, .spacingMm = {2.4, 2.4, 3.75}})),
-                        .identity = {.series = "Phantom", .isOfNobody = true},
-                        .description = "Phantom"});
+                        .identity = {.series = Text("Phantom"), .isOfNobody = true},
+                        .description = Text("Phantom")});
     ASSERT_TRUE(waitForConverged());
     EXPECT_TRUE(says("Path traced"));
     EXPECT_FALSE(isGrey());
@@ -147,7 +147,7 @@ TEST_F(DrawingTest, TheTableGoesOnceItIsAskedForAndComesAndGoesAtOnceFromThenOn)
     EXPECT_FALSE(notes("The table is left out"));
     ASSERT_TRUE(waitForConverged());
     EXPECT_FALSE(says("table left out"));
-    EXPECT_EQ(last_->remarks.find("table"), std::string::npos);
+    EXPECT_EQ(last_->remarks.english().find("table"), std::string::npos);
     table.trigger();
     EXPECT_FALSE(window_->searchingTable());
     EXPECT_TRUE(window_->hidesSomething());

@@ -92,7 +92,7 @@ TEST_F(HeadsetPanelTest, WithoutARuntimeASentenceIsSaidAndTheWindowGoesOn) {
         ASSERT_TRUE(waitUntil([&] { return ended == attempt; }));
         ASSERT_EQ(errors.size(), std::size_t(attempt));
         EXPECT_EQ(errors.back().code, ErrorCode::deviceNotUsable);
-        EXPECT_TRUE(errors.back().message.ends_with('.')) << errors.back().message;
+        EXPECT_TRUE(errors.back().message.english().ends_with('.')) << errors.back().message;
         EXPECT_FALSE(errors.back().hint.empty());
         EXPECT_FALSE(show.isRunning());
     }

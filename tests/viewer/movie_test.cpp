@@ -199,7 +199,8 @@ TEST_F(ModelExportTest, AModelThatCouldNotBeReadIsAnEndAndTold) {
     int ends = 0;
     std::vector<std::string> told;
     QObject::connect(&save, &ModelExport::ended, &save, [&] { ++ends; });
-    QObject::connect(&save, &ModelExport::failed, &save, [&](const Error& e) { told.push_back(e.message); });
+    QObject::connect(&save, &ModelExport::failed, &save,
+                     [&](const Error& e) { told.push_back(e.message.english()); });
     save.expect({.path = "/no/such/folder/model.ply"}, 7);
     live::ModelSnapshot taken{.request = 7};
     taken.error = Error{ErrorCode::deviceLost, Text("The graphics device stopped."), {}, Text("Try again.")};

@@ -19,8 +19,8 @@ const study::Identity kDoe{.patientName = "DOE^JOHN",
                            .patientId = "4711",
                            .studyDate = "20200304",
                            .studyDescription = "Chest",
-                           .series = "CT, series 3: Lung"};
-const study::Identity kPhantom{.series = "Built-in phantom", .isOfNobody = true};
+                           .series = Text("CT, series 3: Lung")};
+const study::Identity kPhantom{.series = Text("Built-in phantom"), .isOfNobody = true};
 
 class NamesTest : public WindowTest {
   protected:
@@ -203,7 +203,7 @@ TEST_F(ThreeStudiesTest, EveryPictureOfThreeStudiesNamesItsOwn) {
         }));
         const study::Identity& identity = identities[std::size_t(wanted)];
         EXPECT_TRUE(waitUntil([&] { return isNamed(identity); }));
-        const QString named = QString::fromStdString(titleOf(identity)).simplified();
+        const QString named = QString::fromStdString(titleOf(identity).english()).simplified();
         EXPECT_TRUE(waitUntil([&] { return title().startsWith(named); }));
     }
     EXPECT_EQ(wanted, 2);

@@ -41,7 +41,7 @@ class OpeningTest : public WindowTest {
         auto volume =
             Volume::create({.size = glm::ivec3(8), .unit = unit, .modality = modality}, std::move(values));
         return {.volume = std::make_shared<const Volume>(*std::move(volume)),
-                .identity = {.series = modality, .isOfNobody = true}};
+                .identity = {.series = Text::verbatim(modality), .isOfNobody = true}};
     }
     QImage pictureOf(const char* action) {
         window_->findChild<QAction*>(QString::fromLatin1(action))->trigger();

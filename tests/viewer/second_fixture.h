@@ -33,7 +33,7 @@ inline study::OpenedStudy studyOf(std::shared_ptr<const Volume> volume, std::str
                       .sex = "F",
                       .studyDate = std::move(date),
                       .studyDescription = "Thorax",
-                      .series = "CT, series 3: Miller"};
+                      .series = Text("CT, series 3: Miller")};
     return study;
 }
 

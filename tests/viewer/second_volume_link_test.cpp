@@ -66,7 +66,7 @@ TEST_F(SecondVolumeTest, AnotherPatientIsAskedAboutAndSaid) {
 
 TEST_F(SecondVolumeTest, WhereImagesDoNotTellWhoItIsThePaneSaysSo) {
     study::OpenedStudy file = prior();
-    file.identity = {.series = "File brain.nii"};
+    file.identity = {.series = Text("File brain.nii")};
     secondVolume_->offer(file);
     secondVolume_->cancel();
     EXPECT_FALSE(asked_);
@@ -113,7 +113,8 @@ TEST_F(SecondVolumeTest, AnyOtherIsRegisteredByItself) {
     secondVolume_->offer(studyOf(std::make_shared<const Volume>(*std::move(volume)), "prior", "20220301"));
     EXPECT_TRUE(secondVolume_->isRegistering());
     ASSERT_TRUE(waitUntil([&] { return hasEnded; }));
-    ASSERT_EQ(secondVolume_->state()->link, SecondVolumeLink::registered) << (error_ ? error_->message : "");
+    ASSERT_EQ(secondVolume_->state()->link, SecondVolumeLink::registered)
+        << (error_ ? error_->message : Text());
     EXPECT_NEAR(secondVolume_->state()->secondFromStudy[3].z, 30.0, 2.0);
     session_->undo();
     EXPECT_EQ(secondVolume_->state()->link, SecondVolumeLink::byHand) << "one step";
@@ -124,7 +125,7 @@ TEST_F(SecondVolumeTest, WhatCannotBeRegisteredStaysLinkedByHandAndSaysWhy) {
                                  std::vector<std::uint16_t>(13824, 1000));
     secondVolume_->offer(studyOf(std::make_shared<const Volume>(*std::move(volume)), "flat", "20220301"));
     ASSERT_TRUE(waitUntil([&] { return error_.has_value(); }));
-    EXPECT_NE(error_->message.find("the same value everywhere"), std::string::npos);
+    EXPECT_NE(error_->message.english().find("the same value everywhere"), std::string::npos);
     EXPECT_EQ(secondVolume_->state()->link, SecondVolumeLink::byHand);
 }
 
@@ -292,7 +293,7 @@ TEST_F(SecondVolumeTest, In3dOfFloatsAnotherCurveIsNoOtherVolume) {
     };
     const auto first = volumeWith(0.3);
     ASSERT_TRUE(first && volumeWith(0.5) == first);
-    EXPECT_NE(shown.additions()->remark.find("registration doubtful"), std::string::npos);
+    EXPECT_NE(shown.additions()->remark.english().find("registration doubtful"), std::string::npos);
     shown.setSecond(nullptr);
     EXPECT_EQ(shown.additions(), nullptr);
 }

@@ -211,7 +211,7 @@ TEST_F(SecondVolumeTest, A3dPictureSaysWhatElseIsInIt) {
     scene::Drawing drawing;
     EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), LinesOver{.names = {"DOE, JANE"}});
     Additions additions;
-    additions.remark = "with PT";
+    additions.remark = Text("with PT");
     drawing.additions = std::make_shared<const Additions>(additions);
     EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), (LinesOver{.names = {"DOE, JANE"}, .notes = {"With PT"}}));
     EXPECT_EQ(linesOver({}, drawing), LinesOver{.notes = {"With PT"}}) << "also where nobody is named";

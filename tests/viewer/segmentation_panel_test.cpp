@@ -353,7 +353,7 @@ TEST_F(SegmentationPanelTest, SeveralPartsHideTogether) {
                                    std::vector<std::uint16_t>(volume.voxelCount(), 0));
     Mask nothing;
     nothing.labels = std::make_shared<const LabelMap>(*std::move(labels));
-    nothing.remark = "all left out";
+    nothing.remark = Text("all left out");
     select(0);
     click("segment-alone");
     ASSERT_TRUE(settled());

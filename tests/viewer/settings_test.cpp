@@ -161,7 +161,7 @@ TEST(SettingsOnTheLine, TheLineCountsMore) {
 TEST(SettingsOnTheLine, AnUnknownLanguageIsAnError) {
     const auto line = parseCommandLine({"macula-viewer", "--language", "xx"});
     ASSERT_FALSE(line.ok());
-    EXPECT_NE(line.error().hint.find("en and de"), std::string::npos);
+    EXPECT_NE(line.error().hint.english().find("en and de"), std::string::npos);
 }
 
 class SettingsDialogTest : public test::OffscreenTest {};

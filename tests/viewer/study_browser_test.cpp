@@ -5,10 +5,10 @@
 
 #include <QAbstractItemModelTester>
 #include <QAction>
-#include <QFile>
+#include <QHash>
 #include <QScrollBar>
-#include <QTemporaryDir>
 #include <QTest>
+#include <QTranslator>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -18,7 +18,6 @@
 #include "study/found_by_hand.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_tree_model.h"
-#include "viewer/language/core_words.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {
@@ -108,7 +107,8 @@ TEST_F(StudyBrowserTest, ControlsHaveNamesAndToolTips) {
         EXPECT_TRUE(index.data(Qt::AccessibleTextRole).toString().startsWith(index.data().toString()));
     const QString scout =
         rowTitled(QStringLiteral("Series 1: Scout")).data(Qt::AccessibleTextRole).toString();
-    EXPECT_TRUE(scout.contains(QString::fromStdString(dicom::message(dicom::key::kLocalizer).sentence)));
+    EXPECT_TRUE(
+        scout.contains(QString::fromStdString(dicom::message(dicom::key::kLocalizer).sentence.english())));
 }
 
 TEST_F(StudyBrowserTest, TheModelKeepsItsWord) {
@@ -308,26 +308,32 @@ TEST_F(StudyBrowserTest, TextOfFilesIsNoHtmlAndTurnsNothingRound) {
     EXPECT_EQ(titles().at(1), QStringLiteral("2020-01-02, a b"));
 }
 
+// A language of which all is X.
+class Xs : public QTranslator {
+  public:
+    bool isEmpty() const override { return false; }
+    QString translate(const char* context, const char* source, const char*, int) const override {
+        static const QHash<QString, QString> known{{"DOE, JANE", "X"},
+                                                   {"Tracing", "X"},
+                                                   {"Series {}", "X"},
+                                                   {"Series {}: {}", "X: {1}"},
+                                                   {"2020-01-02, Tracing", "X"}};
+        return QLatin1String(context) == QLatin1String("core") ? known.value(QString::fromUtf8(source))
+                                                               : QString();
+    }
+};
+
 // A name may be a word of ours.
 TEST_F(StudyBrowserTest, OnlyWordsOfTheProgramAreInItsLanguage) {
-    QTemporaryDir folder;
-    QFile words(folder.filePath(QStringLiteral("core_xx.ts")));
-    ASSERT_TRUE(words.open(QIODevice::WriteOnly));
-    words.write("<TS><context><name>core</name>");
-    for (const char* source : {"DOE, JANE", "Tracing", "Series %1", "Series %1: %2", "2020-01-02, Tracing"})
-        words.write(QStringLiteral("<message><source>%1</source><translation>X</translation></message>")
-                        .arg(QLatin1String(source))
-                        .toUtf8());
-    words.write("</context></TS>");
-    words.close();
-    useCoreWords(words.fileName());
+    Xs language;
+    QCoreApplication::installTranslator(&language);
     dicom::Scan scan;
     scan.studies.push_back(
         study::test::studyOf(0, "DOE^JANE", "20200102", "Tracing",
                              {study::test::seriesOf(1, "Tracing", {study::test::volumeOf(3)})}));
     browser_->setFound(std::make_shared<const study::FoundVolumes>(std::move(scan)), std::nullopt);
     const QStringList shown = titles();
-    useCoreWords({});
+    QCoreApplication::removeTranslator(&language);
     EXPECT_EQ(shown, (QStringList{QStringLiteral("DOE, JANE"), QStringLiteral("2020-01-02, Tracing"),
                                   QStringLiteral("X: Tracing")}));
 }
@@ -523,7 +529,7 @@ std::shared_ptr<const study::FoundVolumes> withPresentations() {
     for (const std::string uid : {"1.2", "7.7"}) {
         dicom::OtherObject object{.file = "/doe/" + uid,
                                   .sopClassUid = "1.2.840.10008.5.1.4.1.1.11.9",
-                                  .kind = "Presentation state of a 3D view",
+                                  .kind = Text("Presentation state of a 3D view"),
                                   .referencedSeriesUids = {uid},
                                   .label = "OF " + uid};
         object.presentation =
@@ -545,7 +551,7 @@ TEST_F(StudyBrowserTest, APresentationStateIsChosenByMouseAndKeys) {
                          EXPECT_EQ(chosen.volume, 0u);
                      });
     QObject::connect(&*browser_, &StudyBrowser::presentationRefused, &*browser_,
-                     [&](const std::string& whyNot) { refused.push_back(whyNot); });
+                     [&](const Text& whyNot) { refused.push_back(whyNot.english()); });
     browser_->setFound(withPresentations(), std::nullopt);
     settle();
     const QModelIndex known = rowTitled(QStringLiteral("3D view: OF 1.2"));

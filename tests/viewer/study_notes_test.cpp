@@ -64,7 +64,7 @@ TEST_F(StudyNotesTest, ThatWereDismissedComeBackOnlyWithNews) {
 TEST_F(StudyNotesTest, FailuresAreShownAndSignalled) {
     std::vector<std::string> failures;
     QObject::connect(&*notifications_, &Notifications::failed, &*window_,
-                     [&](const Error& error) { failures.push_back(error.message); });
+                     [&](const Error& error) { failures.push_back(error.message.english()); });
     notifications_->showError({ErrorCode::usage, Text("Only shown.")});
     EXPECT_TRUE(failures.empty());
     notifications_->failUnlessCancelled({ErrorCode::cancelled, Text("By a person.")});

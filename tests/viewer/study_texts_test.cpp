@@ -16,10 +16,10 @@ class StudyTextsTest : public test::OffscreenTest {
                           .patientId = "4711",
                           .studyDate = "20200304",
                           .studyDescription = "Chest",
-                          .series = "CT, series 3: Lung of Doe"};
-        study.description = "Lung of Doe";
-        study.whyThisSeries = "The volume that was chosen.";
-        study.volumeTitles = {"DOE, 1", "DOE, 2"};
+                          .series = Text("CT, series 3: Lung of Doe")};
+        study.description = Text("Lung of Doe");
+        study.whyThisSeries = Text("The volume that was chosen.");
+        study.volumeTitles = {Text("DOE, 1"), Text("DOE, 2")};
         return study;
     }
 };

@@ -9,38 +9,39 @@
 #include <QSet>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/paths.h"
+#include "dicom/messages/messages.h"
 #include "scene/choice/catalogue.h"
 #include "scene/choice/quality_choice.h"
+#include "segment/messages.h"
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
 #include "viewer/language/language.h"
+#include "viewer/language/window_language.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {
 namespace {
 
-struct Text {
+struct Entry {
     QString context;
     QString source;
     QString translation;
     bool isUnfinished = false;
 };
 
-std::vector<Text> textsIn(const QString& path) {
+std::vector<Entry> textsIn(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) throw std::runtime_error(path.toStdString());
     QXmlStreamReader xml(&file);
-    std::vector<Text> texts;
+    std::vector<Entry> texts;
     QString context;
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement) continue;
@@ -59,47 +60,58 @@ QString folder() {
     return QString::fromStdString((macula::test::projectFolder() / "src/viewer/translations/").string());
 }
 
-// The places of a text: "%1", "%L2", and "%n" of how many.
-QStringList placesOf(const QString& text) {
-    static const QRegularExpression place(QStringLiteral("%L?[1-9n]"));
+bool isOfAllRooms(const Entry& text) {
+    return text.context == QLatin1String("core") || text.context == QLatin1String("titles");
+}
+
+// The places of a text of the window: "%1", "%L2", and "%n" of how many; of a text of all rooms: "0",
+// "1:.2f", "count".
+QStringList placesOf(const QString& text, bool isOfAllRooms) {
+    static const QRegularExpression ofTheWindow(QStringLiteral("%L?[1-9n]"));
+    static const QRegularExpression ofText(QStringLiteral("\\{(\\w*)(:[^{}]*)?\\}"));
     QSet<QString> places;
-    for (auto matches = place.globalMatch(text); matches.hasNext();) places << matches.next().captured();
+    int unnumbered = 0;
+    for (auto matches = (isOfAllRooms ? ofText : ofTheWindow).globalMatch(text); matches.hasNext();) {
+        const QRegularExpressionMatch place = matches.next();
+        if (!isOfAllRooms) {
+            places << place.captured();
+        } else {
+            const QString id =
+                place.captured(1).isEmpty() ? QString::number(unnumbered++) : place.captured(1);
+            places << id + place.captured(2);
+        }
+    }
     QStringList sorted(places.begin(), places.end());
     sorted.sort();
     return sorted;
 }
 
 TEST(Translation, EveryTextHasOneWithTheSamePlaces) {
-    for (const char* name : {"macula_de.ts", "core_de.ts"}) {
-        const std::vector<Text> texts = textsIn(folder() + QLatin1String(name));
-        EXPECT_GT(texts.size(), 300u) << name;
-        for (const Text& text : texts) {
-            EXPECT_FALSE(text.isUnfinished || text.translation.isEmpty())
-                << name << ": " << text.source.toStdString();
-            if (QLatin1String(name) == QLatin1String("macula_de.ts")) {
-                EXPECT_EQ(placesOf(text.source), placesOf(text.translation)) << text.source.toStdString();
-            }
-            for (const QString& place : placesOf(text.translation))
-                EXPECT_TRUE(placesOf(text.source).contains(place)) << text.source.toStdString();
-        }
+    const std::vector<Entry> texts = textsIn(folder() + QStringLiteral("macula_de.ts"));
+    EXPECT_GT(texts.size(), 2000u);
+    for (const Entry& text : texts) {
+        EXPECT_FALSE(text.isUnfinished || text.translation.isEmpty()) << text.source.toStdString();
+        EXPECT_EQ(placesOf(text.source, isOfAllRooms(text)), placesOf(text.translation, isOfAllRooms(text)))
+            << text.source.toStdString();
     }
 }
 
 // Of English there is only what is said of one thing and of several.
 TEST(Translation, EnglishHasBothFormsOfEachCount) {
-    const std::vector<Text> english = textsIn(folder() + QStringLiteral("macula_en.ts"));
+    const std::vector<Entry> english = textsIn(folder() + QStringLiteral("macula_en.ts"));
     EXPECT_GE(english.size(), 17u);
-    for (const Text& text : english) {
+    for (const Entry& text : english) {
         EXPECT_FALSE(text.isUnfinished || text.translation.trimmed().isEmpty()) << text.source.toStdString();
         EXPECT_TRUE(text.source.contains(QLatin1String("%n")) || text.source.contains(QLatin1String("%Ln")));
-        EXPECT_EQ(placesOf(text.source), placesOf(text.translation)) << text.source.toStdString();
+        EXPECT_EQ(placesOf(text.source, false), placesOf(text.translation, false))
+            << text.source.toStdString();
     }
 }
 
 // On a panel of a headset: src/xr/room_words.h says how many letters fit. A sharp s is two.
 TEST(Translation, WordsOfTheHeadsetFitItsPanel) {
     std::map<QString, QString> words;
-    for (const Text& text : textsIn(folder() + QStringLiteral("macula_de.ts"))) {
+    for (const Entry& text : textsIn(folder() + QStringLiteral("macula_de.ts"))) {
         if (text.context != QLatin1String("HeadsetWords")) continue;
         words[text.source] = QString(text.translation).replace(QStringLiteral("ß"), QStringLiteral("SS"));
     }
@@ -121,7 +133,8 @@ TEST(Translation, WordsOfTheHeadsetFitItsPanel) {
     words["Picture %1 is written."] = words.at("Picture %1 is written.").arg("macula-headset-100.png");
     for (const auto& [source, translation] : words)
         EXPECT_LE(translation.size(), kSentenceLetters) << source.toStdString();
-    for (const Text& text : textsIn(folder() + QStringLiteral("core_de.ts"))) {
+    for (const Entry& text : textsIn(folder() + QStringLiteral("macula_de.ts"))) {
+        if (!isOfAllRooms(text)) continue;
         if (!text.source.startsWith(QLatin1String("The folder for pictures ")) &&
             text.source != QLatin1String("The picture could not be written.") &&
             text.source != QLatin1String("There is not enough memory for the picture."))
@@ -132,26 +145,38 @@ TEST(Translation, WordsOfTheHeadsetFitItsPanel) {
     }
 }
 
-// What tr() marks in the sources, against the file: packaging/translations adds what is missing there.
-TEST(Translation, NoTextOfTheWindowIsMissing) {
+// What tr() and Text mark in the sources, against the file, which packaging/translations keeps.
+TEST(Translation, NoTextIsMissingAndNoneIsOfNoUse) {
     const QString lupdate = QString::fromLatin1(MACULA_LUPDATE);
     if (!QFile::exists(lupdate)) GTEST_SKIP() << "packaging/bootstrap installs lupdate";
     QTemporaryDir scratch;
-    const QString found = scratch.filePath(QStringLiteral("found_de.ts"));
-    const QString sources = QString::fromStdString((macula::test::projectFolder() / "src").string());
+    const QString project = QString::fromStdString(macula::test::projectFolder().string());
+    const QString ofAllRooms = scratch.filePath(QStringLiteral("texts.cpp"));
     QProcess process;
-    process.start(lupdate, {"-silent", sources + "/viewer", "-I", sources, "-locations", "none",
-                            "-target-language", "de", "-ts", found});
-    ASSERT_TRUE(process.waitForFinished(30'000)) << process.errorString().toStdString();
+    process.setStandardOutputFile(ofAllRooms);
+    process.start(project + "/packaging/translations.py", {});
+    ASSERT_TRUE(process.waitForFinished(60'000)) << process.errorString().toStdString();
     ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
-    std::set<std::pair<QString, QString>> known;
-    for (const Text& text : textsIn(folder() + QStringLiteral("macula_de.ts")))
-        known.insert({text.context, text.source});
-    const std::vector<Text> texts = textsIn(found);
-    EXPECT_GT(texts.size(), 300u);
-    for (const Text& text : texts)
-        EXPECT_TRUE(known.contains({text.context, text.source}))
-            << "run packaging/translations, and translate: " << text.source.toStdString();
+    process.setStandardOutputFile({});
+    const QString found = scratch.filePath(QStringLiteral("found_de.ts"));
+    process.start(lupdate, {"-silent", project + "/src/viewer", ofAllRooms, "-I", project + "/src",
+                            "-locations", "none", "-target-language", "de", "-ts", found});
+    ASSERT_TRUE(process.waitForFinished(60'000)) << process.errorString().toStdString();
+    ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+    const auto keysIn = [](const QString& path) {
+        std::set<std::pair<QString, QString>> keys;
+        for (const Entry& text : textsIn(path)) keys.insert({text.context, text.source});
+        return keys;
+    };
+    const auto known = keysIn(folder() + QStringLiteral("macula_de.ts"));
+    const auto wanted = keysIn(found);
+    EXPECT_GT(wanted.size(), 2000u);
+    for (const auto& key : wanted)
+        EXPECT_TRUE(known.contains(key))
+            << "run packaging/translations, and translate: " << key.second.toStdString();
+    for (const auto& key : known)
+        EXPECT_TRUE(wanted.contains(key))
+            << "run packaging/translations; nobody says: " << key.second.toStdString();
 }
 
 class GermanTest : public test::OffscreenTest {
@@ -165,9 +190,10 @@ class GermanTest : public test::OffscreenTest {
         QLocale::setDefault(QLocale::c());
         OffscreenTest::TearDown();
     }
-    static std::set<QString> coreTexts() {
+    static std::set<QString> textsOfAllRooms() {
         std::set<QString> known;
-        for (const Text& text : textsIn(folder() + QStringLiteral("core_de.ts"))) known.insert(text.source);
+        for (const Entry& text : textsIn(folder() + QStringLiteral("macula_de.ts")))
+            if (isOfAllRooms(text)) known.insert(text.source);
         return known;
     }
 };
@@ -179,7 +205,7 @@ TEST_F(GermanTest, TextsOfTheWindowAreInTheProgram) {
     useLanguage(Language::english);
     EXPECT_EQ(QCoreApplication::translate("macula::viewer::OpeningController", "&Open Folder…"),
               QStringLiteral("&Open Folder…"));
-    EXPECT_EQ(inWindowsLanguage(std::string("There is only one slice.")),
+    EXPECT_EQ(inWindowsLanguage(Text("There is only one slice.")),
               QStringLiteral("There is only one slice."));
 }
 
@@ -189,8 +215,8 @@ TEST_F(GermanTest, OneThingIsNotToldAsSeveral) {
     };
     EXPECT_EQ(pictures(1), QStringLiteral("1 Bild"));
     EXPECT_EQ(pictures(2), QStringLiteral("2 Bilder"));
-    EXPECT_EQ(inWindowsLanguage(std::string("1 part")), QStringLiteral("1 Teil"));
-    EXPECT_EQ(inWindowsLanguage(std::string("3 parts")), QStringLiteral("3 Teile"));
+    EXPECT_EQ(inWindowsLanguage(Text("1 part")), QStringLiteral("1 Teil"));
+    EXPECT_EQ(inWindowsLanguage(Text("{} parts", 3)), QStringLiteral("3 Teile"));
     useLanguage(Language::english);
     EXPECT_EQ(pictures(1), QStringLiteral("1 picture"));
     EXPECT_EQ(pictures(0), QStringLiteral("0 pictures"));
@@ -198,36 +224,47 @@ TEST_F(GermanTest, OneThingIsNotToldAsSeveral) {
 
 TEST_F(GermanTest, WindowsOfSlicesAndTheErrorOf16BitsArriveInGerman) {
     EXPECT_EQ(titleInWindowsLanguage("Soft tissue"), QStringLiteral("Weichteile"));
+    const Text unit(" {}", "SUV bw");
     EXPECT_EQ(
         inWindowsLanguage(
-            std::string("The 3D picture has values of 16 bits, with an error of at most 0.25 SUV bw.")),
+            Text("The 3D picture has values of 16 bits, with an error of at most {:.3g}{}.", 0.25, unit)),
         QStringLiteral("Das 3D-Bild hat Werte von 16 Bit, mit einem Fehler von höchstens 0,25 SUV bw."));
-    EXPECT_EQ(inWindowsLanguage(
-                  std::string("The 3D picture shows values below -2800 Bq/mL or above 6799 Bq/mL as these.")),
+    EXPECT_EQ(inWindowsLanguage(Text("The 3D picture shows values below {:.4g}{} or above {:.4g}{} as these.",
+                                     -2800.0, Text(" {}", "Bq/mL"), 6799.0, Text(" {}", "Bq/mL"))),
               QStringLiteral("Das 3D-Bild zeigt Werte unter -2800 Bq/mL oder über 6799 Bq/mL wie diese."));
     EXPECT_EQ(titleInWindowsLanguage("SUV 0 to 15"), QStringLiteral("SUV 0 bis 15"));
 }
 
 TEST_F(GermanTest, WhatIsNotCalibratedArrivesInGerman) {
-    EXPECT_EQ(inWindowsLanguage(std::string("The table is left out, and whatever else lies apart from the "
-                                            "patient: 3 parts, ≈ 120 mL, not calibrated (confidence high).")),
+    const auto removed = [](Text parts, Text volume) {
+        return inWindowsLanguage(
+            segment::message(segment::key::kTableRemoved, {{"partsText", std::move(parts)},
+                                                           {"volumeText", std::move(volume)},
+                                                           {"confidence", Text("high")}})
+                .sentence);
+    };
+    EXPECT_EQ(removed(Text("{} parts", 3), Text("≈ {:.0f} mL, not calibrated", 120.0)),
               QStringLiteral("Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: 3 Teile, "
                              "≈ 120 mL, nicht kalibriert (Sicherheit: hoch)."));
-    EXPECT_EQ(inWindowsLanguage(std::string("The table is left out, and whatever else lies apart from the "
-                                            "patient: 1 part, 120 mL (confidence high).")),
+    EXPECT_EQ(removed(Text("1 part"), Text("{:.0f} mL", 120.0)),
               QStringLiteral("Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: 1 Teil, "
                              "120 mL (Sicherheit: hoch)."));
-    EXPECT_EQ(listInWindowsLanguage("512 × 256 · 1 × 1 × 2 mm · not calibrated", QStringLiteral(" · ")),
-              QStringLiteral("512 × 256 · 1 × 1 × 2 mm · nicht kalibriert"));
-    EXPECT_EQ(inWindowsLanguage(std::string("Images that do not say by what kind of device they were taken "
-                                            "(Modality): 2 of 12; they were taken for CT, by their kind of "
-                                            "object.")),
+    EXPECT_EQ(inWindowsLanguage(
+                  Text::joined({Text("{} × {}", 512, 256), Text("{:.3g} × {:.3g} × {:.3g} mm", 1.0, 1.0, 2.5),
+                                Text("not calibrated")},
+                               " · ")),
+              QStringLiteral("512 × 256 · 1 × 1 × 2,5 mm · nicht kalibriert"));
+    EXPECT_EQ(inWindowsLanguage(dicom::message(dicom::key::kMissingModality,
+                                               {{"count", std::int64_t(2)},
+                                                {"total", std::int64_t(12)},
+                                                {"modality", Text("{}, by their kind of object", "CT")}})
+                                    .sentence),
               QStringLiteral("Bilder, die nicht sagen, mit was für einem Gerät sie aufgenommen wurden "
                              "(Modality): 2 von 12; sie gelten als CT, nach der Art ihrer Objekte."));
 }
 
 TEST_F(GermanTest, KeysAndTitlesOfWhatIsBuiltInHaveOne) {
-    const std::set<QString> known = coreTexts();
+    const std::set<QString> known = textsOfAllRooms();
     const auto has = [&](const std::string& text) { return known.contains(QString::fromStdString(text)); };
     for (const KeyRow& row : kKeys) {
         EXPECT_TRUE(has(row.does)) << row.does;
@@ -250,52 +287,45 @@ TEST_F(GermanTest, KeysAndTitlesOfWhatIsBuiltInHaveOne) {
     for (const trace::Quality& quality : *qualities) EXPECT_TRUE(has(quality.title)) << quality.title;
 }
 
-// Literals of the tables of messages, as a reader of C++ joins them; "{count}" is a place.
-QStringList sentencesOf(const char* source) {
-    std::ifstream file(macula::test::projectFolder() / source);
-    std::stringstream text;
-    text << file.rdbuf();
-    static const QRegularExpression literals(
-        QStringLiteral("\"(?:[^\"\\\\\\n]|\\\\.)*\"(?:\\s*\"(?:[^\"\\\\\\n]|\\\\.)*\")*"));
-    static const QRegularExpression seam(QStringLiteral("\"\\s*\""));
-    static const QRegularExpression place(QStringLiteral("\\{[^}]*\\}"));
-    QStringList sentences;
-    auto matches = literals.globalMatch(QString::fromStdString(text.str()));
-    while (matches.hasNext()) {
-        QString sentence = matches.next().captured();
-        sentence = sentence.mid(1, sentence.size() - 2).remove(seam);
-        for (int number = 1; sentence.contains(place); ++number) {
-            const QRegularExpressionMatch match = place.match(sentence);
-            sentence.replace(match.capturedStart(), match.capturedLength(),
-                             QStringLiteral("%%1").arg(number));
-        }
-        if (sentence.contains(QLatin1Char(' ')) && sentence.endsWith(QLatin1Char('.'))) sentences << sentence;
-    }
-    return sentences;
-}
-
 TEST_F(GermanTest, MessagesWithKeysHaveOne) {
-    const std::set<QString> known = coreTexts();
-    for (const char* source : {"src/dicom/messages/messages.cpp", "src/segment/messages.cpp"}) {
-        const QStringList sentences = sentencesOf(source);
-        EXPECT_GT(sentences.size(), 8) << source;
-        for (const QString& sentence : sentences)
-            EXPECT_TRUE(known.contains(sentence)) << source << ": " << sentence.toStdString();
+    const std::set<QString> known = textsOfAllRooms();
+    const auto expectKnown = [&](std::string_view text) {
+        EXPECT_TRUE(text.empty() || known.contains(QString::fromUtf8(text.data(), qsizetype(text.size()))))
+            << text;
+    };
+    EXPECT_GT(dicom::catalogue().size(), 80u);
+    for (const auto& entry : dicom::catalogue()) {
+        expectKnown(entry.sentence);
+        expectKnown(entry.action);
+    }
+    EXPECT_GE(segment::catalogue().size(), 6u);
+    for (const auto& entry : segment::catalogue()) {
+        expectKnown(entry.sentence);
+        expectKnown(entry.action);
     }
 }
 
 TEST_F(GermanTest, WhatStandsInASentenceArrivesInTheOther) {
-    const auto german = [](const char* text) { return inWindowsLanguage(std::string(text)); };
-    EXPECT_EQ(german("Slices that are missing: 3 of 40, which are 1.250 mm apart."),
+    EXPECT_EQ(inWindowsLanguage(dicom::message(dicom::key::kMissingSlices, {{"missing", std::int64_t(3)},
+                                                                            {"total", std::int64_t(40)},
+                                                                            {"spacingMm", 1.25}})
+                                    .sentence),
               QStringLiteral("Fehlende Schichten: 3 von 40, die 1,250 mm auseinander liegen."));
-    EXPECT_EQ(german("The images do not make a volume: their sizes differ."),
+    EXPECT_EQ(inWindowsLanguage(
+                  dicom::message(dicom::key::kNotReconstructable, {{"reason", Text("their sizes differ")}})
+                      .sentence),
               QStringLiteral("Die Bilder ergeben kein Volumen: ihre Größen unterscheiden sich."));
     EXPECT_EQ(
-        german("Nothing is left to remove on the left side. Move the cross-hair into what is shown."),
+        inWindowsLanguage(Text::joined({Text("Nothing is left to remove on the {} side.", Text("left")),
+                                        Text("Move the cross-hair into what is shown.")},
+                                       " ")),
         QStringLiteral("Auf der Seite links ist nichts mehr zu entfernen. Bewegen Sie das Fadenkreuz in das "
                        "Gezeigte."));
-    EXPECT_EQ(german("Of 3 volumes the axial one with the most voxels (512 x 512 x 90)."),
-              QStringLiteral("Von 3 Volumen das axiale mit den meisten Voxeln (512 x 512 x 90)."));
+    EXPECT_EQ(
+        inWindowsLanguage(Text("Of {} volumes{} the {}one {}with the most voxels ({} x {} x {}).", 3,
+                               Text(" in this series"), Text("original axial "), Text(), 512, 512, 90)),
+        QStringLiteral("Von 3 Volumen in dieser Serie das originale axiale mit den meisten Voxeln (512 x "
+                       "512 x 90)."));
     EXPECT_EQ(inWindowsLanguage(
                   Error{ErrorCode::usage, Text("The folder does not exist."), {}, Text("Check the path.")}),
               QStringLiteral("Den Ordner gibt es nicht. Prüfen Sie den Pfad."));
@@ -304,23 +334,31 @@ TEST_F(GermanTest, WhatStandsInASentenceArrivesInTheOther) {
 // Text of a file, or of a later version, is shown as it is.
 TEST_F(GermanTest, WhatNobodyTranslatedStaysAsItIs) {
     for (const char* text :
-         {"", " ", "Nobody knows this.", "%1", "left", "High", "100 %", "\\d+ (", "Ünïcödé"}) {
-        EXPECT_EQ(inWindowsLanguage(std::string(text)), QString::fromUtf8(text));
-    }
-    EXPECT_EQ(listInWindowsLanguage("CT, series 3: High, no description"),
-              QStringLiteral("CT, Serie 3: High, keine Beschreibung"));
-    EXPECT_EQ(listInWindowsLanguage("MR, series 3: axial"), QStringLiteral("MR, Serie 3: axial"));
-    EXPECT_EQ(inWindowsLanguage(std::string("Series 5: Segmentation")),
+         {"", " ", "Nobody knows this.", "%1", "Left", "High", "100 %", "\\d+ (", "Ünïcödé"})
+        EXPECT_EQ(inWindowsLanguage(Text(text)), QString::fromUtf8(text));
+    for (const char* text : {"left", "There is only one slice.", "1.5", "{} parts", "{"})
+        EXPECT_EQ(inWindowsLanguage(Text::verbatim(text)), QString::fromUtf8(text)) << "words of others";
+    const Text facts = Text::joined({Text::verbatim("CT"), Text("series {}: {}", 3, "High"),
+                                     Text("no description"), Text::verbatim("axial, 1.5")},
+                                    ", ");
+    EXPECT_EQ(inWindowsLanguage(facts), QStringLiteral("CT, Serie 3: High, keine Beschreibung, axial, 1.5"));
+    EXPECT_EQ(inWindowsLanguage(Text("Series {}: {}", 5, "Segmentation")),
               QStringLiteral("Serie 5: Segmentation"));
     const std::string huge(10'000, 'a');
-    EXPECT_EQ(inWindowsLanguage(huge), QString::fromStdString(huge));
+    EXPECT_EQ(inWindowsLanguage(Text::verbatim(huge)), QString::fromStdString(huge));
+    EXPECT_EQ(inWindowsLanguage(Text::of(huge, {})), QString::fromStdString(huge));
 }
 
 TEST_F(GermanTest, TitlesAndTheirCopies) {
     EXPECT_EQ(titleInWindowsLanguage("Cinematic bone"), QStringLiteral("Cinematic Knochen"));
     EXPECT_EQ(titleInWindowsLanguage("Cinematic bone (edited 2)"),
               QStringLiteral("Cinematic Knochen (bearbeitet 2)"));
+    EXPECT_EQ(titleInWindowsLanguage("Cinematic bone (edited)"),
+              QStringLiteral("Cinematic Knochen (bearbeitet)"));
     EXPECT_EQ(titleInWindowsLanguage("CT-Bone"), QStringLiteral("CT-Bone"));
+    for (const char* typed :
+         {"", "CT-Bone (edited x)", "CT-Bone (edited 2) b", " (edited)", "(edited", "left over"})
+        EXPECT_EQ(titleInWindowsLanguage(typed), QString::fromUtf8(typed));
 }
 
 TEST_F(GermanTest, NumbersHaveACommaAndIdentifiersKeepTheirPoints) {

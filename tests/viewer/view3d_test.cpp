@@ -323,8 +323,8 @@ class FirstViewTest : public View3dTest {
                             .modality = "CT"},
                            std::move(voxels));
         return {.volume = std::make_shared<const Volume>(*std::move(volume)),
-                .identity = {.series = "Ball", .isOfNobody = true},
-                .description = "Ball"};
+                .identity = {.series = Text("Ball"), .isOfNobody = true},
+                .description = Text("Ball")};
     }
     // Whether the camera stands where such a view does, as near as what is seen fits.
     bool looksFrom(ViewDirection from) {

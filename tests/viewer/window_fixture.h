@@ -67,8 +67,8 @@ class WindowTest : public testing::Test {
         auto volume = Volume::create({.size = glm::ivec3(8), .unit = unit, .modality = "CT"},
                                      std::vector<std::uint16_t>(512, 1000));
         return {.volume = std::make_shared<const Volume>(*std::move(volume)),
-                .identity = {.series = "Second", .isOfNobody = true},
-                .description = "Second"};
+                .identity = {.series = Text("Second"), .isOfNobody = true},
+                .description = Text("Second")};
     }
     static study::OpenedStudy studyThatCannotBeShown() { return smallStudy(Unit::raw); }
     // What a person sees there.
@@ -89,7 +89,8 @@ class WindowTest : public testing::Test {
     }
     // Whether exactly this stands over the picture.
     static bool isNamed(const QImage& picture, const study::Identity& identity, std::size_t mostLines = 4) {
-        std::vector<std::string> lines = linesOf(identity);
+        std::vector<std::string> lines;
+        for (const Text& line : linesOf(identity)) lines.push_back(line.english());
         lines.resize(std::min(lines.size(), mostLines));
         const auto text = paintText({.names = lines}, picture.size(), 1.0);
         for (const VkRect2D& box : text->boxes) {

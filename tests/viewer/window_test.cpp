@@ -228,7 +228,7 @@ TEST_F(WindowTest, NothingOfTheStudyBeforeStaysWhenTheNextOneCannotBeShown) {
 
 TEST_F(WindowTest, TheNotesOfTheStudyStayWhenAnotherCannotBeOpened) {
     auto study = smallStudy(Unit::hounsfield);
-    study.messages = {"A slope was missing."};
+    study.messages = {Text("A slope was missing.")};
     window_->showStudy(study);
     EXPECT_TRUE(window_->notes().contains(QStringLiteral("A slope was missing.")));
     window_->open("/no/such/folder");

@@ -150,14 +150,14 @@ TEST_F(HeadsetWindowTest, WithoutAHeadsetASentenceIsSaidAndItCanBeTriedAgain) {
     ASSERT_TRUE(waitUntil([this] { return ended_ > 0; }));
     ASSERT_TRUE(error_);
     EXPECT_EQ(error_->code, ErrorCode::deviceNotUsable);
-    EXPECT_NE(error_->message.find("No headset is connected"), std::string::npos);
+    EXPECT_NE(error_->message.english().find("No headset is connected"), std::string::npos);
     EXPECT_FALSE(error_->hint.empty());
     error_.reset();
     setenv("XR_RUNTIME_JSON", "/nonexistent/runtime.json", 1);
     show_->start(request());
     ASSERT_TRUE(waitUntil([this] { return ended_ > 1; }));
     ASSERT_TRUE(error_);
-    EXPECT_NE(error_->message.find("XR_RUNTIME_JSON"), std::string::npos);
+    EXPECT_NE(error_->message.english().find("XR_RUNTIME_JSON"), std::string::npos);
     setenv("XR_RUNTIME_JSON", MACULA_XR_MANIFEST, 1);
     xr_script::follow({});
     error_.reset();

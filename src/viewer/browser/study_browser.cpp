@@ -250,8 +250,7 @@ void StudyBrowser::openRow(const QModelIndex& index) {
     const study::StudyRow& row = model_->tree().rows[StudyTreeModel::rowOf(index)];
     // Copies: who hears of it may give the browser another folder.
     if (const auto presentation = row.presentation) return Q_EMIT presentationChosen(*presentation);
-    if (row.kind == study::StudyRow::Kind::presentation)
-        return Q_EMIT presentationRefused(std::string(row.whyNot));
+    if (row.kind == study::StudyRow::Kind::presentation) return Q_EMIT presentationRefused(Text(row.whyNot));
     if (!row.volume) return tree_->setExpanded(index, !tree_->isExpanded(index));
     if (row.volume != model_->open()) Q_EMIT chosen(*row.volume);
 }

@@ -51,7 +51,7 @@ class StudyBrowser : public QWidget {
     // A person chose the presentation state of that row; its volume may not be open.
     void presentationChosen(const macula::study::StudyRow::Presentation& presentation);
     // The chosen presentation state cannot be shown; the sentence is study::StudyRow::whyNot.
-    void presentationRefused(const std::string& whyNot);
+    void presentationRefused(const Text& whyNot);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -2,26 +2,17 @@
 
 #include <utility>
 
-#include "viewer/language/core_words.h"
 #include "viewer/language/harmless_text.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
 namespace {
 
 constexpr int kLinesOfWhyNot = 3;
-const QString kBetween = QStringLiteral(" \u00b7 ");  // facts of a row: see study/list/study_tree.cpp
 
-QString shownText(const std::string& text) {
-    return harmless(QString::fromStdString(text));
-}
-
-// Names and descriptions are not looked up: a word of them may be one of ours, and none of them is
-// remembered.
-QString titleText(const study::StudyRow& row) {
-    const std::string own = row.title.substr(0, row.title.size() - row.titleOfFile.size());
-    const QString ours = own.empty() ? QString() : inWindowsLanguage(shownText(own));
-    return ours + shownText(row.titleOfFile);
+QString shownText(const Text& text) {
+    return harmless(inWindowsLanguage(text));
 }
 
 }  // namespace
@@ -131,10 +122,7 @@ bool StudyTreeModel::isStored(std::size_t row) const {
 QStringList StudyTreeModel::details(std::size_t row) const {
     QStringList lines;
     const study::StudyRow& shown = tree_.rows[row];
-    for (std::size_t line = 0; line < shown.details.size(); ++line) {
-        const QString text = shownText(shown.details[line]);
-        lines << (line == shown.detailOfFile ? text : listInWindowsLanguage(text.toStdString(), kBetween));
-    }
+    for (const Text& line : shown.details) lines << shownText(line);
     if (isOpen(row)) lines << tr("Open now");
     if (isStored(row)) lines << tr("Seen before; opens as it was left");
     return lines;
@@ -143,9 +131,9 @@ QStringList StudyTreeModel::details(std::size_t row) const {
 // Escaped, since Qt takes text that looks like HTML for HTML, and files may hold any.
 QString StudyTreeModel::toolTip(std::size_t row) const {
     const study::StudyRow& shown = tree_.rows[row];
-    QStringList lines{titleText(shown)};
+    QStringList lines{shownText(shown.title)};
     lines += details(row);
-    for (const std::string& message : shown.messages) lines << inWindowsLanguage(shownText(message));
+    for (const Text& message : shown.messages) lines << shownText(message);
     if (!shown.whyNot.empty()) {
         lines << tr("This cannot be opened.");
     } else if (shown.presentation) {
@@ -159,10 +147,9 @@ QString StudyTreeModel::toolTip(std::size_t row) const {
 
 QString StudyTreeModel::spoken(std::size_t row) const {
     const study::StudyRow& shown = tree_.rows[row];
-    QStringList parts{titleText(shown)};
+    QStringList parts{shownText(shown.title)};
     parts += details(row);
-    if (!shown.whyNot.empty())
-        parts << tr("Cannot be opened: %1").arg(inWindowsLanguage(shownText(shown.whyNot)));
+    if (!shown.whyNot.empty()) parts << tr("Cannot be opened: %1").arg(shownText(shown.whyNot));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -172,7 +159,7 @@ QVariant StudyTreeModel::data(const QModelIndex& index, int role) const {
     const study::StudyRow& shown = tree_.rows[row];
     switch (role) {
         case Qt::DisplayRole:
-            return titleText(shown);
+            return shownText(shown.title);
         case Qt::ToolTipRole:
             return toolTip(row);
         case Qt::AccessibleTextRole:
@@ -180,7 +167,7 @@ QVariant StudyTreeModel::data(const QModelIndex& index, int role) const {
         case detailsRole:
             return details(row);
         case whyNotRole:
-            return inWindowsLanguage(shownText(shown.whyNot));
+            return shownText(shown.whyNot);
         case isOpenRole:
             return isOpen(row);
         case hasPictureRole:

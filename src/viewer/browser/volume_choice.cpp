@@ -3,7 +3,7 @@
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
@@ -39,12 +39,12 @@ void VolumeChoice::paintEvent(QPaintEvent*) {
     painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 
-void VolumeChoice::setVolumes(const std::vector<std::string>& titles, std::size_t shown) {
+void VolumeChoice::setVolumes(const std::vector<Text>& titles, std::size_t shown) {
     clear();
     shown_ = int(shown);
     if (titles.size() < 2) return;
     for (std::size_t i = 0; i < titles.size(); ++i) {
-        const QString title = listInWindowsLanguage(titles[i]).simplified();
+        const QString title = inWindowsLanguage(titles[i]).simplified();
         addItem(tr("%1 of %2: %3").arg(i + 1).arg(titles.size()).arg(title));
         setItemData(count() - 1, title, Qt::ToolTipRole);
     }

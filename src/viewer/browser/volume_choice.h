@@ -2,8 +2,9 @@
 #pragma once
 
 #include <QComboBox>
-#include <string>
 #include <vector>
+
+#include "base/text.h"
 
 namespace macula::viewer {
 
@@ -15,7 +16,7 @@ class VolumeChoice : public QComboBox {
   public:
     explicit VolumeChoice(QWidget* parent = nullptr);
 
-    void setVolumes(const std::vector<std::string>& titles, std::size_t shown);
+    void setVolumes(const std::vector<Text>& titles, std::size_t shown);
 
   Q_SIGNALS:
     void chosen(std::size_t index);

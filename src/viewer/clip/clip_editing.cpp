@@ -16,9 +16,9 @@ constexpr double kStepsThrough = 50.0;  // of the wheel, from one end of the vol
 
 Error noStudy() {
     return {ErrorCode::usage,
-            ClipEditing::tr("No study is open.").toStdString(),
+            Text::verbatim(ClipEditing::tr("No study is open.").toStdString()),
             {},
-            ClipEditing::tr("Open a study first.").toStdString()};
+            Text::verbatim(ClipEditing::tr("Open a study first.").toStdString())};
 }
 
 }  // namespace
@@ -58,9 +58,9 @@ Result<scene::EyeCut> ClipEditing::newEyeCut() const {
     if (!session_.hasStudy()) return noStudy();
     if (!scene::hasRoomForEyeCut(state().clip))
         return Error{ErrorCode::usage,
-                     tr("The clip has six planes and no more.").toStdString(),
+                     Text::verbatim(tr("The clip has six planes and no more.").toStdString()),
                      {},
-                     tr("Remove one of them first, or begin without a clip.").toStdString()};
+                     Text::verbatim(tr("Remove one of them first, or begin without a clip.").toStdString())};
     return scene::eyeCut(camera_, 0.0, true, volume());
 }
 
@@ -120,11 +120,11 @@ Result<void> ClipEditing::addScissorCut(scene::ScissorCut cut) {
     MACULA_TRY_VOID(scene::validate(cut));
     if (state().cuts.scissors.size() >= scene::kMostScissorCuts)
         return Error{ErrorCode::usage,
-                     tr("There are %1 cuts with the scissors, and no more are possible.")
-                         .arg(scene::kMostScissorCuts)
-                         .toStdString(),
+                     Text::verbatim(tr("There are %1 cuts with the scissors, and no more are possible.")
+                                        .arg(scene::kMostScissorCuts)
+                                        .toStdString()),
                      {},
-                     tr("Undo one of them first.").toStdString()};
+                     Text::verbatim(tr("Undo one of them first.").toStdString())};
     session_.change(tr("Scissors"),
                     [&](scene::StudyState& next) { next.cuts.scissors.push_back(std::move(cut)); });
     return {};

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/status/say.h"
 #include "viewer/status/status_texts.h"
 
@@ -364,9 +364,9 @@ ClipPanel::Edited ClipPanel::removedCorner() const {
 ClipPanel::Edited ClipPanel::withoutClip() const {
     if (clip() || !session_.state().cuts.isNothing()) return scene::OptionalClip{};
     return Error{ErrorCode::usage,
-                 tr("All of the volume is shown.").toStdString(),
+                 Text::verbatim(tr("All of the volume is shown.").toStdString()),
                  {},
-                 tr("There is nothing to undo.").toStdString()};
+                 Text::verbatim(tr("There is nothing to undo.").toStdString())};
 }
 
 }  // namespace macula::viewer

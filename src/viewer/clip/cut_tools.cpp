@@ -9,7 +9,7 @@
 
 #include "scene/clip/eye_cut.h"
 #include "viewer/clip/wheel_guard.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/status/say.h"
 
 namespace macula::viewer {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "scene/clip/scissor_mask.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

@@ -64,7 +64,7 @@ ChangesScript::ChangesScript(MainWindow& window, ChangesScriptOptions options, Q
     });
     connect(&window_, &MainWindow::frameShown, this, &ChangesScript::onFrame);
     connect(&window_, &MainWindow::failed, this, [this](const Error& error) {
-        std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
+        std::fprintf(stderr, "%s %s\n", error.message.english().c_str(), error.hint.english().c_str());
         finish(exitCodeOf(error.code));
     });
 }

@@ -266,7 +266,7 @@ void OrbitScript::report() {
 }
 
 void OrbitScript::fail(const Error& error) {
-    std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
+    std::fprintf(stderr, "%s %s\n", error.message.english().c_str(), error.hint.english().c_str());
     finish(exitCodeOf(error.code));
 }
 

@@ -41,7 +41,7 @@ StationsScript::StationsScript(MainWindow& window, StationsScriptOptions options
     });
     connect(&window_.viewport(), &Viewport::otherPictureWanted, this, [this] { isConverged_ = false; });
     connect(&window_, &MainWindow::failed, this, [this](const Error& error) {
-        std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
+        std::fprintf(stderr, "%s %s\n", error.message.english().c_str(), error.hint.english().c_str());
         finish(exitCodeOf(error.code));
     });
 }

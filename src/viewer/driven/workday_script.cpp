@@ -101,7 +101,7 @@ QJsonObject WorkdayScript::report() const {
 }
 
 void WorkdayScript::fail(const Error& error) {
-    std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
+    std::fprintf(stderr, "%s %s\n", error.message.english().c_str(), error.hint.english().c_str());
     finish(exitCodeOf(error.code));
 }
 

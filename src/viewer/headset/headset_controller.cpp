@@ -12,6 +12,7 @@
 #include "viewer/editor/study_editor.h"
 #include "viewer/headset/headset_mirror.h"
 #include "viewer/headset/headset_show.h"
+#include "viewer/language/window_language.h"
 #include "viewer/status/notifications.h"
 #include "viewer/volume/shown_volume.h"
 
@@ -75,10 +76,7 @@ void HeadsetController::begin() {
     for (const auto& preset : session.catalogue().presets)
         if (suits(*preset, request.volume->unit())) request.presets.push_back(preset);
     request.pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation).toStdString();
-    QStringList names;
-    for (const std::string& line : study::linesOf(session.study().identity))
-        names << QString::fromStdString(line);
-    mirror_->setNames(names.join(QLatin1Char('\n')));
+    mirror_->setNames(inWindowsLanguage(study::linesOf(session.study().identity)).join(QLatin1Char('\n')));
     clip_ = request.drawing.clip;
     show_->start(std::move(request));
 }

@@ -13,7 +13,7 @@
 
 #include "viewer/jobs/newest_posted.h"
 #include "viewer/jobs/post.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
@@ -40,8 +40,8 @@ QImage imageOf(const xr::EyeView& view) {
     return lent.copy();
 }
 
-Result<std::string> showIn(HeadsetShowRequest request, xr::RoomWords words, const Told& told,
-                           std::function<std::optional<HeadsetSelection>()> wanted, Progress& progress) {
+Result<Text> showIn(HeadsetShowRequest request, xr::RoomWords words, const Told& told,
+                    std::function<std::optional<HeadsetSelection>()> wanted, Progress& progress) {
     xr::RoomScene scene;
     scene.volume = in16Bits(request.volume);
     scene.drawing = std::move(request.drawing);
@@ -74,7 +74,7 @@ HeadsetShow::HeadsetShow(QObject* parent)
     : QObject(parent),
       job_(this, {.progressed = [](const ProgressUpdate&) {},
                   .ended =
-                      [this](const Result<std::string>& outcome) {
+                      [this](const Result<Text>& outcome) {
                           if (!outcome) Q_EMIT failed(outcome.error());
                           Q_EMIT ended(outcome ? inWindowsLanguage(*outcome) : QString());
                       }}),
@@ -112,7 +112,7 @@ void HeadsetShow::start([[maybe_unused]] HeadsetShowRequest request) {
                                                           if (!isAbandoned_) Q_EMIT chosen(choice);
                                                       }),
              .note = [this](const std::string& sentence) {
-                 post(this, [this, sentence] { Q_EMIT noted(inWindowsLanguage(sentence)); });
+                 post(this, [this, sentence] { Q_EMIT noted(QString::fromStdString(sentence)); });
              }});
     const auto wanted = [shared = shared_]() -> std::optional<HeadsetSelection> {
         const std::lock_guard lock(shared->mutex);
@@ -121,7 +121,7 @@ void HeadsetShow::start([[maybe_unused]] HeadsetShowRequest request) {
     const xr::RoomWords words = headsetWords(request.presets);
     // Cancelled by a token of its own: an end that somebody asks for is told when it has come.
     job_.start([request = std::move(request), words, told, wanted,
-                token = token_](Progress&) mutable -> Result<std::string> {
+                token = token_](Progress&) mutable -> Result<Text> {
         Progress progress({}, token);
         try {
             return showIn(std::move(request), words, *told, wanted, progress);
@@ -133,7 +133,7 @@ void HeadsetShow::start([[maybe_unused]] HeadsetShowRequest request) {
         }
     });
 #else
-    job_.start([](Progress&) -> Result<std::string> {
+    job_.start([](Progress&) -> Result<Text> {
         return Error{ErrorCode::deviceNotUsable,
                      Text("This build of Macula knows no headsets."),
                      {},

@@ -58,7 +58,7 @@ class HeadsetShow : public QObject {
   private:
     struct Shared;
 
-    BackgroundJob<std::string> job_;
+    BackgroundJob<Text> job_;
     std::shared_ptr<Shared> shared_;
     CancelToken token_;
     bool isAbandoned_ = false;

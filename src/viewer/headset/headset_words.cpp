@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <string>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
@@ -58,10 +58,7 @@ xr::RoomWords headsetWords(const std::vector<std::shared_ptr<const TransferFunct
     words.edited = titleInWindowsLanguage("edited").toStdString();
     for (const auto& preset : presets)
         words.titles[preset->title] = titleInWindowsLanguage(preset->title).toStdString();
-    for (const char* error :
-         {"The folder for pictures is not there.", "The folder for pictures is full of them.",
-          "The picture could not be written.", "There is not enough memory for the picture."})
-        words.errors[error] = inWindowsLanguage(std::string(error)).toStdString();
+    words.say = [](const Text& text) { return inWindowsLanguage(text).toStdString(); };
     const QString sign = QLocale().decimalPoint();
     if (sign.size() == 1 && sign[0].unicode() < 0x80) words.decimalSign = char(sign[0].unicode());
     return words;

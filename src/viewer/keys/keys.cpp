@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 #include "viewer/keys/slice_tool_keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/settings/key_book.h"
 
 namespace macula::viewer {
@@ -61,7 +61,7 @@ QString chosenFor(const KeyRow& row) {
         isChanged = isChanged || key != usual;
         if (!key.isEmpty()) keys << key.toString(QKeySequence::NativeText);
     }
-    const QString hand = inWindowsLanguage(QString::fromUtf8(row.hand));
+    const QString hand = inWindowsLanguage(Text(row.hand));
     // Where a row has no sequence, the words are the keys.
     if (row.sequence[0] == '\0') return isChanged ? keys.join(QStringLiteral(", ")) : hand;
     if (!hand.isEmpty()) keys.prepend(hand);

@@ -7,8 +7,6 @@
 #include <QTranslator>
 #include <algorithm>
 
-#include "viewer/language/core_words.h"
-
 // Files in a static library are not registered by themselves; in no namespace, as Qt has it.
 static void registerTranslations() {
     Q_INIT_RESOURCE(translations);
@@ -59,7 +57,6 @@ void useLanguage(Language language) {
     remove(ofQt);
     QLocale::setDefault(localeOf(language));
     const QString code = codeOf(language);
-    useCoreWords(QStringLiteral(":/translations/core_%1.ts").arg(code));
     QCoreApplication* application = QCoreApplication::instance();
     ofMacula = new QTranslator(application);  // of English: what is said of one, "1 picture"
     if (ofMacula->load(QStringLiteral(":/translations/macula_%1.qm").arg(code)))

@@ -11,16 +11,16 @@ constexpr int kWheelPauseMs = 600;  // what is turned until then is one step to 
 
 Error noLight() {
     return {ErrorCode::usage,
-            LightsEditing::tr("There is no light that could be changed.").toStdString(),
+            Text::verbatim(LightsEditing::tr("There is no light that could be changed.").toStdString()),
             {},
-            LightsEditing::tr("Add a light first.").toStdString()};
+            Text::verbatim(LightsEditing::tr("Add a light first.").toStdString())};
 }
 
 Error noLights() {
     return {ErrorCode::usage,
-            LightsEditing::tr("Only Cinematic and Clear have lights.").toStdString(),
+            Text::verbatim(LightsEditing::tr("Only Cinematic and Clear have lights.").toStdString()),
             {},
-            LightsEditing::tr("Open a study, and choose one of these looks.").toStdString()};
+            Text::verbatim(LightsEditing::tr("Open a study, and choose one of these looks.").toStdString())};
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "pipeline/trace/light_rig_json.h"
 #include "scene/state/parameters.h"
 #include "viewer/clip/wheel_guard.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/status/say.h"
 #include "viewer/status/status_texts.h"
 #include "viewer/transfer/encoded_colour.h"

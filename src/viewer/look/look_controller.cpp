@@ -11,7 +11,7 @@
 #include "scene/drawing/projection_windows.h"
 #include "viewer/editor/follow_state.h"
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/menus/choice_menu.h"
 #include "viewer/volume/shown_volume.h"
 

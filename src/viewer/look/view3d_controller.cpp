@@ -11,7 +11,7 @@
 #include "scene/camera/view_directions.h"
 #include "viewer/editor/follow_state.h"
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/look/background_menu.h"
 #include "viewer/settings/key_book.h"
 #include "viewer/status/study_notes.h"

@@ -64,11 +64,12 @@ void ModelExport::onTaken(const live::ModelSnapshot& taken) {
         Q_EMIT ended();
         Q_EMIT failed(
             {ErrorCode::inputNotUsable,
-             tr("There is no model of this picture.").toStdString(),
+             Text::verbatim(tr("There is no model of this picture.").toStdString()),
              {},
-             tr("Only Cinematic and Clear in lights that stay in place have one. Wait until the status "
-                "line says that it learns.")
-                 .toStdString()});
+             Text::verbatim(
+                 tr("Only Cinematic and Clear in lights that stay in place have one. Wait until the status "
+                    "line says that it learns.")
+                     .toStdString())});
         return;
     }
     live::ModelToWrite model{.splats = taken.splats,

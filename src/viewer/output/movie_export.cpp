@@ -7,7 +7,7 @@
 #include <new>
 #include <utility>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
@@ -84,7 +84,7 @@ void MovieExport::onDrawn(const Result<pictures::WrittenSequence>& outcome) {
         return;
     }
     told_ << tr("%Ln pictures are in %1.", nullptr, int(outcome->files.size())).arg(folder_);
-    for (const std::string& sentence : outcome->sentences) told_ << inWindowsLanguage(sentence);
+    told_ += inWindowsLanguage(outcome->sentences);
     if (!wantsVideo_) return finish({});
     const QString program = VideoEncoder::find();
     if (program.isEmpty())

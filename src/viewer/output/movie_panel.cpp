@@ -11,7 +11,7 @@
 #include "pictures/view_sequence.h"
 #include "pipeline/trace/settings.h"
 #include "scene/choice/quality_choice.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

@@ -16,6 +16,7 @@
 #include "viewer/output/movie_stamps.h"
 #include "viewer/output/video_encoder.h"
 #include "viewer/settings/file_dialogs.h"
+#include "viewer/status/status_texts.h"
 #include "viewer/status/work_status.h"
 #include "viewer/volume/shown_volume.h"
 
@@ -97,7 +98,7 @@ void MoviesController::askWhereToDraw() {
     request.picturesPerS = panel_->picturesPerS();
     request.wantsVideo = panel_->wantsVideo();
     const std::vector<std::string> lines =
-        panel_->withNames() ? linesOf(study.identity) : std::vector<std::string>();
+        panel_->withNames() ? linesToShow(study.identity) : std::vector<std::string>();
     if (panel_->withLetters() || !lines.empty()) {
         request.sequence.stampsFor = [lines, withLetters = panel_->withLetters(),
                                       sizePx = request.sequence.picture.sizePx](const Camera& from) {

@@ -6,7 +6,7 @@
 
 #include "pipeline/trace/settings.h"
 #include "scene/choice/quality_choice.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

@@ -3,7 +3,7 @@
 #include <new>
 #include <utility>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
@@ -18,7 +18,7 @@ PictureExport::PictureExport(std::string preferredDevice, QObject* parent)
 
 void PictureExport::start(pictures::ViewPicture picture) {
     path_ = QString::fromStdString(picture.output.string());
-    using Written = Result<std::vector<std::string>>;
+    using Written = Result<std::vector<Text>>;
     job_.start([picture = std::move(picture), device = preferredDevice_](Progress& progress) -> Written {
         try {
             return pictures::writeViewPicture(picture, device, progress);
@@ -36,15 +36,13 @@ void PictureExport::cancel() {
     if (job_.cancel()) Q_EMIT ended();
 }
 
-void PictureExport::onEnded(const Result<std::vector<std::string>>& outcome) {
+void PictureExport::onEnded(const Result<std::vector<Text>>& outcome) {
     Q_EMIT ended();
     if (!outcome) {
         if (outcome.error().code != ErrorCode::cancelled) Q_EMIT failed(outcome.error());
         return;
     }
-    QStringList notes;
-    for (const std::string& note : *outcome) notes << inWindowsLanguage(note);
-    Q_EMIT written(path_, notes);
+    Q_EMIT written(path_, inWindowsLanguage(*outcome));
 }
 
 }  // namespace macula::viewer

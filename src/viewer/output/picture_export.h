@@ -32,11 +32,11 @@ class PictureExport : public QObject {
     void failed(const macula::Error& error);
 
   private:
-    void onEnded(const Result<std::vector<std::string>>& outcome);
+    void onEnded(const Result<std::vector<Text>>& outcome);
 
     std::string preferredDevice_;
     QString path_;
-    BackgroundJob<std::vector<std::string>> job_;
+    BackgroundJob<std::vector<Text>> job_;
 };
 
 }  // namespace macula::viewer

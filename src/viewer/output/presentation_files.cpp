@@ -4,17 +4,11 @@
 #include <new>
 #include <utility>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
 namespace {
-
-QStringList listOf(const std::vector<std::string>& sentences) {
-    QStringList list;
-    for (const std::string& sentence : sentences) list << inWindowsLanguage(sentence);
-    return list;
-}
 
 Error tooLarge() {
     return {ErrorCode::outOfMemory,
@@ -46,7 +40,7 @@ PresentationFiles::PresentationFiles(QObject* parent)
                      .ended =
                          [this](const auto& leftOut) {
                              if (leftOut) {
-                                 Q_EMIT saved(path_, listOf(*leftOut));
+                                 Q_EMIT saved(path_, inWindowsLanguage(*leftOut));
                              } else {
                                  Q_EMIT failed(leftOut.error());
                              }
@@ -55,7 +49,7 @@ PresentationFiles::PresentationFiles(QObject* parent)
                       .ended =
                           [this](const auto& presented) {
                               if (presented) {
-                                  Q_EMIT opened(presented->state, listOf(presented->notes));
+                                  Q_EMIT opened(presented->state, inWindowsLanguage(presented->notes));
                               } else {
                                   Q_EMIT failed(presented.error());
                               }
@@ -64,7 +58,7 @@ PresentationFiles::PresentationFiles(QObject* parent)
                               .ended =
                                   [this](const auto& shown) {
                                       if (shown) {
-                                          Q_EMIT openedOnSlices(*shown, listOf(shown->notes));
+                                          Q_EMIT openedOnSlices(*shown, inWindowsLanguage(shown->notes));
                                       } else {
                                           Q_EMIT failed(shown.error());
                                       }
@@ -72,7 +66,7 @@ PresentationFiles::PresentationFiles(QObject* parent)
 
 void PresentationFiles::save(const std::filesystem::path& path, scene::PresentationRequest request) {
     path_ = QString::fromStdString(path.string());
-    saving_.start([path, request = std::move(request)](Progress&) -> Result<std::vector<std::string>> {
+    saving_.start([path, request = std::move(request)](Progress&) -> Result<std::vector<Text>> {
         try {
             return scene::writePresentation(path, request);
         } catch (const std::bad_alloc&) {

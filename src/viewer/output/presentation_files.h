@@ -45,7 +45,7 @@ class PresentationFiles : public QObject {
 
   private:
     QString path_;
-    BackgroundJob<std::vector<std::string>> saving_;
+    BackgroundJob<std::vector<Text>> saving_;
     BackgroundJob<scene::PresentedState> opening_;
     BackgroundJob<scene::SoftcopyOnSlices> openingOnSlices_;
 };

@@ -93,12 +93,13 @@ void PresentationsController::connectList() {
                 uses_.opening.openFound(found, chosen.volume);
                 awaiting_ = Awaited{found, chosen};
             });
-    connect(&uses_.browser, &StudyBrowser::presentationRefused, this, [this](const std::string& whyNot) {
+    connect(&uses_.browser, &StudyBrowser::presentationRefused, this, [this](const Text& whyNot) {
         context_.notifications.showError(
             {ErrorCode::inputNotUsable,
              whyNot,
              {},
-             tr("Choose another one, or open the folder that its series is in.").toStdString()});
+             Text::verbatim(
+                 tr("Choose another one, or open the folder that its series is in.").toStdString())});
     });
     const StudyLoader& loader = uses_.opening.loader();
     connect(&loader, &StudyLoader::began, this, [this] { awaiting_.reset(); });

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

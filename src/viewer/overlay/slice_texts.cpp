@@ -6,8 +6,8 @@
 
 #include "slices/interpolated.h"
 #include "study/open/image_numbers.h"
-#include "viewer/language/core_words.h"
 #include "viewer/language/harmless_text.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/second/slice_pair.h"
@@ -84,7 +84,7 @@ void PanesController::shareOwnWindows(const std::optional<std::filesystem::path>
 
 void PanesController::addActions(QMenu& view) {
     for (const LayoutRow& row : kLayouts) {
-        QAction* action = view.addAction(inWindowsLanguage(QString::fromLatin1(row.title)), this,
+        QAction* action = view.addAction(inWindowsLanguage(Text(row.title)), this,
                                          [this, layout = row.layout] { changeLayout(layout); });
         action->setShortcut(keyOf(row));
     }

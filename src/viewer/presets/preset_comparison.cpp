@@ -13,7 +13,7 @@
 
 #include "viewer/jobs/background_job.h"
 #include "viewer/jobs/post.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/status/status_widgets.h"
 
 namespace macula::viewer {

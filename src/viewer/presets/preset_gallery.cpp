@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/presets/preset_delegate.h"
 
 namespace macula::viewer {

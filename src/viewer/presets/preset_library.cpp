@@ -11,7 +11,7 @@
 #include "scene/choice/catalogue.h"
 #include "scene/transfer/same_transfer.h"
 #include "viewer/jobs/post.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
@@ -277,7 +277,7 @@ void PresetLibrary::onImported(const Result<presets::ImportedPresets>& read) {
             continue;
         }
         titles << QString::fromStdString(title);
-        for (const std::string& note : preset.notes) notes << inWindowsLanguage(note);
+        notes += inWindowsLanguage(preset.notes);
     }
     notes.removeDuplicates();
     if (!titles.isEmpty()) {

@@ -115,7 +115,8 @@ void QualityController::calibrate(const std::optional<std::filesystem::path>& fo
 
 // Without it only errors are told, and no times.
 void QualityController::onCalibrated(const Result<live::Calibration>& measured) {
-    if (!measured) return log::warning("This machine could not be measured: {}", measured.error().message);
+    if (!measured)
+        return log::warning("This machine could not be measured: {}", measured.error().message.english());
     control_->setSlowness(measured->traceMs / control_->front().calibrationMs);
 }
 

@@ -15,8 +15,8 @@
 #include "scene/second/second_curve.h"
 #include "scene/state/carried_view.h"
 #include "scene/transfer/same_transfer.h"
-#include "viewer/language/core_words.h"
 #include "viewer/language/harmless_text.h"
+#include "viewer/language/window_language.h"
 #include "viewer/second/second_volume_loader.h"
 #include "viewer/status/status_widgets.h"
 

@@ -10,7 +10,7 @@
 #include "viewer/browser/browser_controller.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/second/patient_question.h"
 #include "viewer/second/second_volume_bar.h"
 #include "viewer/second/second_volume_loader.h"
@@ -116,9 +116,9 @@ QStringList SecondVolumeController::notes() const {
             "Where the second volume lay when this study was left is not taken over: the images had other "
             "values or positions then, or an older Macula kept it. It is placed anew.");
     const study::OpenedStudy& second = loader_->second()->study;
-    for (const std::string& assumption : second.volume->provenance().assumptions)
+    for (const Text& assumption : second.volume->provenance().assumptions)
         notes << tr("Second volume: %1").arg(inWindowsLanguage(assumption));
-    for (const std::string& message : second.messages)
+    for (const Text& message : second.messages)
         notes << tr("Second volume: %1").arg(inWindowsLanguage(message));
     if (registration::boxOverlap(*context_.session.study().volume, *second.volume, state->secondFromStudy) ==
         0.0)

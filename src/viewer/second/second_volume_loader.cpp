@@ -60,10 +60,11 @@ SecondVolumeLoader::SecondVolumeLoader(StudyEditor& session, QObject* parent)
 
 void SecondVolumeLoader::open(study::StudySource source, bool join) {
     if (!session_.hasStudy())
-        return Q_EMIT failed({ErrorCode::usage,
-                              tr("There is no study that a second volume could be beside.").toStdString(),
-                              {},
-                              tr("Open a study first.").toStdString()});
+        return Q_EMIT failed(
+            {ErrorCode::usage,
+             Text::verbatim(tr("There is no study that a second volume could be beside.").toStdString()),
+             {},
+             Text::verbatim(tr("Open a study first.").toStdString())});
     asked_.reset();
     registration_.cancel();
     prepareWithStudy();
@@ -140,9 +141,9 @@ void SecondVolumeLoader::offer(const study::OpenedStudy& second) {
         second.volumeIndex == study.volumeIndex &&
         digests_->of(second.volume) == digests_->of(study.volume))  // and was not exported anew
         return Q_EMIT failed({ErrorCode::usage,
-                              tr("This is the volume that is open already.").toStdString(),
+                              Text::verbatim(tr("This is the volume that is open already.").toStdString()),
                               {},
-                              tr("Choose another series to stand beside it.").toStdString()});
+                              Text::verbatim(tr("Choose another series to stand beside it.").toStdString())});
     if (study::samePatient(study.identity, second.identity) != study::SamePatient::no) return show(second);
     asked_ = second;
     QStringList differs;

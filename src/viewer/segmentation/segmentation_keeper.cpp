@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "study/open/found_volumes.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

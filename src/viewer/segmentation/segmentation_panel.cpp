@@ -16,8 +16,8 @@
 #include <utility>
 
 #include "viewer/clip/wheel_guard.h"
-#include "viewer/language/core_words.h"
 #include "viewer/language/harmless_text.h"
+#include "viewer/language/window_language.h"
 #include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {
@@ -321,7 +321,7 @@ void SegmentationPanel::showControls() {
         if (const QString trouble = keeper_.trouble(digest); !trouble.isEmpty())
             notes << shown(trouble.toStdString());
         if (const study::LoadedSegmentation* whole = keeper_.loaded(digest))
-            for (const std::string& note : whole->notes) notes << inWindowsLanguage(note);
+            notes += inWindowsLanguage(whole->notes);
     }
     if (!isCalibrated() && !keeper_.found().empty())
         notes << tr("Volumes are estimates: the size of a pixel is not calibrated.");

@@ -14,7 +14,7 @@
 
 #include "scene/choice/quality_choice.h"
 #include "session/store.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {

@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "slices/interpolated.h"
-#include "viewer/language/core_words.h"
 #include "viewer/language/harmless_text.h"
+#include "viewer/language/window_language.h"
 #include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {

@@ -54,7 +54,7 @@ OwnWindowList::~OwnWindowList() {
         // Nobody knows what became of those that were being written; to keep them twice changes nothing.
         keeping_.insert(keeping_.end(), toKeep_.begin(), toKeep_.end());
         if (const auto kept = keepIn(*folder_, keeping_); !kept)
-            log::warning("Windows could not be kept: {}", kept.error().message);
+            log::warning("Windows could not be kept: {}", kept.error().message.english());
     } catch (const std::exception&) {
         log::warning("There was no memory to keep windows.");
     }
@@ -103,10 +103,11 @@ void OwnWindowList::onRead(const Result<std::string>& json) {
         if (auto windows = scene::ownWindowsFromJson(*json)) {
             read = *std::move(windows);
         } else {
-            Q_EMIT failed({ErrorCode::inputNotUsable,
-                           tr("Windows of your own that were kept cannot be read.").toStdString(),
-                           {},
-                           tr("The next one that you keep takes their place.").toStdString()});
+            Q_EMIT failed(
+                {ErrorCode::inputNotUsable,
+                 Text::verbatim(tr("Windows of your own that were kept cannot be read.").toStdString()),
+                 {},
+                 Text::verbatim(tr("The next one that you keep takes their place.").toStdString())});
         }
     }
     // What was changed before they came stays.

@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "scene/drawing/projection_windows.h"
-#include "viewer/language/core_words.h"
 #include "viewer/language/harmless_text.h"
+#include "viewer/language/window_language.h"
 #include "viewer/overlay/slice_texts.h"
 #include "viewer/slices/second_volume_texts.h"
 

@@ -1,7 +1,6 @@
 #include "viewer/slices/second_volume_texts.h"
 
 #include <QCoreApplication>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -10,8 +9,8 @@
 #include "pipeline/volume/window.h"
 #include "scene/drawing/projection_windows.h"
 #include "scene/second/second_study.h"
-#include "viewer/language/core_words.h"
 #include "viewer/language/harmless_text.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
@@ -20,10 +19,6 @@ namespace {
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(SecondVolumeTexts)
 };
-
-// What scene::plainTag begins with, where the images name no modality.
-constexpr std::array kKinds{QT_TRANSLATE_NOOP("SecondVolumeTexts", "phantom"),
-                            QT_TRANSLATE_NOOP("SecondVolumeTexts", "images")};
 
 QString tagOf(study::Age age, const QString& plain) {
     switch (age) {
@@ -40,12 +35,7 @@ QString tagOf(study::Age age, const QString& plain) {
 }
 
 QString shownTag(const study::OpenedStudy& study) {
-    QString tag = listInWindowsLanguage(scene::plainTag(study));
-    for (const char* kind : kKinds) {
-        if (const QLatin1String word(kind); tag == word || tag.startsWith(word + QLatin1Char(',')))
-            tag.replace(0, word.size(), Words::tr(kind));
-    }
-    return harmless(tag);
+    return harmless(inWindowsLanguage(scene::plainTag(study)));
 }
 
 QString patientNote(const study::Identity& study, const study::Identity& second) {
@@ -68,11 +58,8 @@ SecondVolumeTexts secondSeries(const study::OpenedStudy& study, study::OpenedStu
     made.usualWindow = seriesWindow(*second.measured());
     made.tag = tagOf(study::ageOf(study.identity, second.identity), shownTag(second));
     made.studyTag = Words::tr("Current: %1").arg(shownTag(study));
-    const std::vector<std::string> lines = study::linesOf(second.identity);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const bool isName = i == 0 && !second.identity.isOfNobody;  // never looked up
-        const QString shown =
-            harmless(isName ? QString::fromStdString(lines[i]) : listInWindowsLanguage(lines[i]));
+    for (const Text& line : study::linesOf(second.identity)) {
+        const QString shown = harmless(inWindowsLanguage(line));
         if (!shown.isEmpty()) made.lines.push_back(shown);
     }
     made.patientNote = patientNote(study.identity, second.identity);

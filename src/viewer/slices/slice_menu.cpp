@@ -8,8 +8,8 @@
 #include "scene/drawing/projection_windows.h"
 #include "scene/slices/window_presets.h"
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
 #include "viewer/language/harmless_text.h"
+#include "viewer/language/window_language.h"
 #include "viewer/settings/key_book.h"
 
 namespace macula::viewer {

@@ -60,7 +60,8 @@ void Notifications::showOutcome(const Result<void>& done) {
 }
 
 void Notifications::refuse(const QString& why, const QString& hint) {
-    bar_->showError({ErrorCode::usage, why.toStdString(), {}, hint.toStdString()});
+    bar_->showError(
+        {ErrorCode::usage, Text::verbatim(why.toStdString()), {}, Text::verbatim(hint.toStdString())});
 }
 
 bool Notifications::refuseUnless(bool isOpen, const QString& whyNot) {

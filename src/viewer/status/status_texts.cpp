@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "pipeline/trace/look.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
@@ -42,12 +42,9 @@ QString titleOr(const std::string& title, const std::string& name) {
     return titleInWindowsLanguage(title.empty() ? name : title);
 }
 
-// "born" and "no study date" in the language of the window; a name is never looked up.
 std::vector<std::string> linesToShow(const study::Identity& identity) {
-    std::vector<std::string> lines = linesOf(identity);
-    const std::size_t first = identity.isOfNobody ? 0 : 1;
-    for (std::size_t i = first; i < lines.size(); ++i)
-        lines[i] = listInWindowsLanguage(lines[i]).toStdString();
+    std::vector<std::string> lines;
+    for (const Text& line : linesOf(identity)) lines.push_back(inWindowsLanguage(line).toStdString());
     return lines;
 }
 
@@ -55,7 +52,7 @@ LinesOver linesOver(std::vector<std::string> names, const scene::Drawing& drawin
     LinesOver lines{.names = std::move(names)};
     // Projections show the study alone.
     if (!drawing.additions || trace::isProjection(drawing.settings.look)) return lines;
-    QString remark = listInWindowsLanguage(drawing.additions->remark);
+    QString remark = inWindowsLanguage(drawing.additions->remark);
     if (remark.isEmpty()) return lines;
     remark[0] = remark[0].toUpper();
     lines.notes.push_back(remark.toStdString());
@@ -64,7 +61,7 @@ LinesOver linesOver(std::vector<std::string> names, const scene::Drawing& drawin
 
 QString fidelityText(const live::FrameShown& frame) {
     const QString remarks =
-        frame.remarks.empty() ? QString() : QStringLiteral(", ") + listInWindowsLanguage(frame.remarks);
+        frame.remarks.empty() ? QString() : QStringLiteral(", ") + inWindowsLanguage(frame.remarks);
     if (isOfSplats(frame.picture)) {
         const QString centre = frame.foveaAgeMs ? FidelityWords::tr(", sharp centre traced %L1 s ago")
                                                       .arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)

@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {
@@ -82,9 +82,7 @@ void FidelityBadge::setFidelity(const live::Fidelity& fidelity) {
     isFinal_ = fidelity.isFinal;
     setText(isFinal_ ? tr("Final") : tr("Preliminary"));
     update();  // the text may be the same
-    QStringList because;
-    for (const std::string& reason : fidelity.because) because << inWindowsLanguage(reason);
-    const QString reasons = because.join(QStringLiteral(", "));
+    const QString reasons = inWindowsLanguage(fidelity.because).join(QStringLiteral(", "));
     const QString is = isFinal_ ? tr("Nothing will change any more") : tr("The picture gets better");
     setToolTip(reasons.isEmpty() ? is : QStringLiteral("%1: %2").arg(is, reasons));
     show();

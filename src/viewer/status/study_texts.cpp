@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {
@@ -17,7 +17,7 @@ struct PictureWords {
 const QString kProgram = QStringLiteral("Macula");
 
 QString titleText(const study::OpenedStudy& study) {
-    QString title = QString::fromStdString(titleOf(study.identity)).simplified();
+    QString title = inWindowsLanguage(titleOf(study.identity)).simplified();
     title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));  // Qt's mark for what is not saved
     return title.isEmpty() ? kProgram : title + QStringLiteral(" \u2013 ") + kProgram;
 }
@@ -44,7 +44,7 @@ StudyTexts textsOf(const study::OpenedStudy& study, bool names) {
     texts.whyThisOne = inWindowsLanguage(study.whyThisSeries);
     if (!names) return texts;
     texts.title = titleText(study);
-    texts.description = listInWindowsLanguage(study.description);
+    texts.description = inWindowsLanguage(study.description);
     texts.listsVolumes = study.volumeTitles.size() > 1;
     return texts;
 }

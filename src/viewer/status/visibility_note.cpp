@@ -6,7 +6,7 @@
 
 #include "pipeline/trace/look.h"
 #include "scene/drawing/projection_windows.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

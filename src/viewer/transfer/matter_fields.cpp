@@ -3,11 +3,10 @@
 #include <QFormLayout>
 #include <QSignalBlocker>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
@@ -23,13 +22,13 @@ bool isGradient(const scene::MatterParameter& parameter) {
 
 // "Surface gradient": a label stands by itself, and begins a sentence.
 QString labelOf(const scene::MatterParameter& parameter) {
-    std::string label(parameter.label);
-    label.front() = char(std::toupper(static_cast<unsigned char>(label.front())));
-    return inWindowsLanguage(label);
+    QString label = inWindowsLanguage(Text::of(parameter.label, {}));
+    label[0] = label[0].toUpper();
+    return label;
 }
 
 QString doesOf(const scene::MatterParameter& parameter) {
-    return inWindowsLanguage(std::string(parameter.does));
+    return inWindowsLanguage(Text::of(parameter.does, {}));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "scene/transfer/edited_transfer.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

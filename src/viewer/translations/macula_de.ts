@@ -348,6 +348,67 @@
     </message>
 </context>
 <context>
+    <name>PaneClip</name>
+    <message>
+        <source>Clip</source>
+        <translation>Beschnitt</translation>
+    </message>
+</context>
+<context>
+    <name>PaneMeasurements</name>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>Plane alone: %1</source>
+        <translation>Ebene allein: %1</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Measurement removed</source>
+        <translation>Messung entfernt</translation>
+    </message>
+    <message>
+        <source>Measurement moved</source>
+        <translation>Messung verschoben</translation>
+    </message>
+</context>
+<context>
+    <name>PaneRequest</name>
+    <message>
+        <source>In colours: the size of pixels is not calibrated</source>
+        <translation>In Farben: Die Pixelgröße ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>In colours: some slices are interpolated</source>
+        <translation>In Farbe: einige Schichten sind interpoliert</translation>
+    </message>
+    <message>
+        <source>In colours: %1</source>
+        <translation>In Farben: %1</translation>
+    </message>
+    <message>
+        <source>The size of its pixels is not calibrated</source>
+        <translation>Die Größe seiner Pixel ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Some of its slices are interpolated</source>
+        <translation>Einige seiner Schichten sind interpoliert</translation>
+    </message>
+    <message>
+        <source>In the plane of the study: %1</source>
+        <translation>In der Ebene der Studie: %1</translation>
+    </message>
+    <message>
+        <source>Not in a plane of the study</source>
+        <translation>Nicht in einer Ebene der Studie</translation>
+    </message>
+</context>
+<context>
     <name>PatientQuestion</name>
     <message>
         <source>ID</source>
@@ -395,6 +456,69 @@
     <message>
         <source>Sagittal slices; 3D is not shown</source>
         <translation>Sagittale Schichten; 3D wird nicht gezeigt</translation>
+    </message>
+</context>
+<context>
+    <name>PictureTexts</name>
+    <message>
+        <source>In colours: %1</source>
+        <translation>In Farben: %1</translation>
+    </message>
+    <message>
+        <source>Middle of the slab: %1</source>
+        <translation>Mitte des Slabs: %1</translation>
+    </message>
+    <message>
+        <source>%1, in %2</source>
+        <translation>%1, in %2</translation>
+    </message>
+    <message>
+        <source>Measurements are of the study alone</source>
+        <translation>Messungen gelten nur für die Studie</translation>
+    </message>
+    <message>
+        <source>Segments: middle of the slab</source>
+        <translation>Segmente: Mitte des Slabs</translation>
+    </message>
+    <message>
+        <source>No memory for this picture: make the window smaller</source>
+        <translation>Kein Speicher für dieses Bild: machen Sie das Fenster kleiner</translation>
+    </message>
+    <message>
+        <source>Segments: fractions of half or more</source>
+        <translation>Segmente: Anteile ab der Hälfte</translation>
+    </message>
+    <message>
+        <source>Segments: nearest voxel of another grid</source>
+        <translation>Segmente: nächstes Voxel eines anderen Rasters</translation>
+    </message>
+    <message>
+        <source>Low values are white, as in the images</source>
+        <translation>Niedrige Werte sind weiß, wie in den Bildern</translation>
+    </message>
+    <message>
+        <source>Low values are white, as is custom for PET</source>
+        <translation>Niedrige Werte sind weiß, wie bei PET üblich</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
+    </message>
+    <message>
+        <source>Interpolated between dashed lines: no image was taken there</source>
+        <translation>Zwischen gestrichelten Linien interpoliert: dort wurde kein Bild aufgenommen</translation>
+    </message>
+    <message>
+        <source>Some of these slices are interpolated</source>
+        <translation>Einige dieser Schichten sind interpoliert</translation>
+    </message>
+    <message>
+        <source>Some slices of the slab are interpolated</source>
+        <translation>Einige Schichten des Slabs sind interpoliert</translation>
+    </message>
+    <message>
+        <source>Interpolated: no image was taken here</source>
+        <translation>Interpoliert: hier wurde kein Bild aufgenommen</translation>
     </message>
 </context>
 <context>
@@ -464,14 +588,6 @@
 <context>
     <name>SecondVolumeTexts</name>
     <message>
-        <source>phantom</source>
-        <translation>Phantom</translation>
-    </message>
-    <message>
-        <source>images</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
         <source>Prior: %1</source>
         <translation>Voraufnahme: %1</translation>
     </message>
@@ -525,6 +641,40 @@
     </message>
 </context>
 <context>
+    <name>SegmentEdits</name>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Segment in colour</source>
+        <translation>Segment farbig</translation>
+    </message>
+    <message>
+        <source>Segments in 3D</source>
+        <translation>Segmente in 3D</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Segmentations</source>
+        <translation>Segmentierungen</translation>
+    </message>
+</context>
+<context>
+    <name>SliceKeys</name>
+    <message>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
+    </message>
+</context>
+<context>
     <name>SliceMenu</name>
     <message>
         <source>Window</source>
@@ -565,6 +715,13 @@
     <message>
         <source>The whole slice is seen, in the middle of the pane</source>
         <translation>Die ganze Schicht ist zu sehen, in der Mitte des Bildfelds</translation>
+    </message>
+</context>
+<context>
+    <name>SlicePainting</name>
+    <message>
+        <source>No study is open</source>
+        <translation>Keine Studie ist offen</translation>
     </message>
 </context>
 <context>
@@ -632,6 +789,17 @@
     <message>
         <source>Read the value of the voxel that is pointed at, in its unit</source>
         <translation>Den Wert des Voxels unter dem Zeiger ablesen, in seiner Einheit</translation>
+    </message>
+</context>
+<context>
+    <name>SliceWindowing</name>
+    <message>
+        <source>Window</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>Window of the second volume</source>
+        <translation>Fensterung des zweiten Volumens</translation>
     </message>
 </context>
 <context>
@@ -745,6 +913,8124 @@
     </message>
 </context>
 <context>
+    <name>WindowContainer</name>
+    <message>
+        <source>Sides of the patient at the left, right, top and bottom: %1, %2, %3, %4</source>
+        <translation>Seiten des Patienten links, rechts, oben und unten: %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm</source>
+        <translation>Links ziehen oder Pfeile gehen um den Patienten herum, das Rad geht näher; Größen sind in mm</translation>
+    </message>
+    <message>
+        <source>The volume in 3D</source>
+        <translation>Das Volumen in 3D</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>The file could not be written.</source>
+        <translation>Die Datei konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Check free space and permissions.</source>
+        <translation>Prüfen Sie freien Platz und Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>The file does not exist.</source>
+        <translation>Die Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Check the path.</source>
+        <translation>Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>The file is larger than {} bytes.</source>
+        <translation>Die Datei ist größer als {} Bytes.</translation>
+    </message>
+    <message>
+        <source>Check that it is the file you meant.</source>
+        <translation>Prüfen Sie, ob es die gemeinte Datei ist.</translation>
+    </message>
+    <message>
+        <source>The file could not be read.</source>
+        <translation>Die Datei konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Check its permissions.</source>
+        <translation>Prüfen Sie die Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this series: it needs {}{}.</source>
+        <translation>Für diese Serie ist nicht genug Speicher da: sie braucht {}{}.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or choose a smaller series.</source>
+        <translation>Schließen Sie andere Programme, oder wählen Sie eine kleinere Serie.</translation>
+    </message>
+    <message>
+        <source>Correct the camera.</source>
+        <translation>Berichtigen Sie die Kamera.</translation>
+    </message>
+    <message>
+        <source>The file could not be written: {}.</source>
+        <translation>Die Datei konnte nicht geschrieben werden: {}.</translation>
+    </message>
+    <message>
+        <source>The system has no random numbers.</source>
+        <translation>Das System hat keine Zufallszahlen.</translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation>Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The folder to write into does not exist.</source>
+        <translation>Den Zielordner gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Create it, or choose another place.</source>
+        <translation>Legen Sie ihn an, oder wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>What stands there is no file.</source>
+        <translation>Was dort steht, ist keine Datei.</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to {}.</source>
+        <translation>Es ist nicht genug Speicher da, um {}.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or choose something smaller.</source>
+        <translation>Schließen Sie andere Programme, oder wählen Sie etwas Kleineres.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to {}.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um {}.</translation>
+    </message>
+    <message>
+        <source>Close other programs.</source>
+        <translation>Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to {}.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, {}.</translation>
+    </message>
+    <message>
+        <source>Check disk, connection and permissions, and try again.</source>
+        <translation>Prüfen Sie Datenträger, Verbindung und Zugriffsrechte, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The program could not {}: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, {}: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>Copy it again from its source.</source>
+        <translation>Kopieren Sie es noch einmal von seiner Quelle.</translation>
+    </message>
+    <message>
+        <source>The program could not {}, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, {}, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>Try again; if it fails again, report it, with the log of the program.</source>
+        <translation>Versuchen Sie es noch einmal; wenn es wieder misslingt, melden Sie es, mit dem Protokoll des Programms.</translation>
+    </message>
+    <message>
+        <source>The key that makes identifiers unreadable for others could not be kept.</source>
+        <translation>Der Schlüssel, der Kennungen für andere unlesbar macht, konnte nicht aufbewahrt werden.</translation>
+    </message>
+    <message>
+        <source>Check free space and permissions of that folder.</source>
+        <translation>Prüfen Sie freien Platz und Rechte dieses Ordners.</translation>
+    </message>
+    <message>
+        <source>The file with the key that makes identifiers unreadable for others cannot be read, or holds none.</source>
+        <translation>Die Datei mit dem Schlüssel, der Kennungen für andere unlesbar macht, kann nicht gelesen werden oder enthält keinen.</translation>
+    </message>
+    <message>
+        <source>Bring it back from a backup, or remove it: then a new one is made.</source>
+        <translation>Holen Sie sie aus einer Sicherung zurück, oder löschen Sie sie: dann wird ein neuer gemacht.</translation>
+    </message>
+    <message>
+        <source>Choose another segmentation.</source>
+        <translation>Wählen Sie eine andere Segmentierung.</translation>
+    </message>
+    <message>
+        <source>A part of Macula could not be loaded.</source>
+        <translation>Ein Teil von Macula konnte nicht geladen werden.</translation>
+    </message>
+    <message>
+        <source>Install Macula again, with the packages that it depends on.</source>
+        <translation>Installieren Sie Macula noch einmal, mit den Paketen, die es braucht.</translation>
+    </message>
+    <message>
+        <source>The 3D picture has values of 16 bits, with an error of at most {:.3g}{}.</source>
+        <translation>Das 3D-Bild hat Werte von 16 Bit, mit einem Fehler von höchstens {:.3g}{}.</translation>
+    </message>
+    <message>
+        <source>The 3D picture shows values below {:.4g}{} or above {:.4g}{} as these.</source>
+        <translation>Das 3D-Bild zeigt Werte unter {:.4g}{} oder über {:.4g}{} wie diese.</translation>
+    </message>
+    <message>
+        <source>Choose another series.</source>
+        <translation>Wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>The image has no usable size.</source>
+        <translation>Das Bild hat keine brauchbare Größe.</translation>
+    </message>
+    <message>
+        <source>This series is no volume.</source>
+        <translation>Diese Serie ist kein Volumen.</translation>
+    </message>
+    <message>
+        <source>The images of this series have no usable size.</source>
+        <translation>Die Bilder dieser Serie haben keine brauchbare Größe.</translation>
+    </message>
+    <message>
+        <source>The images of this series differ in size or in kind.</source>
+        <translation>Die Bilder dieser Serie unterscheiden sich in Größe oder Art.</translation>
+    </message>
+    <message>
+        <source>The values of these cannot be what the images say.</source>
+        <translation>Ihre Werte können nicht die sein, die die Bilder angeben.</translation>
+    </message>
+    <message>
+        <source>Export the series again.</source>
+        <translation>Exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Decoding {} slices</source>
+        <translation>{} Schichten werden dekodiert</translation>
+    </message>
+    <message>
+        <source>Loading was cancelled.</source>
+        <translation>Das Laden wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to decode the slices.</source>
+        <translation>Es ist nicht genug Speicher da, um die Schichten zu dekodieren.</translation>
+    </message>
+    <message>
+        <source>The compressed image in this file is damaged.</source>
+        <translation>Das komprimierte Bild in dieser Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Copy the file again from its source.</source>
+        <translation>Kopieren Sie die Datei noch einmal von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>The JPEG 2000 image in this file cannot be decoded.</source>
+        <translation>Das JPEG-2000-Bild in dieser Datei kann nicht dekodiert werden.</translation>
+    </message>
+    <message>
+        <source>The pixel data of this file are damaged.</source>
+        <translation>Die Pixeldaten dieser Datei sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>The file ends before its pixel data do.</source>
+        <translation>Die Datei endet vor ihren Pixeldaten.</translation>
+    </message>
+    <message>
+        <source>This version cannot decode this image: {}.</source>
+        <translation>Diese Version kann dieses Bild nicht dekodieren: {}.</translation>
+    </message>
+    <message>
+        <source>Export the series uncompressed or in JPEG 2000.</source>
+        <translation>Exportieren Sie die Serie unkomprimiert oder in JPEG 2000.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation>Die Datei kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Check that the file or disc is still there.</source>
+        <translation>Prüfen Sie, ob Datei oder Datenträger noch da ist.</translation>
+    </message>
+    <message>
+        <source>The file has changed since the folder was read.</source>
+        <translation>Die Datei hat sich geändert, seit der Ordner gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Open the folder again.</source>
+        <translation>Öffnen Sie den Ordner noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file has no pixel data that fit its header.</source>
+        <translation>Die Datei hat keine Pixeldaten, die zu ihrem Kopf passen.</translation>
+    </message>
+    <message>
+        <source>It cannot be told where the images in this file begin.</source>
+        <translation>Es ist nicht zu erkennen, wo die Bilder in dieser Datei beginnen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to decode a slice.</source>
+        <translation>Es ist nicht genug Speicher da, um eine Schicht zu dekodieren.</translation>
+    </message>
+    <message>
+        <source>The pixel data of this file cannot be decoded.</source>
+        <translation>Die Pixeldaten dieser Datei können nicht dekodiert werden.</translation>
+    </message>
+    <message>
+        <source>The images of this file have no usable size.</source>
+        <translation>Die Bilder dieser Datei haben keine brauchbare Größe.</translation>
+    </message>
+    <message>
+        <source>Copy the file again from its source, or choose another presentation state.</source>
+        <translation>Kopieren Sie die Datei noch einmal von ihrer Quelle, oder wählen Sie einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say in which colours.</source>
+        <translation>Der Presentation State sagt nicht, in welchen Farben.</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say which images it is of.</source>
+        <translation>Der Presentation State sagt nicht, von welchen Bildern er ist.</translation>
+    </message>
+    <message>
+        <source>The presentation state is of something that is no volume.</source>
+        <translation>Der Presentation State ist von etwas, das kein Volumen ist.</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say which series it is of.</source>
+        <translation>Der Presentation State sagt nicht, von welcher Serie er ist.</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say where it is looked from.</source>
+        <translation>Der Presentation State sagt nicht, von wo aus er gesehen wird.</translation>
+    </message>
+    <message>
+        <source>The presentation state is drawn by a method that Macula does not know.</source>
+        <translation>Der Presentation State wird mit einem Verfahren gezeichnet, das Macula nicht kennt.</translation>
+    </message>
+    <message>
+        <source>The colours of the presentation state are damaged.</source>
+        <translation>Die Farben des Presentation State sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>The presentation state has a table of values (VOI LUT) before its colours, which Macula does not know.</source>
+        <translation>Der Presentation State hat vor seinen Farben eine Wertetabelle (VOI LUT), die Macula nicht kennt.</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say which values its colours are of.</source>
+        <translation>Der Presentation State sagt nicht, zu welchen Werten seine Farben gehören.</translation>
+    </message>
+    <message>
+        <source>A clip of the presentation state is missing in the file.</source>
+        <translation>Ein Beschnitt des Presentation State fehlt in der Datei.</translation>
+    </message>
+    <message>
+        <source>A clip of the presentation state is damaged.</source>
+        <translation>Ein Beschnitt des Presentation State ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The file is not a DICOM presentation state.</source>
+        <translation>Die Datei ist kein Presentation State in DICOM.</translation>
+    </message>
+    <message>
+        <source>The presentation state cannot be read.</source>
+        <translation>Der Presentation State kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file is no presentation state of one rendered volume.</source>
+        <translation>Die Datei ist kein Presentation State eines gerenderten Volumens.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the presentation state.</source>
+        <translation>Für den Presentation State ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>The label of the presentation state is not usable.</source>
+        <translation>Die Bezeichnung des Presentation State ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Take 1 to 16 capital letters, digits, blanks and underscores.</source>
+        <translation>Nehmen Sie 1 bis 16 Großbuchstaben, Ziffern, Leerzeichen und Unterstriche.</translation>
+    </message>
+    <message>
+        <source>The description is too long, or has characters that it may not have.</source>
+        <translation>Die Beschreibung ist zu lang oder hat Zeichen, die sie nicht haben darf.</translation>
+    </message>
+    <message>
+        <source>Take at most 64 letters, digits and signs, without a backslash.</source>
+        <translation>Nehmen Sie höchstens 64 Buchstaben, Ziffern und Zeichen, ohne umgekehrten Schrägstrich.</translation>
+    </message>
+    <message>
+        <source>The view is too large for a presentation state.</source>
+        <translation>Die Ansicht ist für einen Presentation State zu groß.</translation>
+    </message>
+    <message>
+        <source>Save it as a view, or remove measurements and large presets from it.</source>
+        <translation>Speichern Sie sie als Ansicht, oder entfernen Sie Messungen und große Voreinstellungen daraus.</translation>
+    </message>
+    <message>
+        <source>The colours of the presentation state are not usable.</source>
+        <translation>Die Farben des Presentation State sind nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose another preset, or a window above 0.</source>
+        <translation>Wählen Sie eine andere Voreinstellung oder eine Fensterung über 0.</translation>
+    </message>
+    <message>
+        <source>The camera of the presentation state is not usable.</source>
+        <translation>Die Kamera des Presentation State ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose another view.</source>
+        <translation>Wählen Sie eine andere Ansicht.</translation>
+    </message>
+    <message>
+        <source>The clip of the presentation state is not usable.</source>
+        <translation>Der Beschnitt des Presentation State ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose another clip.</source>
+        <translation>Wählen Sie einen anderen Beschnitt.</translation>
+    </message>
+    <message>
+        <source>The opacities of the presentation state are not usable.</source>
+        <translation>Die Deckkräfte des Presentation State sind nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose another preset.</source>
+        <translation>Wählen Sie eine andere Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>The shading of the presentation state is not usable.</source>
+        <translation>Die Schattierung des Presentation State ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>A presentation state refers to DICOM images with a frame of reference, and this volume has none.</source>
+        <translation>Ein Presentation State bezieht sich auf DICOM-Bilder mit einem Koordinatensystem, und dieses Volumen hat keines.</translation>
+    </message>
+    <message>
+        <source>Save it as a view.</source>
+        <translation>Speichern Sie sie als Ansicht.</translation>
+    </message>
+    <message>
+        <source>The files of this study do not say which patient and which study it is.</source>
+        <translation>Die Dateien dieser Studie sagen nicht, welcher Patient und welche Studie es ist.</translation>
+    </message>
+    <message>
+        <source>Write the presentation state without patient and study.</source>
+        <translation>Speichern Sie den Presentation State ohne Patient und Studie.</translation>
+    </message>
+    <message>
+        <source>The DICOM file could not be written.</source>
+        <translation>Die DICOM-Datei konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Check free space and memory.</source>
+        <translation>Prüfen Sie freien Platz und Speicher.</translation>
+    </message>
+    <message>
+        <source>The path is longer than this system can open.</source>
+        <translation>Der Pfad ist länger, als dieses System öffnen kann.</translation>
+    </message>
+    <message>
+        <source>Move the folder nearer to the root of the disk, or give the folders shorter names.</source>
+        <translation>Verschieben Sie den Ordner näher an die Wurzel des Laufwerks, oder geben Sie den Ordnern kürzere Namen.</translation>
+    </message>
+    <message>
+        <source>The folder does not exist.</source>
+        <translation>Den Ordner gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The folder cannot be read.</source>
+        <translation>Der Ordner kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Check that it is a folder, and its permissions.</source>
+        <translation>Prüfen Sie, ob es ein Ordner ist, und seine Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>Reading was cancelled.</source>
+        <translation>Das Lesen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The file is not the directory of a DICOM disc.</source>
+        <translation>Die Datei ist nicht das Verzeichnis eines DICOM-Datenträgers.</translation>
+    </message>
+    <message>
+        <source>Open the folder instead.</source>
+        <translation>Öffnen Sie stattdessen den Ordner.</translation>
+    </message>
+    <message>
+        <source>The dictionary of the DICOM toolkit (dicom.dic) is not there, so that DICOM files cannot be read.</source>
+        <translation>Das Wörterbuch des DICOM-Toolkits (dicom.dic) fehlt, sodass DICOM-Dateien nicht gelesen werden können.</translation>
+    </message>
+    <message>
+        <source>Install DCMTK&apos;s data files again, or set DCMDICTPATH to the path of dicom.dic.</source>
+        <translation>Installieren Sie die Datendateien von DCMTK noch einmal, oder setzen Sie DCMDICTPATH auf den Pfad von dicom.dic.</translation>
+    </message>
+    <message>
+        <source>Looking for files</source>
+        <translation>Dateien werden gesucht</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation lie too far apart.</source>
+        <translation>Die Einzelbilder der Segmentierung liegen zu weit auseinander.</translation>
+    </message>
+    <message>
+        <source>Reading a segmentation of {} frames</source>
+        <translation>Eine Segmentierung mit {} Einzelbildern wird gelesen</translation>
+    </message>
+    <message>
+        <source>The segmentation ends before its last frame does.</source>
+        <translation>Die Segmentierung endet vor ihrem letzten Einzelbild.</translation>
+    </message>
+    <message>
+        <source>The segmentation changed while it was read.</source>
+        <translation>Die Segmentierung hat sich beim Lesen geändert.</translation>
+    </message>
+    <message>
+        <source>Open the study again.</source>
+        <translation>Öffnen Sie die Studie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation do not lie on one grid.</source>
+        <translation>Die Einzelbilder der Segmentierung liegen nicht auf einem Gitter.</translation>
+    </message>
+    <message>
+        <source>Putting segments on the voxels of the volume</source>
+        <translation>Segmente werden auf die Voxel des Volumens gelegt</translation>
+    </message>
+    <message>
+        <source>The series of the segmentation is no volume.</source>
+        <translation>Die Serie der Segmentierung ist kein Volumen.</translation>
+    </message>
+    <message>
+        <source>The segmentation cannot be read.</source>
+        <translation>Die Segmentierung kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file is no segmentation that this version knows.</source>
+        <translation>Die Datei ist keine Segmentierung, die diese Version kennt.</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation are of no kind that this version knows.</source>
+        <translation>Die Einzelbilder der Segmentierung sind von keiner Art, die diese Version kennt.</translation>
+    </message>
+    <message>
+        <source>The segmentation does not say what its values mean.</source>
+        <translation>Die Segmentierung sagt nicht, was ihre Werte bedeuten.</translation>
+    </message>
+    <message>
+        <source>The segmentation does not say where all of its frames lie.</source>
+        <translation>Die Segmentierung sagt nicht, wo alle ihre Einzelbilder liegen.</translation>
+    </message>
+    <message>
+        <source>The segmentation does not say where its frames lie.</source>
+        <translation>Die Segmentierung sagt nicht, wo ihre Einzelbilder liegen.</translation>
+    </message>
+    <message>
+        <source>The segmentation does not say what its frames show.</source>
+        <translation>Die Segmentierung sagt nicht, was ihre Einzelbilder zeigen.</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation lie too far apart for a grid of their own.</source>
+        <translation>Die Einzelbilder der Segmentierung liegen für ein eigenes Gitter zu weit auseinander.</translation>
+    </message>
+    <message>
+        <source>Open it with the series it was drawn on.</source>
+        <translation>Öffnen Sie sie mit der Serie, auf der sie gezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>The segmentation has more segments than a label map can hold.</source>
+        <translation>Die Segmentierung hat mehr Segmente, als eine Label-Map fassen kann.</translation>
+    </message>
+    <message>
+        <source>Frame {} of the segmentation does not lie on the voxels of the series.</source>
+        <translation>Einzelbild {} der Segmentierung liegt nicht auf den Voxeln der Serie.</translation>
+    </message>
+    <message>
+        <source>Open the segmentation with the series it was drawn on.</source>
+        <translation>Öffnen Sie die Segmentierung mit der Serie, auf der sie gezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>The segmentation has no frames.</source>
+        <translation>Die Segmentierung hat keine Einzelbilder.</translation>
+    </message>
+    <message>
+        <source>Comparing {} files</source>
+        <translation>{} Dateien werden verglichen</translation>
+    </message>
+    <message>
+        <source>Images at one position were told apart by the order of their numbers.</source>
+        <translation>Bilder an einer Position wurden nach der Reihenfolge ihrer Nummern unterschieden.</translation>
+    </message>
+    <message>
+        <source>The study that it belongs to cannot be read any more.</source>
+        <translation>Die Studie, zu der es gehört, kann nicht mehr gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Open the study again, or write it without the patient.</source>
+        <translation>Öffnen Sie die Studie noch einmal, oder speichern Sie es ohne den Patienten.</translation>
+    </message>
+    <message>
+        <source>The DICOM file could not be made.</source>
+        <translation>Die DICOM-Datei konnte nicht erstellt werden.</translation>
+    </message>
+    <message>
+        <source>Check memory.</source>
+        <translation>Prüfen Sie den Speicher.</translation>
+    </message>
+    <message>
+        <source>Choose another volume.</source>
+        <translation>Wählen Sie ein anderes Volumen.</translation>
+    </message>
+    <message>
+        <source>A DICOM file could not be written.</source>
+        <translation>Eine DICOM-Datei konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The folder to write into cannot be created.</source>
+        <translation>Der Zielordner kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>Check the permissions, or choose another place.</source>
+        <translation>Prüfen Sie die Zugriffsrechte, oder wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>Writing {} slices</source>
+        <translation>{} Schichten werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing was cancelled.</source>
+        <translation>Das Schreiben wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The folder to write into is not empty, or cannot be replaced.</source>
+        <translation>Der Zielordner ist nicht leer oder kann nicht ersetzt werden.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that is empty or does not exist.</source>
+        <translation>Wählen Sie einen Ordner, der leer ist oder den es noch nicht gibt.</translation>
+    </message>
+    <message>
+        <source>The series could not be written.</source>
+        <translation>Die Serie konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Check free space, memory and permissions.</source>
+        <translation>Prüfen Sie freien Platz, Speicher und Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>This is no MetaImage file.</source>
+        <translation>Das ist keine MetaImage-Datei.</translation>
+    </message>
+    <message>
+        <source>The image has several values in each voxel; a volume needs one.</source>
+        <translation>Das Bild hat mehrere Werte in jedem Voxel; ein Volumen braucht einen.</translation>
+    </message>
+    <message>
+        <source>The values of the image are neither whole numbers of 8 to 64 bits nor floating-point ones.</source>
+        <translation>Die Werte des Bildes sind weder ganze Zahlen mit 8 bis 64 Bit noch Gleitkommazahlen.</translation>
+    </message>
+    <message>
+        <source>The values have 8 bytes each, as the size of the file tells, and not 4 as their type says.</source>
+        <translation>Die Werte haben je 8 Bytes, wie die Größe der Datei sagt, und nicht 4, wie ihr Typ sagt.</translation>
+    </message>
+    <message>
+        <source>The file does not give the distance of the voxels: 1 mm was assumed.</source>
+        <translation>Die Datei nennt den Abstand der Voxel nicht: 1 mm wurde angenommen.</translation>
+    </message>
+    <message>
+        <source>The values are written as text, which Macula does not read.</source>
+        <translation>Die Werte sind als Text geschrieben, den Macula nicht liest.</translation>
+    </message>
+    <message>
+        <source>Write the file with BinaryData = True.</source>
+        <translation>Schreiben Sie die Datei mit BinaryData = True.</translation>
+    </message>
+    <message>
+        <source>The values lie in several files.</source>
+        <translation>Die Werte liegen in mehreren Dateien.</translation>
+    </message>
+    <message>
+        <source>Write the volume to one file.</source>
+        <translation>Schreiben Sie das Volumen in eine Datei.</translation>
+    </message>
+    <message>
+        <source>Convert it with the program it comes from.</source>
+        <translation>Wandeln Sie sie mit dem Programm um, aus dem sie kommt.</translation>
+    </message>
+    <message>
+        <source>The file is cut off or damaged.</source>
+        <translation>Die Datei ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>Get the file again from where it came.</source>
+        <translation>Holen Sie die Datei noch einmal, woher sie kam.</translation>
+    </message>
+    <message>
+        <source>A NIfTI file holds no volume of {} x {} x {} voxels.</source>
+        <translation>Eine NIfTI-Datei fasst kein Volumen aus {} x {} x {} Voxeln.</translation>
+    </message>
+    <message>
+        <source>Write a .nrrd or .mha file.</source>
+        <translation>Schreiben Sie eine .nrrd- oder .mha-Datei.</translation>
+    </message>
+    <message>
+        <source>Check the path and its permissions.</source>
+        <translation>Prüfen Sie den Pfad und seine Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>This is no NIfTI file.</source>
+        <translation>Das ist keine NIfTI-Datei.</translation>
+    </message>
+    <message>
+        <source>The image is in colour; a volume needs one value in each voxel.</source>
+        <translation>Das Bild ist farbig; ein Volumen braucht einen Wert in jedem Voxel.</translation>
+    </message>
+    <message>
+        <source>The values of the image have NIfTI&apos;s data type {}; Macula reads whole numbers of 8 to 64 bits and floating-point ones.</source>
+        <translation>Die Werte des Bildes haben den NIfTI-Datentyp {}; Macula liest ganze Zahlen mit 8 bis 64 Bit und Gleitkommazahlen.</translation>
+    </message>
+    <message>
+        <source>The header of the NIfTI file is damaged.</source>
+        <translation>Der Kopf der NIfTI-Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The file gives two positions in the patient that differ by up to {:.1f} mm (sform and qform): the sform was taken.</source>
+        <translation>Die Datei gibt zwei Lagen im Patienten an, die um bis zu {:.1f} mm abweichen (sform und qform): die sform wurde genommen.</translation>
+    </message>
+    <message>
+        <source>The file does not say how the image lies in the patient: its axes were taken to lead to the right, to the front and up. Left and right may be exchanged.</source>
+        <translation>Die Datei sagt nicht, wie das Bild im Patienten liegt: es wurde angenommen, dass seine Achsen nach rechts, vorn und oben führen. Links und rechts können vertauscht sein.</translation>
+    </message>
+    <message>
+        <source>The file with the values (.img) is missing.</source>
+        <translation>Die Datei mit den Werten (.img) fehlt.</translation>
+    </message>
+    <message>
+        <source>Put it beside the header.</source>
+        <translation>Legen Sie sie neben den Kopf.</translation>
+    </message>
+    <message>
+        <source>This is an ANALYZE file, which does not tell left from right.</source>
+        <translation>Das ist eine ANALYZE-Datei, die links und rechts nicht unterscheidet.</translation>
+    </message>
+    <message>
+        <source>Write it as NIfTI.</source>
+        <translation>Schreiben Sie sie als NIfTI.</translation>
+    </message>
+    <message>
+        <source>The position of the image in the patient is not usable: its axes do not span a volume.</source>
+        <translation>Die Lage des Bildes im Patienten ist nicht brauchbar: seine Achsen spannen kein Volumen auf.</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Angehalten; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>This is no NRRD file.</source>
+        <translation>Das ist keine NRRD-Datei.</translation>
+    </message>
+    <message>
+        <source>The image has several values in each voxel, or an axis of time; a volume needs one value.</source>
+        <translation>Das Bild hat mehrere Werte in jedem Voxel oder eine Zeitachse; ein Volumen braucht einen Wert.</translation>
+    </message>
+    <message>
+        <source>The position of the image is not given in millimetres.</source>
+        <translation>Die Lage des Bildes ist nicht in Millimetern angegeben.</translation>
+    </message>
+    <message>
+        <source>An axis of the image does not lie in space.</source>
+        <translation>Eine Achse des Bildes liegt nicht im Raum.</translation>
+    </message>
+    <message>
+        <source>Write one volume to a file of its own.</source>
+        <translation>Schreiben Sie ein Volumen in eine eigene Datei.</translation>
+    </message>
+    <message>
+        <source>The values are encoded in a way that Macula does not read.</source>
+        <translation>Die Werte sind auf eine Weise kodiert, die Macula nicht liest.</translation>
+    </message>
+    <message>
+        <source>Write the file with the encoding raw or gzip.</source>
+        <translation>Schreiben Sie die Datei mit der Kodierung raw oder gzip.</translation>
+    </message>
+    <message>
+        <source>Text stands before the values, which Macula does not read.</source>
+        <translation>Vor den Werten steht Text, den Macula nicht liest.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Preparing the values</source>
+        <translation>Die Werte werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>Whole numbers beyond 2^53 were rounded.</source>
+        <translation>Ganze Zahlen jenseits von 2^53 wurden gerundet.</translation>
+    </message>
+    <message>
+        <source>Values were rounded to 24 significant bits.</source>
+        <translation>Werte wurden auf 24 signifikante Bits gerundet.</translation>
+    </message>
+    <message>
+        <source>{} voxels hold no finite number: they are treated as outside of the scan.</source>
+        <translation>{} Voxel enthalten keine endliche Zahl: sie gelten als außerhalb der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The size of a voxel is not calibrated: lengths, areas and volumes are estimates.</source>
+        <translation>Die Größe eines Voxels ist nicht kalibriert: Längen, Flächen und Volumina sind Schätzungen.</translation>
+    </message>
+    <message>
+        <source>The file holds {} volumes, one for each point in time; this is number {}.</source>
+        <translation>Die Datei enthält {} Volumen, eines je Zeitpunkt; dies ist die Nummer {}.</translation>
+    </message>
+    <message>
+        <source>The image of {} x {} x {} voxels is no volume.</source>
+        <translation>Das Bild aus {} x {} x {} Voxeln ist kein Volumen.</translation>
+    </message>
+    <message>
+        <source>Choose a file with a volume.</source>
+        <translation>Wählen Sie eine Datei mit einem Volumen.</translation>
+    </message>
+    <message>
+        <source>A volume of {} x {} x {} voxels cannot be shown.</source>
+        <translation>Ein Volumen aus {} x {} x {} Voxeln kann nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Choose a smaller one.</source>
+        <translation>Wählen Sie ein kleineres.</translation>
+    </message>
+    <message>
+        <source>The file is cut off: its header tells of {} x {} x {} voxels, and it is too short for them.</source>
+        <translation>Die Datei ist abgeschnitten: ihr Kopf nennt {} x {} x {} Voxel, und dafür ist sie zu kurz.</translation>
+    </message>
+    <message>
+        <source>The map from stored values to units is not usable.</source>
+        <translation>Die Abbildung gespeicherter Werte auf Einheiten ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Export the file again.</source>
+        <translation>Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Wird gelesen</translation>
+    </message>
+    <message>
+        <source>The header of the file is damaged.</source>
+        <translation>Der Kopf der Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The image has two axes; it is no volume.</source>
+        <translation>Das Bild hat zwei Achsen; es ist kein Volumen.</translation>
+    </message>
+    <message>
+        <source>The image has {} axes; Macula reads volumes with three.</source>
+        <translation>Das Bild hat {} Achsen; Macula liest Volumen mit drei.</translation>
+    </message>
+    <message>
+        <source>The values lie in another folder or in several files.</source>
+        <translation>Die Werte liegen in einem anderen Ordner oder in mehreren Dateien.</translation>
+    </message>
+    <message>
+        <source>Write the volume to one file, or put the file with the values beside the header.</source>
+        <translation>Schreiben Sie das Volumen in eine Datei, oder legen Sie die Datei mit den Werten neben den Kopf.</translation>
+    </message>
+    <message>
+        <source>The file with the values is missing.</source>
+        <translation>Die Datei mit den Werten fehlt.</translation>
+    </message>
+    <message>
+        <source>The ending of the name is that of no volume file.</source>
+        <translation>Die Endung des Namens ist die keiner Volumendatei.</translation>
+    </message>
+    <message>
+        <source>Volumes are not written to files with the ending {}.</source>
+        <translation>Volumen werden nicht in Dateien mit der Endung {} geschrieben.</translation>
+    </message>
+    <message>
+        <source>The file could not be put in place: {}.</source>
+        <translation>Die Datei konnte nicht an ihren Ort gelegt werden: {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough free space.</source>
+        <translation>Es ist nicht genug Platz frei.</translation>
+    </message>
+    <message>
+        <source>The file needs {} MB.</source>
+        <translation>Die Datei braucht {} MB.</translation>
+    </message>
+    <message>
+        <source>it did not become whole</source>
+        <translation>sie wurde nicht vollständig</translation>
+    </message>
+    <message>
+        <source>something unforeseen happened</source>
+        <translation>etwas Unvorhergesehenes ist geschehen</translation>
+    </message>
+    <message>
+        <source>The mask does not fit the pictures.</source>
+        <translation>Die Maske passt nicht zu den Bildern.</translation>
+    </message>
+    <message>
+        <source>Give one number for each pixel.</source>
+        <translation>Geben Sie eine Zahl für jedes Pixel an.</translation>
+    </message>
+    <message>
+        <source>The number of pixels in a degree is not usable.</source>
+        <translation>Die Zahl der Pixel je Grad ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give 1 to 1000.</source>
+        <translation>Geben Sie 1 bis 1000 an.</translation>
+    </message>
+    <message>
+        <source>There is no such fovea in a picture.</source>
+        <translation>Eine solche Fovea gibt es in einem Bild nicht.</translation>
+    </message>
+    <message>
+        <source>Give a picture of 0.1 to 170 degrees, a gaze inside it, and a field above 0 and at most 180 degrees.</source>
+        <translation>Geben Sie ein Bild von 0.1 bis 170 Grad an, einen Blick darin und ein Feld über 0 und von höchstens 180 Grad.</translation>
+    </message>
+    <message>
+        <source>Give one number for each pixel of the pictures.</source>
+        <translation>Geben Sie eine Zahl für jedes Pixel der Bilder an.</translation>
+    </message>
+    <message>
+        <source>Give a number for each pixel of the mask.</source>
+        <translation>Geben Sie eine Zahl für jedes Pixel der Maske an.</translation>
+    </message>
+    <message>
+        <source>Pictures of {} x {} pixels are too small for MS-SSIM.</source>
+        <translation>Bilder von {} x {} Pixeln sind zu klein für MS-SSIM.</translation>
+    </message>
+    <message>
+        <source>Compare pictures of at least {} pixels on each side.</source>
+        <translation>Vergleichen Sie Bilder mit mindestens {} Pixeln je Seite.</translation>
+    </message>
+    <message>
+        <source>The picture file is damaged or incomplete.</source>
+        <translation>Die Bilddatei ist beschädigt oder unvollständig.</translation>
+    </message>
+    <message>
+        <source>Export or download it again.</source>
+        <translation>Exportieren oder laden Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The picture could not be written.</source>
+        <translation>Das Bild konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Check free space and permissions of the folder.</source>
+        <translation>Prüfen Sie freien Platz und Zugriffsrechte des Ordners.</translation>
+    </message>
+    <message>
+        <source>The picture file does not exist.</source>
+        <translation>Die Bilddatei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The picture file could not be opened.</source>
+        <translation>Die Bilddatei konnte nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>The file is no Radiance HDR, OpenEXR or PNG picture.</source>
+        <translation>Die Datei ist kein Bild in Radiance HDR, OpenEXR oder PNG.</translation>
+    </message>
+    <message>
+        <source>Give a file of one of these formats; renaming does not convert it.</source>
+        <translation>Wählen Sie eine Datei in einem dieser Formate; Umbenennen wandelt sie nicht um.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the picture.</source>
+        <translation>Für das Bild ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or use a smaller picture.</source>
+        <translation>Schließen Sie andere Programme, oder nehmen Sie ein kleineres Bild.</translation>
+    </message>
+    <message>
+        <source>Give a picture of another format.</source>
+        <translation>Wählen Sie ein Bild in einem anderen Format.</translation>
+    </message>
+    <message>
+        <source>The file is no flat picture.</source>
+        <translation>Die Datei ist kein flaches Bild.</translation>
+    </message>
+    <message>
+        <source>Give a picture with one layer of pixels.</source>
+        <translation>Wählen Sie ein Bild mit einer Lage von Pixeln.</translation>
+    </message>
+    <message>
+        <source>The picture is too large: {} by {} pixels, {} channels.</source>
+        <translation>Das Bild ist zu groß: {} mal {} Pixel, {} Kanäle.</translation>
+    </message>
+    <message>
+        <source>Scale it to at most {} pixels on each side.</source>
+        <translation>Verkleinern Sie es auf höchstens {} Pixel je Seite.</translation>
+    </message>
+    <message>
+        <source>The picture has too many pixels and channels.</source>
+        <translation>Das Bild hat zu viele Pixel und Kanäle.</translation>
+    </message>
+    <message>
+        <source>Scale it down, or leave channels out.</source>
+        <translation>Verkleinern Sie es, oder lassen Sie Kanäle weg.</translation>
+    </message>
+    <message>
+        <source>Compare two pictures of one size, made for display.</source>
+        <translation>Vergleichen Sie zwei Bilder gleicher Größe, die zur Anzeige gemacht sind.</translation>
+    </message>
+    <message>
+        <source>Pictures of {} x {} and {} x {} cannot be compared.</source>
+        <translation>Bilder von {} x {} und {} x {} können nicht verglichen werden.</translation>
+    </message>
+    <message>
+        <source>Compare two pictures of one size, both in colour or both grey.</source>
+        <translation>Vergleichen Sie zwei Bilder gleicher Größe, beide farbig oder beide grau.</translation>
+    </message>
+    <message>
+        <source>Nothing of the series can be seen.</source>
+        <translation>Von der Serie ist nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>Choose another preset or clip.</source>
+        <translation>Wählen Sie eine andere Voreinstellung oder einen anderen Beschnitt.</translation>
+    </message>
+    <message>
+        <source>preview only</source>
+        <translation>nur Vorschau</translation>
+    </message>
+    <message>
+        <source>preview around the sharp centre</source>
+        <translation>Vorschau um die scharfe Mitte</translation>
+    </message>
+    <message>
+        <source>sharp centre traced {:.1f} s ago with {} samples</source>
+        <translation>scharfe Mitte vor {:.1f} s mit {} Abtastungen verfolgt</translation>
+    </message>
+    <message>
+        <source>estimated from the values</source>
+        <translation>aus den Werten geschätzt</translation>
+    </message>
+    <message>
+        <source>values on cut faces only coarsely</source>
+        <translation>Werte auf Schnittflächen nur grob</translation>
+    </message>
+    <message>
+        <source>the preview is not sharp enough after {} steps</source>
+        <translation>die Vorschau ist nach {} Schritten nicht scharf genug</translation>
+    </message>
+    <message>
+        <source>preview fades out</source>
+        <translation>Vorschau blendet aus</translation>
+    </message>
+    <message>
+        <source>preview where it is less noisy</source>
+        <translation>Vorschau, wo sie weniger rauscht</translation>
+    </message>
+    <message>
+        <source>1/{} of the pixels each way</source>
+        <translation>1/{} der Pixel je Richtung</translation>
+    </message>
+    <message>
+        <source>{} of {} samples</source>
+        <translation>{} von {} Abtastungen</translation>
+    </message>
+    <message>
+        <source>less than the full resolution</source>
+        <translation>weniger als die volle Auflösung</translation>
+    </message>
+    <message>
+        <source>denoised</source>
+        <translation>entrauscht</translation>
+    </message>
+    <message>
+        <source>{} samples left out</source>
+        <translation>{} Abtastungen ausgelassen</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to write the model.</source>
+        <translation>Es ist nicht genug Speicher da, um das Modell zu speichern.</translation>
+    </message>
+    <message>
+        <source>The recording was cancelled.</source>
+        <translation>Die Aufzeichnung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>In Bewegung</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for it.</source>
+        <translation>Dafür ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>Only what is path-traced has a peripheral model.</source>
+        <translation>Nur was mit Pfadverfolgung gezeichnet ist, hat ein peripheres Modell.</translation>
+    </message>
+    <message>
+        <source>Choose the look cinematic or clear.</source>
+        <translation>Wählen Sie die Darstellung cinematic oder clear.</translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen that a model could learn.</source>
+        <translation>Es ist nichts zu sehen, was ein Modell lernen könnte.</translation>
+    </message>
+    <message>
+        <source>The graphics device has no memory for a model.</source>
+        <translation>Das Grafikgerät hat keinen Speicher für ein Modell.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or show less of the volume.</source>
+        <translation>Schließen Sie andere Programme, oder zeigen Sie weniger vom Volumen.</translation>
+    </message>
+    <message>
+        <source>The model could not be made on this graphics device.</source>
+        <translation>Das Modell konnte auf diesem Grafikgerät nicht erstellt werden.</translation>
+    </message>
+    <message>
+        <source>Try another device.</source>
+        <translation>Versuchen Sie ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>The graphics device stopped responding and was started again.</source>
+        <translation>Das Grafikgerät hat nicht mehr geantwortet und wurde wieder gestartet.</translation>
+    </message>
+    <message>
+        <source>There is no picture of this.</source>
+        <translation>Davon gibt es kein Bild.</translation>
+    </message>
+    <message>
+        <source>Draw it again; if that does not help, open another device.</source>
+        <translation>Zeichnen Sie es noch einmal; wenn das nicht hilft, öffnen Sie ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>This was opened without a model.</source>
+        <translation>Dies wurde ohne Modell geöffnet.</translation>
+    </message>
+    <message>
+        <source>Open it with one.</source>
+        <translation>Öffnen Sie es mit einem.</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Training</translation>
+    </message>
+    <message>
+        <source>There is no model of what is shown yet.</source>
+        <translation>Von dem, was gezeigt wird, gibt es noch kein Modell.</translation>
+    </message>
+    <message>
+        <source>Train it first.</source>
+        <translation>Trainieren Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>No folder was given to keep models in.</source>
+        <translation>Kein Ordner wurde angegeben, um Modelle zu behalten.</translation>
+    </message>
+    <message>
+        <source>The model has learnt nothing yet that could be kept.</source>
+        <translation>Das Modell hat noch nichts gelernt, was zu behalten wäre.</translation>
+    </message>
+    <message>
+        <source>The stored model was not replaced: it has learnt more than this one, or could not be written.</source>
+        <translation>Das gespeicherte Modell wurde nicht ersetzt: es hat mehr gelernt als dieses oder konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Train this one for longer, or check free space and permissions.</source>
+        <translation>Trainieren Sie dieses länger, oder prüfen Sie freien Platz und Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>The model could not be kept.</source>
+        <translation>Das Modell konnte nicht behalten werden.</translation>
+    </message>
+    <message>
+        <source>Check free space and permissions of the folder that was given for models.</source>
+        <translation>Prüfen Sie freien Platz und Zugriffsrechte des Ordners, der für Modelle angegeben wurde.</translation>
+    </message>
+    <message>
+        <source>A handle of the graphics device that is lent is missing.</source>
+        <translation>Ein Handle des geliehenen Grafikgeräts fehlt.</translation>
+    </message>
+    <message>
+        <source>Give VkInstance, VkPhysicalDevice, VkDevice, and a VkQueue of it with compute.</source>
+        <translation>Geben Sie VkInstance, VkPhysicalDevice, VkDevice und eine VkQueue davon an, die rechnen kann.</translation>
+    </message>
+    <message>
+        <source>The queue that is lent can be locked, or unlocked, but not both.</source>
+        <translation>Die geliehene Queue kann gesperrt oder freigegeben werden, aber nicht beides.</translation>
+    </message>
+    <message>
+        <source>Give both functions, or neither.</source>
+        <translation>Geben Sie beide Funktionen an, oder keine.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s name says no format.</source>
+        <translation>Der Name des Modells nennt kein Format.</translation>
+    </message>
+    <message>
+        <source>The name says no format that splats alone are written in.</source>
+        <translation>Der Name nennt kein Format, in dem Splats allein geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The model has learnt nothing yet that training could go on with.</source>
+        <translation>Das Modell hat noch nichts gelernt, womit das Training weitergehen könnte.</translation>
+    </message>
+    <message>
+        <source>Wait until the picture converges, or save it as .ply, .spz or .glb.</source>
+        <translation>Warten Sie, bis das Bild besser wird, oder speichern Sie es als .ply, .spz oder .glb.</translation>
+    </message>
+    <message>
+        <source>The model could not be written.</source>
+        <translation>Das Modell konnte nicht gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Writing the model</source>
+        <translation>Das Modell wird gespeichert</translation>
+    </message>
+    <message>
+        <source>What goes on learning needs linear colours.</source>
+        <translation>Was weiterlernt, braucht lineare Farben.</translation>
+    </message>
+    <message>
+        <source>Save it as .ply, .spz or .glb, or without colours as displayed.</source>
+        <translation>Speichern Sie es als .ply, .spz oder .glb, oder ohne Farben wie gezeigt.</translation>
+    </message>
+    <message>
+        <source>Stopped before the first step; nothing was written.</source>
+        <translation>Vor dem ersten Schritt angehalten; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>The saved training has no views to learn from.</source>
+        <translation>Das gespeicherte Training hat keine Ansichten, aus denen zu lernen wäre.</translation>
+    </message>
+    <message>
+        <source>Train anew, with --views above 0.</source>
+        <translation>Trainieren Sie neu, mit --views über 0.</translation>
+    </message>
+    <message>
+        <source>The saved training has all of its {} steps.</source>
+        <translation>Das gespeicherte Training hat alle seine {} Schritte.</translation>
+    </message>
+    <message>
+        <source>Give --iterations for as many more.</source>
+        <translation>Geben Sie mit --iterations an, wie viele es noch sein sollen.</translation>
+    </message>
+    <message>
+        <source>The saved training does not say what its pictures show.</source>
+        <translation>Das gespeicherte Training sagt nicht, was seine Bilder zeigen.</translation>
+    </message>
+    <message>
+        <source>It is of another program, or of an older one: train anew.</source>
+        <translation>Es ist von einem anderen Programm oder von einem älteren: trainieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>The saved training is of {}.</source>
+        <translation>Das gespeicherte Training ist von {}.</translation>
+    </message>
+    <message>
+        <source>The measurement was stopped.</source>
+        <translation>Die Messung wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Measuring this machine</source>
+        <translation>Dieser Rechner wird gemessen</translation>
+    </message>
+    <message>
+        <source>Stored sessions were not changed, because Macula found a mistake of its own.</source>
+        <translation>Die gespeicherten Sitzungen wurden nicht geändert, weil Macula einen eigenen Fehler gefunden hat.</translation>
+    </message>
+    <message>
+        <source>A stored model is damaged, and is not used.</source>
+        <translation>Ein gespeichertes Modell ist beschädigt und wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>`macula sessions verify` says what else is.</source>
+        <translation>`macula sessions verify` sagt, was es noch ist.</translation>
+    </message>
+    <message>
+        <source>How this study was left was not found in time.</source>
+        <translation>Wie diese Studie verlassen wurde, wurde nicht rechtzeitig gefunden.</translation>
+    </message>
+    <message>
+        <source>It is kept: open the study again to see it.</source>
+        <translation>Es bleibt aufbewahrt: öffnen Sie die Studie noch einmal, um es zu sehen.</translation>
+    </message>
+    <message>
+        <source>More was measured on this study than is shown here: another window has it open, or had.</source>
+        <translation>An dieser Studie wurde mehr gemessen, als hier gezeigt wird: ein anderes Fenster hat sie offen oder hatte sie offen.</translation>
+    </message>
+    <message>
+        <source>All of it is kept; open the study again to see it.</source>
+        <translation>Alles davon bleibt aufbewahrt; öffnen Sie die Studie noch einmal, um es zu sehen.</translation>
+    </message>
+    <message>
+        <source>The name has letters that cannot be read.</source>
+        <translation>Der Name hat Buchstaben, die nicht gelesen werden können.</translation>
+    </message>
+    <message>
+        <source>Type it anew.</source>
+        <translation>Geben Sie ihn neu ein.</translation>
+    </message>
+    <message>
+        <source>The name has letters that cannot be seen.</source>
+        <translation>Der Name hat Buchstaben, die nicht zu sehen sind.</translation>
+    </message>
+    <message>
+        <source>Type it anew, without pasting.</source>
+        <translation>Geben Sie ihn neu ein, ohne einzufügen.</translation>
+    </message>
+    <message>
+        <source>The preset needs a name.</source>
+        <translation>Die Voreinstellung braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>Type one.</source>
+        <translation>Geben Sie einen ein.</translation>
+    </message>
+    <message>
+        <source>The name is too long.</source>
+        <translation>Der Name ist zu lang.</translation>
+    </message>
+    <message>
+        <source>Use at most {} letters.</source>
+        <translation>Nehmen Sie höchstens {} Buchstaben.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Sie ist zu groß.</translation>
+    </message>
+    <message>
+        <source>There is a preset of that name already.</source>
+        <translation>Eine Voreinstellung dieses Namens gibt es schon.</translation>
+    </message>
+    <message>
+        <source>There are too many presets of your own.</source>
+        <translation>Es gibt zu viele eigene Voreinstellungen.</translation>
+    </message>
+    <message>
+        <source>Delete some first.</source>
+        <translation>Löschen Sie zuerst einige.</translation>
+    </message>
+    <message>
+        <source>The camera cannot be kept: a part of it would be lost.</source>
+        <translation>Die Kamera kann nicht behalten werden: ein Teil von ihr ginge verloren.</translation>
+    </message>
+    <message>
+        <source>Keep the curve alone.</source>
+        <translation>Behalten Sie nur die Kurve.</translation>
+    </message>
+    <message>
+        <source>A built-in preset cannot be renamed.</source>
+        <translation>Eine eingebaute Voreinstellung kann nicht umbenannt werden.</translation>
+    </message>
+    <message>
+        <source>Save a copy of it.</source>
+        <translation>Speichern Sie eine Kopie davon.</translation>
+    </message>
+    <message>
+        <source>An export cannot lie inside of the stored sessions.</source>
+        <translation>Ein Export kann nicht innerhalb der gespeicherten Sitzungen liegen.</translation>
+    </message>
+    <message>
+        <source>Choose a place elsewhere.</source>
+        <translation>Wählen Sie einen Ort anderswo.</translation>
+    </message>
+    <message>
+        <source>These are the stored sessions themselves.</source>
+        <translation>Das sind die gespeicherten Sitzungen selbst.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that macula sessions export wrote.</source>
+        <translation>Wählen Sie einen Ordner, den macula sessions export geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>{} left, because models of theirs are open. Close other windows of Macula and purge once more.</source>
+        <translation>{} belassen, weil Modelle davon offen sind. Schließen Sie andere Fenster von Macula, und bereinigen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>{} of damaged files may hold parts of what was deleted; --damaged-too deletes them as well.</source>
+        <translation>Ordner mit beschädigten Dateien, die Teile des Gelöschten enthalten können: {}; --damaged-too löscht auch diese.</translation>
+    </message>
+    <message>
+        <source>The file of stored sessions was damaged. {}, among them {} and {}, were rescued; the damaged file is kept in {}.</source>
+        <translation>Die Datei der gespeicherten Sitzungen war beschädigt. Gerettet wurden {}, darunter {} und {}; die beschädigte Datei wird in {} aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Stored sessions were brought to the format of this version; older ones cannot read them now.</source>
+        <translation>Gespeicherte Sitzungen wurden in das Format dieser Version gebracht; ältere können sie nun nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Other users of this computer may be able to read stored sessions.</source>
+        <translation>Andere Benutzer dieses Rechners können gespeicherte Sitzungen vielleicht lesen.</translation>
+    </message>
+    <message>
+        <source>The file of stored sessions was damaged. It was set aside, and what could be read of it was rescued.</source>
+        <translation>Die Datei der gespeicherten Sitzungen war beschädigt. Sie wurde beiseitegelegt, und was davon lesbar war, wurde gerettet.</translation>
+    </message>
+    <message>
+        <source>`macula sessions verify` says what is there.</source>
+        <translation>`macula sessions verify` sagt, was da ist.</translation>
+    </message>
+    <message>
+        <source>{} studies begin with {}.</source>
+        <translation>{} Studien beginnen mit {}.</translation>
+    </message>
+    <message>
+        <source>Give more digits: {}.</source>
+        <translation>Geben Sie mehr Ziffern an: {}.</translation>
+    </message>
+    <message>
+        <source>Nothing is stored yet.</source>
+        <translation>Noch ist nichts gespeichert.</translation>
+    </message>
+    <message>
+        <source>Check --folder if you expected studies here.</source>
+        <translation>Prüfen Sie --folder, wenn Sie hier Studien erwartet haben.</translation>
+    </message>
+    <message>
+        <source>A study is named by the first {} or more of its digits, 0 to 9 and a to f.</source>
+        <translation>Eine Studie wird durch die ersten {} oder mehr ihrer Ziffern benannt, 0 bis 9 und a bis f.</translation>
+    </message>
+    <message>
+        <source>No stored study begins with {}.</source>
+        <translation>Keine gespeicherte Studie beginnt mit {}.</translation>
+    </message>
+    <message>
+        <source>The segments of the view are not here; all of the volume is shown.</source>
+        <translation>Die Segmente der Ansicht fehlen hier; das ganze Volumen wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>The view has a second volume in the picture; give it by --second to draw both.</source>
+        <translation>Die Ansicht hat ein zweites Volumen im Bild; geben Sie es mit --second an, um beide zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>--second does nothing in this look: it is of all but projections.</source>
+        <translation>--second bewirkt in dieser Darstellung nichts: es gehört zu allen außer Projektionen.</translation>
+    </message>
+    <message>
+        <source>Only a folder of DICOM files can have segmentations.</source>
+        <translation>Nur ein Ordner mit DICOM-Dateien kann Segmentierungen haben.</translation>
+    </message>
+    <message>
+        <source>Leave --segments out.</source>
+        <translation>Lassen Sie --segments weg.</translation>
+    </message>
+    <message>
+        <source>Tracing</source>
+        <translation>Pfade werden verfolgt</translation>
+    </message>
+    <message>
+        <source>Tracing until the noise is gone</source>
+        <translation>Verfolgt, bis das Rauschen weg ist</translation>
+    </message>
+    <message>
+        <source>{} of the model&apos;s splats hold what is no number or no rotation, or are so large that they would fill every picture: left out.</source>
+        <translation>{} der Splats des Modells enthalten, was keine Zahl oder keine Drehung ist, oder sind so groß, dass sie jedes Bild füllten: weggelassen.</translation>
+    </message>
+    <message>
+        <source>The model holds no splats: the pictures are empty.</source>
+        <translation>Das Modell enthält keine Splats: die Bilder sind leer.</translation>
+    </message>
+    <message>
+        <source>This model is one of Macula&apos;s and has a low-pass of its own: --low-pass does nothing.</source>
+        <translation>Dieses Modell ist von Macula und hat einen eigenen Tiefpass: --low-pass bewirkt nichts.</translation>
+    </message>
+    <message>
+        <source>There is a folder of that name.</source>
+        <translation>Es gibt einen Ordner dieses Namens.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written there.</source>
+        <translation>Dort kann nichts geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The file is one of those that are read.</source>
+        <translation>Die Datei ist eine von denen, die gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Choose another name: what is read is never replaced.</source>
+        <translation>Wählen Sie einen anderen Namen: was gelesen wird, wird nie ersetzt.</translation>
+    </message>
+    <message>
+        <source>The file belongs to the folder that is read.</source>
+        <translation>Die Datei gehört zu dem Ordner, der gelesen wird.</translation>
+    </message>
+    <message>
+        <source>The file exists already.</source>
+        <translation>Die Datei gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Give --overwrite to replace it, or choose another name.</source>
+        <translation>Geben Sie --overwrite an, um sie zu ersetzen, oder wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Two outputs have the same name.</source>
+        <translation>Zwei Ausgaben haben denselben Namen.</translation>
+    </message>
+    <message>
+        <source>Give each a name of its own.</source>
+        <translation>Geben Sie jeder einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be made.</source>
+        <translation>Der Ordner für die Bilder kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>The diameter of the lens is not usable.</source>
+        <translation>Der Durchmesser der Linse ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give 0 to {:g} mm; 0 is none.</source>
+        <translation>Geben Sie 0 bis {:g} mm an; 0 ist keine.</translation>
+    </message>
+    <message>
+        <source>The distance of what is sharp is not usable.</source>
+        <translation>Die Entfernung des Scharfen ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give a number above 0, up to {:g} mm, or auto.</source>
+        <translation>Geben Sie eine Zahl über 0, bis {:g} mm, oder auto an.</translation>
+    </message>
+    <message>
+        <source>The depth of the fog is not usable.</source>
+        <translation>Die Tiefe des Nebels ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give {:g} to {:g} mm, or 0 for none.</source>
+        <translation>Geben Sie {:g} bis {:g} mm an, oder 0 für keinen.</translation>
+    </message>
+    <message>
+        <source>The middle of the picture shows nothing that a lens could be focused on.</source>
+        <translation>Die Bildmitte zeigt nichts, worauf eine Linse scharf gestellt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Move the camera, or give the distance in mm of what is to be sharp: --focus-mm.</source>
+        <translation>Bewegen Sie die Kamera, oder geben Sie die Entfernung dessen, was scharf sein soll, in mm an: --focus-mm.</translation>
+    </message>
+    <message>
+        <source>The camera stands in what the middle of the picture shows.</source>
+        <translation>Die Kamera steht in dem, was die Bildmitte zeigt.</translation>
+    </message>
+    <message>
+        <source>The picture must be a .png or .exr file.</source>
+        <translation>Das Bild muss eine .png- oder .exr-Datei sein.</translation>
+    </message>
+    <message>
+        <source>Give -o a name with one of these endings.</source>
+        <translation>Geben Sie -o einen Namen mit einer dieser Endungen.</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>The small picture was not drawn.</source>
+        <translation>Das kleine Bild wurde nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for small pictures of presets.</source>
+        <translation>Für kleine Bilder der Voreinstellungen ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>Every voxel of the series is padding: there is nothing to draw.</source>
+        <translation>Jedes Voxel der Serie ist Füllwert: es gibt nichts zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Open another series.</source>
+        <translation>Öffnen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>The folder is not empty.</source>
+        <translation>Der Ordner ist nicht leer.</translation>
+    </message>
+    <message>
+        <source>Choose another one, or empty it.</source>
+        <translation>Wählen Sie einen anderen, oder leeren Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The folder cannot be made.</source>
+        <translation>Der Ordner kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>{} does nothing in this look: it is of {}.</source>
+        <translation>{} bewirkt in dieser Darstellung nichts: es gehört zu {}.</translation>
+    </message>
+    <message>
+        <source>{} does nothing, as the preset has no curves for steep matter.</source>
+        <translation>{} bewirkt nichts, da die Voreinstellung keine Kurven für steile Materie hat.</translation>
+    </message>
+    <message>
+        <source>{} does nothing, as the preset has no surface: --surface gives it one.</source>
+        <translation>{} bewirkt nichts, da die Voreinstellung keine Oberfläche hat: --surface gibt ihr eine.</translation>
+    </message>
+    <message>
+        <source>--focus-mm does nothing without --lens-mm: all is sharp.</source>
+        <translation>--focus-mm bewirkt ohne --lens-mm nichts: alles ist scharf.</translation>
+    </message>
+    <message>
+        <source>This look is never denoised: --denoise does nothing.</source>
+        <translation>Diese Darstellung wird nie entrauscht: --denoise bewirkt nichts.</translation>
+    </message>
+    <message>
+        <source>--background does nothing in an EXR, which has coverage instead.</source>
+        <translation>--background bewirkt in einer EXR nichts; sie hat stattdessen eine Abdeckung.</translation>
+    </message>
+    <message>
+        <source>--keep-unfinished does nothing without --error: nothing is written when stopped.</source>
+        <translation>--keep-unfinished bewirkt ohne --error nichts: beim Anhalten wird nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>A picture of light has no cube, scale and letters over it.</source>
+        <translation>Über einem Bild aus Licht liegen weder Würfel noch Maßstab und Buchstaben.</translation>
+    </message>
+    <message>
+        <source>The picture cannot have that size.</source>
+        <translation>Das Bild kann diese Größe nicht haben.</translation>
+    </message>
+    <message>
+        <source>Take 1 to {} pixels for each side.</source>
+        <translation>Nehmen Sie 1 bis {} Pixel für jede Seite.</translation>
+    </message>
+    <message>
+        <source>A sequence cannot have that many pictures.</source>
+        <translation>So viele Bilder kann eine Folge nicht haben.</translation>
+    </message>
+    <message>
+        <source>Take 1 to {}.</source>
+        <translation>Nehmen Sie 1 bis {}.</translation>
+    </message>
+    <message>
+        <source>The way of the camera has no view.</source>
+        <translation>Die Kamerafahrt hat keine Ansicht.</translation>
+    </message>
+    <message>
+        <source>Add one first.</source>
+        <translation>Fügen Sie zuerst eine hinzu.</translation>
+    </message>
+    <message>
+        <source>The folder holds pictures of another sequence.</source>
+        <translation>Der Ordner enthält Bilder einer anderen Folge.</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder, or make a new one.</source>
+        <translation>Wählen Sie einen leeren Ordner, oder legen Sie einen neuen an.</translation>
+    </message>
+    <message>
+        <source>Drawing pictures</source>
+        <translation>Bilder werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>The device {} was opened without what Macula needs of it.</source>
+        <translation>Das Gerät {} wurde ohne das geöffnet, was Macula von ihm braucht.</translation>
+    </message>
+    <message>
+        <source>Open it with VK_KHR_push_descriptor.</source>
+        <translation>Öffnen Sie es mit VK_KHR_push_descriptor.</translation>
+    </message>
+    <message>
+        <source>The device {} cannot be used: {}.</source>
+        <translation>Das Gerät {} kann nicht verwendet werden: {}.</translation>
+    </message>
+    <message>
+        <source>Update its driver, or choose another device.</source>
+        <translation>Aktualisieren Sie seinen Treiber, oder wählen Sie ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>There is no graphics device &quot;{}&quot;.</source>
+        <translation>Es gibt kein Grafikgerät „{}“.</translation>
+    </message>
+    <message>
+        <source>Choose one by its number or a part of its name: {}</source>
+        <translation>Wählen Sie eines nach seiner Nummer oder einem Teil seines Namens: {}</translation>
+    </message>
+    <message>
+        <source>The graphics device that was lent is not one of its VkInstance.</source>
+        <translation>Das geliehene Grafikgerät ist keines seiner VkInstance.</translation>
+    </message>
+    <message>
+        <source>Give the VkInstance and the VkPhysicalDevice that the device was made of.</source>
+        <translation>Geben Sie die VkInstance und das VkPhysicalDevice an, aus denen das Gerät gemacht ist.</translation>
+    </message>
+    <message>
+        <source>The headset asks for a graphics device that is not there.</source>
+        <translation>Das Headset verlangt ein Grafikgerät, das es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>Restart the headset&apos;s software.</source>
+        <translation>Starten Sie die Software des Headsets neu.</translation>
+    </message>
+    <message>
+        <source>The program that lends a graphics device gave none.</source>
+        <translation>Das Programm, das ein Grafikgerät leiht, gab keines.</translation>
+    </message>
+    <message>
+        <source>Give a device, a queue of it, and what it was made of.</source>
+        <translation>Geben Sie ein Gerät, eine Queue davon und das an, woraus es gemacht ist.</translation>
+    </message>
+    <message>
+        <source>The queue that was lent is of a family that cannot compute.</source>
+        <translation>Die geliehene Queue ist von einer Familie, die nicht rechnen kann.</translation>
+    </message>
+    <message>
+        <source>Give a queue with compute, and the number of its family.</source>
+        <translation>Geben Sie eine Queue, die rechnen kann, und die Nummer ihrer Familie an.</translation>
+    </message>
+    <message>
+        <source>The device {} does not offer {}.</source>
+        <translation>Das Gerät {} bietet {} nicht.</translation>
+    </message>
+    <message>
+        <source>Update its driver, or choose another device with MACULA_DEVICE.</source>
+        <translation>Aktualisieren Sie seinen Treiber, oder wählen Sie mit MACULA_DEVICE ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>This program has as many files open as it may, so what is shared cannot be opened.</source>
+        <translation>Dieses Programm hat so viele Dateien offen, wie es darf; was geteilt wird, kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Close what is not needed, or let the program open more files (ulimit -n).</source>
+        <translation>Schließen Sie, was nicht gebraucht wird, oder lassen Sie das Programm mehr Dateien öffnen (ulimit -n).</translation>
+    </message>
+    <message>
+        <source>A file descriptor of what is shared is not open.</source>
+        <translation>Ein Dateideskriptor dessen, was geteilt wird, ist nicht offen.</translation>
+    </message>
+    <message>
+        <source>Give one that vkGetMemoryFdKHR or vkGetSemaphoreFdKHR made, and close it afterwards.</source>
+        <translation>Geben Sie einen an, den vkGetMemoryFdKHR oder vkGetSemaphoreFdKHR gemacht hat, und schließen Sie ihn danach.</translation>
+    </message>
+    <message>
+        <source>There is no Vulkan driver on this computer, so nothing can be rendered.</source>
+        <translation>Auf diesem Rechner ist kein Vulkan-Treiber, also kann nichts gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Install the driver of the graphics card, or, to render on the CPU, the Debian/Ubuntu package mesa-vulkan-drivers: sudo apt install mesa-vulkan-drivers</source>
+        <translation>Installieren Sie den Treiber der Grafikkarte oder, um auf dem Prozessor zu zeichnen, das Debian-/Ubuntu-Paket mesa-vulkan-drivers: sudo apt install mesa-vulkan-drivers</translation>
+    </message>
+    <message>
+        <source>The Vulkan validation layer was asked for, but is not installed.</source>
+        <translation>Die Prüfschicht von Vulkan wurde verlangt, ist aber nicht installiert.</translation>
+    </message>
+    <message>
+        <source>Install it (Debian/Ubuntu: sudo apt install vulkan-validationlayers), or unset MACULA_VALIDATION.</source>
+        <translation>Installieren Sie sie (Debian/Ubuntu: sudo apt install vulkan-validationlayers), oder entfernen Sie MACULA_VALIDATION.</translation>
+    </message>
+    <message>
+        <source>The Vulkan driver of this computer does not offer {}.</source>
+        <translation>Der Vulkan-Treiber dieses Rechners bietet {} nicht.</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver.</source>
+        <translation>Aktualisieren Sie den Grafiktreiber.</translation>
+    </message>
+    <message>
+        <source>The graphics device stopped responding {} times within a minute.</source>
+        <translation>Das Grafikgerät hat innerhalb einer Minute {}-mal nicht mehr geantwortet.</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or choose another device: `macula devices` lists them, --device or MACULA_DEVICE takes one. The processor (llvmpipe) is slow but always there.</source>
+        <translation>Aktualisieren Sie den Grafiktreiber, oder wählen Sie ein anderes Gerät: `macula devices` zählt sie auf, --device oder MACULA_DEVICE nimmt eines. Der Prozessor (llvmpipe) ist langsam, aber immer da.</translation>
+    </message>
+    <message>
+        <source>The {} does not fit on the device {}: it needs {}, and the device allows {}.</source>
+        <translation>{} passt nicht auf das Gerät {}: nötig sind {}, und das Gerät erlaubt {}.</translation>
+    </message>
+    <message>
+        <source>Open a smaller series, or choose a device with more memory by MACULA_DEVICE.</source>
+        <translation>Öffnen Sie eine kleinere Serie, oder wählen Sie mit MACULA_DEVICE ein Gerät mit mehr Speicher.</translation>
+    </message>
+    <message>
+        <source>The shared image is of another graphics card, or another driver, than {}, which draws.</source>
+        <translation>Das geteilte Bild ist von einer anderen Grafikkarte oder einem anderen Treiber als {}, das zeichnet.</translation>
+    </message>
+    <message>
+        <source>Ask macula_device_identify which card draws, and make the image on that one.</source>
+        <translation>Fragen Sie macula_device_identify, welche Karte zeichnet, und machen Sie das Bild auf dieser.</translation>
+    </message>
+    <message>
+        <source>The device {} was opened without what images are shared by.</source>
+        <translation>Das Gerät {} wurde ohne das geöffnet, womit Bilder geteilt werden.</translation>
+    </message>
+    <message>
+        <source>Open it with VK_KHR_external_memory_fd; where it does not offer that, have pictures in memory.</source>
+        <translation>Öffnen Sie es mit VK_KHR_external_memory_fd; wo es das nicht bietet, nehmen Sie Bilder im Speicher.</translation>
+    </message>
+    <message>
+        <source>The device {} cannot open a shared image like this.</source>
+        <translation>Das Gerät {} kann ein solches geteiltes Bild nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>Share one of VK_FORMAT_R8G8B8A8_UNORM with optimal tiling, and for fewer uses.</source>
+        <translation>Teilen Sie eines in VK_FORMAT_R8G8B8A8_UNORM mit optimaler Kachelung, und für weniger Verwendungen.</translation>
+    </message>
+    <message>
+        <source>The device {} shares an image only with memory of its own.</source>
+        <translation>Das Gerät {} teilt ein Bild nur mit eigenem Speicher.</translation>
+    </message>
+    <message>
+        <source>Allocate it with VkMemoryDedicatedAllocateInfo, and say so.</source>
+        <translation>Belegen Sie ihn mit VkMemoryDedicatedAllocateInfo, und sagen Sie das.</translation>
+    </message>
+    <message>
+        <source>The shared image needs {} bytes at a multiple of {}, and has {} at {}.</source>
+        <translation>Das geteilte Bild braucht {} Bytes an einem Vielfachen von {} und hat {} bei {}.</translation>
+    </message>
+    <message>
+        <source>The memory is said to be the shared image&apos;s alone, which needs {} bytes and not {}.</source>
+        <translation>Der Speicher soll dem geteilten Bild allein gehören, das {} Bytes braucht und nicht {}.</translation>
+    </message>
+    <message>
+        <source>The shared image needs memory of its own, and is said to have none.</source>
+        <translation>Das geteilte Bild braucht eigenen Speicher und soll keinen haben.</translation>
+    </message>
+    <message>
+        <source>The shared image cannot lie in memory of type {}.</source>
+        <translation>Das geteilte Bild kann nicht in Speicher vom Typ {} liegen.</translation>
+    </message>
+    <message>
+        <source>Give VkMemoryAllocateInfo::memoryTypeIndex of the memory that is shared.</source>
+        <translation>Geben Sie VkMemoryAllocateInfo::memoryTypeIndex des Speichers an, der geteilt wird.</translation>
+    </message>
+    <message>
+        <source>The device {} has no {} of memory that could be shared.</source>
+        <translation>Das Gerät {} hat keine {} Speicher, die geteilt werden könnten.</translation>
+    </message>
+    <message>
+        <source>What was shared is no memory of this graphics card, or smaller than it is said to be.</source>
+        <translation>Was geteilt wurde, ist kein Speicher dieser Grafikkarte, oder kleiner als angegeben.</translation>
+    </message>
+    <message>
+        <source>Give a file descriptor of vkGetMemoryFdKHR with VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT, and the size of the allocation.</source>
+        <translation>Geben Sie einen Dateideskriptor von vkGetMemoryFdKHR mit VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT und die Größe der Belegung an.</translation>
+    </message>
+    <message>
+        <source>The device {} cannot share semaphores with another program.</source>
+        <translation>Das Gerät {} kann keine Semaphore mit einem anderen Programm teilen.</translation>
+    </message>
+    <message>
+        <source>The device {} was opened without what semaphores are shared by.</source>
+        <translation>Das Gerät {} wurde ohne das geöffnet, womit Semaphore geteilt werden.</translation>
+    </message>
+    <message>
+        <source>What was shared as a semaphore is none of this graphics card.</source>
+        <translation>Was als Semaphor geteilt wurde, ist keines dieser Grafikkarte.</translation>
+    </message>
+    <message>
+        <source>Give a file descriptor of vkGetSemaphoreFdKHR with VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT.</source>
+        <translation>Geben Sie einen Dateideskriptor von vkGetSemaphoreFdKHR mit VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT an.</translation>
+    </message>
+    <message>
+        <source>An image of {} x {} pixels cannot be shared.</source>
+        <translation>Ein Bild von {} x {} Pixeln kann nicht geteilt werden.</translation>
+    </message>
+    <message>
+        <source>Give one of 1 to {} pixels a side.</source>
+        <translation>Geben Sie eines mit 1 bis {} Pixeln je Seite an.</translation>
+    </message>
+    <message>
+        <source>The pixels of the shared image are of a kind that Macula does not write.</source>
+        <translation>Die Pixel des geteilten Bildes sind von einer Art, die Macula nicht schreibt.</translation>
+    </message>
+    <message>
+        <source>Share one of VK_FORMAT_R8G8B8A8_UNORM or VK_FORMAT_R8G8B8A8_SRGB.</source>
+        <translation>Teilen Sie eines in VK_FORMAT_R8G8B8A8_UNORM oder VK_FORMAT_R8G8B8A8_SRGB.</translation>
+    </message>
+    <message>
+        <source>The tiling of the shared image is not known.</source>
+        <translation>Die Kachelung des geteilten Bildes ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Share one of VK_IMAGE_TILING_OPTIMAL or VK_IMAGE_TILING_LINEAR.</source>
+        <translation>Teilen Sie eines mit VK_IMAGE_TILING_OPTIMAL oder VK_IMAGE_TILING_LINEAR.</translation>
+    </message>
+    <message>
+        <source>The shared image was not made for being written to, or for more than is known.</source>
+        <translation>Das geteilte Bild ist nicht dafür gemacht, beschrieben zu werden, oder für mehr, als bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Make it with VK_IMAGE_USAGE_TRANSFER_DST_BIT, and no more than transfers, sampling, storage, and attachments of colour.</source>
+        <translation>Machen Sie es mit VK_IMAGE_USAGE_TRANSFER_DST_BIT, und für nicht mehr als Übertragen, Abtasten, Speichern und als Farbziel.</translation>
+    </message>
+    <message>
+        <source>The shared image was made with flags that Macula does not know.</source>
+        <translation>Das geteilte Bild ist mit Flags gemacht, die Macula nicht kennt.</translation>
+    </message>
+    <message>
+        <source>Use no more than those for a mutable format, extended usage and aliases.</source>
+        <translation>Nehmen Sie nur die für ein änderbares Format, erweiterte Verwendung und Aliase.</translation>
+    </message>
+    <message>
+        <source>The shared image cannot be left in the layout that was asked for.</source>
+        <translation>Das geteilte Bild kann nicht im verlangten Layout hinterlassen werden.</translation>
+    </message>
+    <message>
+        <source>Ask for VK_IMAGE_LAYOUT_GENERAL, or for a layout of something that the image was made for.</source>
+        <translation>Verlangen Sie VK_IMAGE_LAYOUT_GENERAL oder ein Layout für etwas, wofür das Bild gemacht ist.</translation>
+    </message>
+    <message>
+        <source>No memory was shared.</source>
+        <translation>Kein Speicher wurde geteilt.</translation>
+    </message>
+    <message>
+        <source>Give a file descriptor of vkGetMemoryFdKHR, above 0.</source>
+        <translation>Geben Sie einen Dateideskriptor von vkGetMemoryFdKHR an, über 0.</translation>
+    </message>
+    <message>
+        <source>The shared memory of {} bytes has no room for an image of {} x {} pixels at byte {}.</source>
+        <translation>Der geteilte Speicher von {} Bytes hat keinen Platz für ein Bild von {} x {} Pixeln ab Byte {}.</translation>
+    </message>
+    <message>
+        <source>Give VkMemoryAllocateInfo::allocationSize, and the offset that the image was bound at.</source>
+        <translation>Geben Sie VkMemoryAllocateInfo::allocationSize und den Versatz an, an den das Bild gebunden ist.</translation>
+    </message>
+    <message>
+        <source>A dedicated allocation has its image at the beginning, and this one has not.</source>
+        <translation>Bei einer eigenen Belegung liegt das Bild am Anfang, und bei dieser nicht.</translation>
+    </message>
+    <message>
+        <source>Give the offset 0, or share memory that is not dedicated.</source>
+        <translation>Geben Sie den Versatz 0 an, oder teilen Sie Speicher, der nicht eigens belegt ist.</translation>
+    </message>
+    <message>
+        <source>The shared memory is of a type that does not exist.</source>
+        <translation>Der geteilte Speicher ist von einem Typ, den es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>Give VkMemoryAllocateInfo::memoryTypeIndex.</source>
+        <translation>Geben Sie VkMemoryAllocateInfo::memoryTypeIndex an.</translation>
+    </message>
+    <message>
+        <source>It was not said which graphics card the shared memory is of.</source>
+        <translation>Es wurde nicht gesagt, von welcher Grafikkarte der geteilte Speicher ist.</translation>
+    </message>
+    <message>
+        <source>Give deviceUUID and driverUUID of VkPhysicalDeviceIDProperties.</source>
+        <translation>Geben Sie deviceUUID und driverUUID aus VkPhysicalDeviceIDProperties an.</translation>
+    </message>
+    <message>
+        <source>What was shared as {} is a file, a pipe, a socket or a folder, and no {}.</source>
+        <translation>Was als {} geteilt wurde, ist eine Datei, eine Pipe, ein Socket oder ein Ordner, und kein {}.</translation>
+    </message>
+    <message>
+        <source>Give a file descriptor of {}.</source>
+        <translation>Geben Sie einen Dateideskriptor von {} an.</translation>
+    </message>
+    <message>
+        <source>A shader cannot be used: {}.</source>
+        <translation>Ein Shader kann nicht verwendet werden: {}.</translation>
+    </message>
+    <message>
+        <source>Build Macula again.</source>
+        <translation>Bauen Sie Macula neu.</translation>
+    </message>
+    <message>
+        <source>The device {} cannot draw in this window.</source>
+        <translation>Das Gerät {} kann nicht in diesem Fenster zeichnen.</translation>
+    </message>
+    <message>
+        <source>Choose the device that drives the display by MACULA_DEVICE.</source>
+        <translation>Wählen Sie mit MACULA_DEVICE das Gerät, das die Anzeige treibt.</translation>
+    </message>
+    <message>
+        <source>Could not {}: the computer&apos;s memory is full.</source>
+        <translation>Fehler ({}): der Speicher des Rechners ist voll.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or open a smaller series.</source>
+        <translation>Schließen Sie andere Programme, oder öffnen Sie eine kleinere Serie.</translation>
+    </message>
+    <message>
+        <source>Could not {}: the graphics memory is full.</source>
+        <translation>Fehler ({}): der Grafikspeicher ist voll.</translation>
+    </message>
+    <message>
+        <source>Close other programs that draw in 3D, open a smaller series, or choose another device with MACULA_DEVICE.</source>
+        <translation>Schließen Sie andere Programme, die in 3D zeichnen, öffnen Sie eine kleinere Serie, oder wählen Sie mit MACULA_DEVICE ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>Could not {}: the graphics device stopped responding and was reset.</source>
+        <translation>Fehler ({}): das Grafikgerät hat nicht mehr geantwortet und wurde zurückgesetzt.</translation>
+    </message>
+    <message>
+        <source>Try again. If this comes back, update the graphics driver, or choose another device with MACULA_DEVICE.</source>
+        <translation>Versuchen Sie es noch einmal. Wenn das wieder vorkommt, aktualisieren Sie den Grafiktreiber, oder wählen Sie mit MACULA_DEVICE ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>Could not {}: the window system took the window away.</source>
+        <translation>Fehler ({}): das Fenstersystem hat das Fenster weggenommen.</translation>
+    </message>
+    <message>
+        <source>Open the window again.</source>
+        <translation>Öffnen Sie das Fenster noch einmal.</translation>
+    </message>
+    <message>
+        <source>Could not {}: the graphics driver reports {}.</source>
+        <translation>Fehler ({}): der Grafiktreiber meldet {}.</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or choose another device with MACULA_DEVICE.</source>
+        <translation>Aktualisieren Sie den Grafiktreiber, oder wählen Sie mit MACULA_DEVICE ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>Light is learnt from what an eye sees, not from parallel rays.</source>
+        <translation>Licht wird aus dem gelernt, was ein Auge sieht, nicht aus parallelen Strahlen.</translation>
+    </message>
+    <message>
+        <source>Take a camera that is not parallel.</source>
+        <translation>Nehmen Sie eine Kamera, die nicht parallel ist.</translation>
+    </message>
+    <message>
+        <source>The training was cancelled.</source>
+        <translation>Das Training wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Finding points</source>
+        <translation>Punkte werden gesucht</translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen.</source>
+        <translation>Es ist nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>Choose a preset that shows something of the series.</source>
+        <translation>Wählen Sie eine Voreinstellung, die etwas von der Serie zeigt.</translation>
+    </message>
+    <message>
+        <source>The state of the peripheral model is damaged: its parts do not belong together.</source>
+        <translation>Der Zustand des peripheren Modells ist beschädigt: seine Teile gehören nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Load it again, or have it learnt anew.</source>
+        <translation>Laden Sie es noch einmal, oder lassen Sie es neu lernen.</translation>
+    </message>
+    <message>
+        <source>Finding outlines</source>
+        <translation>Umrisse werden gesucht</translation>
+    </message>
+    <message>
+        <source>The folder for pictures cannot be made.</source>
+        <translation>Der Ordner für Bilder kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>Check the path and the permissions.</source>
+        <translation>Prüfen Sie den Pfad und die Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>Lighting views</source>
+        <translation>Ansichten werden beleuchtet</translation>
+    </message>
+    <message>
+        <source>Splats learn from what an eye sees, not from parallel rays.</source>
+        <translation>Splats lernen aus dem, was ein Auge sieht, nicht aus parallelen Strahlen.</translation>
+    </message>
+    <message>
+        <source>The samples of what is compared with cannot be halved.</source>
+        <translation>Die Abtastungen des Vergleichsbildes können nicht halbiert werden.</translation>
+    </message>
+    <message>
+        <source>Give an even number of them.</source>
+        <translation>Geben Sie eine gerade Zahl davon an.</translation>
+    </message>
+    <message>
+        <source>Tracing what is compared with</source>
+        <translation>Das Vergleichsbild wird verfolgt</translation>
+    </message>
+    <message>
+        <source>Tracing views</source>
+        <translation>Ansichten werden verfolgt</translation>
+    </message>
+    <message>
+        <source>This device runs too few threads together to train models.</source>
+        <translation>Dieses Gerät lässt zu wenige Threads zusammen laufen, um Modelle zu trainieren.</translation>
+    </message>
+    <message>
+        <source>Choose another device: `macula devices` lists them.</source>
+        <translation>Wählen Sie ein anderes Gerät: `macula devices` zählt sie auf.</translation>
+    </message>
+    <message>
+        <source>A picture of {} x {} pixels cannot be made.</source>
+        <translation>Ein Bild von {} x {} Pixeln kann nicht gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Choose a size from 1 to {} on each side.</source>
+        <translation>Wählen Sie eine Größe von 1 bis {} je Seite.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s near plane is not usable.</source>
+        <translation>Die nahe Ebene der Kamera ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose a distance from 0.001 to 1000000 mm.</source>
+        <translation>Wählen Sie einen Abstand von 0.001 bis 1000000 mm.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s orientation is not a rotation.</source>
+        <translation>Die Ausrichtung der Kamera ist keine Drehung.</translation>
+    </message>
+    <message>
+        <source>Give three perpendicular unit axes that are not mirrored.</source>
+        <translation>Geben Sie drei senkrechte Einheitsachsen an, die nicht gespiegelt sind.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s position is not usable.</source>
+        <translation>Der Ort der Kamera ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give a position within 1000 km of the model.</source>
+        <translation>Geben Sie einen Ort innerhalb von 1000 km um das Modell an.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s focal length is not usable.</source>
+        <translation>Die Brennweite der Kamera ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose 0.01 to 100000000 pixels.</source>
+        <translation>Wählen Sie 0.01 bis 100000000 Pixel.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s principal point is not usable.</source>
+        <translation>Der Hauptpunkt der Kamera ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose a point within 1000000 pixels of the picture.</source>
+        <translation>Wählen Sie einen Punkt innerhalb von 1000000 Pixeln um das Bild.</translation>
+    </message>
+    <message>
+        <source>The way in which splats blend is not usable.</source>
+        <translation>Die Art, wie sich Splats mischen, ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose a low-pass of 0.01 to 100 square pixels, the least of it no more, a most opaque splat of 0.01 to 0.9999, a faintest of 1e-9 to 0.009, a fringe of 1.1 to 1000000, and a least transmittance of 0 to 0.1.</source>
+        <translation>Wählen Sie einen Tiefpass von 0.01 bis 100 Quadratpixeln, den kleinsten davon nicht größer, ein deckendstes Splat von 0.01 bis 0.9999, ein schwächstes von 1e-9 bis 0.009, einen Rand von 1.1 bis 1000000 und eine kleinste Durchlässigkeit von 0 bis 0.1.</translation>
+    </message>
+    <message>
+        <source>A picture of {} x {} pixels is too large for this device.</source>
+        <translation>Ein Bild von {} x {} Pixeln ist zu groß für dieses Gerät.</translation>
+    </message>
+    <message>
+        <source>Choose one of at most {:.1f} million pixels.</source>
+        <translation>Wählen Sie eines mit höchstens {:.1f} Millionen Pixeln.</translation>
+    </message>
+    <message>
+        <source>The splats of this model are too large and too many for this device.</source>
+        <translation>Die Splats dieses Modells sind zu groß und zu viele für dieses Gerät.</translation>
+    </message>
+    <message>
+        <source>Draw a smaller picture, or a model of fewer splats.</source>
+        <translation>Zeichnen Sie ein kleineres Bild oder ein Modell mit weniger Splats.</translation>
+    </message>
+    <message>
+        <source>There is no memory for the model.</source>
+        <translation>Für das Modell ist kein Speicher da.</translation>
+    </message>
+    <message>
+        <source>The model is damaged or cut off.</source>
+        <translation>Das Modell ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Copy it again, or train it again.</source>
+        <translation>Kopieren oder trainieren Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The model is a .macula file of version {}; this Macula reads version {}.</source>
+        <translation>Das Modell ist eine .macula-Datei der Version {}; dieses Macula liest Version {}.</translation>
+    </message>
+    <message>
+        <source>There is no memory to pack or unpack the model.</source>
+        <translation>Es ist kein Speicher da, um das Modell zu packen oder auszupacken.</translation>
+    </message>
+    <message>
+        <source>The model is too large for a glTF file.</source>
+        <translation>Das Modell ist für eine glTF-Datei zu groß.</translation>
+    </message>
+    <message>
+        <source>Write it as .ply instead.</source>
+        <translation>Speichern Sie es stattdessen als .ply.</translation>
+    </message>
+    <message>
+        <source>The model holds no splats.</source>
+        <translation>Das Modell enthält keine Splats.</translation>
+    </message>
+    <message>
+        <source>Train it again.</source>
+        <translation>Trainieren Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Export the model again from where it came.</source>
+        <translation>Exportieren Sie das Modell noch einmal von dort, woher es kam.</translation>
+    </message>
+    <message>
+        <source>The glTF file is damaged or cut off.</source>
+        <translation>Die glTF-Datei ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The glTF file is not of version 2.</source>
+        <translation>Die glTF-Datei ist nicht von Version 2.</translation>
+    </message>
+    <message>
+        <source>Export it as binary glTF 2.0.</source>
+        <translation>Exportieren Sie es als binäres glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>The glTF file holds far more than a model.</source>
+        <translation>Die glTF-Datei enthält weit mehr als ein Modell.</translation>
+    </message>
+    <message>
+        <source>Export the model alone.</source>
+        <translation>Exportieren Sie das Modell allein.</translation>
+    </message>
+    <message>
+        <source>The glTF file holds no Gaussians.</source>
+        <translation>Die glTF-Datei enthält keine Gaußverteilungen.</translation>
+    </message>
+    <message>
+        <source>Choose one with the extension KHR_gaussian_splatting.</source>
+        <translation>Wählen Sie eine mit der Erweiterung KHR_gaussian_splatting.</translation>
+    </message>
+    <message>
+        <source>The Gaussians of the glTF file are of another kind than ellipses.</source>
+        <translation>Die Gaußverteilungen der glTF-Datei sind von anderer Art als Ellipsen.</translation>
+    </message>
+    <message>
+        <source>The glTF file has colours in linear light of a display, which cannot be drawn.</source>
+        <translation>Die glTF-Datei hat Farben im linearen Licht eines Bildschirms, die nicht gezeichnet werden können.</translation>
+    </message>
+    <message>
+        <source>Export it with colours in sRGB.</source>
+        <translation>Exportieren Sie sie mit Farben in sRGB.</translation>
+    </message>
+    <message>
+        <source>The Gaussians of the glTF file are packed in a way that is not known.</source>
+        <translation>Die Gaußverteilungen der glTF-Datei sind auf unbekannte Weise gepackt.</translation>
+    </message>
+    <message>
+        <source>Export it without compression, or as PLY or SPZ.</source>
+        <translation>Exportieren Sie sie ohne Kompression, oder als PLY oder SPZ.</translation>
+    </message>
+    <message>
+        <source>The Gaussians are not in the glTF file itself.</source>
+        <translation>Die Gaußverteilungen sind nicht in der glTF-Datei selbst.</translation>
+    </message>
+    <message>
+        <source>Export it as one binary file (.glb), without compression.</source>
+        <translation>Exportieren Sie sie als eine binäre Datei (.glb), ohne Kompression.</translation>
+    </message>
+    <message>
+        <source>Export it again.</source>
+        <translation>Exportieren Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The glTF file lacks the attribute {} of some Gaussians.</source>
+        <translation>Der glTF-Datei fehlt das Attribut {} mancher Gaußverteilungen.</translation>
+    </message>
+    <message>
+        <source>The model cannot be read.</source>
+        <translation>Das Modell kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file is larger than any {} model.</source>
+        <translation>Die Datei ist größer als jedes {}-Modell.</translation>
+    </message>
+    <message>
+        <source>That is a folder, not a model.</source>
+        <translation>Das ist ein Ordner, kein Modell.</translation>
+    </message>
+    <message>
+        <source>The model does not exist.</source>
+        <translation>Das Modell gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Choose a model of Gaussians, or convert it to PLY.</source>
+        <translation>Wählen Sie ein Modell aus Gaußverteilungen, oder wandeln Sie es in PLY um.</translation>
+    </message>
+    <message>
+        <source>Give the file one of these extensions.</source>
+        <translation>Geben Sie der Datei eine dieser Endungen.</translation>
+    </message>
+    <message>
+        <source>Export or train it again.</source>
+        <translation>Exportieren oder trainieren Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The model is one of Macula&apos;s, but what it says about its {} is not understood.</source>
+        <translation>Das Modell ist von Macula, aber seine Angabe ({}) ist nicht zu verstehen.</translation>
+    </message>
+    <message>
+        <source>It is damaged or of a later version: export it again, or use a newer Macula.</source>
+        <translation>Es ist beschädigt oder von einer späteren Version: exportieren Sie es noch einmal, oder verwenden Sie ein neueres Macula.</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>low-pass</source>
+        <translation>Tiefpass</translation>
+    </message>
+    <message>
+        <source>What the file says about the settings of its training is not understood.</source>
+        <translation>Was die Datei über die Einstellungen ihres Trainings sagt, ist nicht zu verstehen.</translation>
+    </message>
+    <message>
+        <source>It is damaged or of another version: go on with the Macula it was begun with, or train anew.</source>
+        <translation>Sie ist beschädigt oder von einer anderen Version: machen Sie mit dem Macula weiter, mit dem es begonnen wurde, oder trainieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>The PLY file is cut off or damaged at splat {} of {}.</source>
+        <translation>Die PLY-Datei ist bei Splat {} von {} abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>The PLY file is cut off: its header counts {} {}, for which it is too small.</source>
+        <translation>Die PLY-Datei ist abgeschnitten: ihr Kopf zählt {} {}, und dafür ist sie zu klein.</translation>
+    </message>
+    <message>
+        <source>The PLY file is cut off or damaged.</source>
+        <translation>Die PLY-Datei ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>The model does not fit into memory.</source>
+        <translation>Das Modell passt nicht in den Speicher.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or export a smaller one.</source>
+        <translation>Schließen Sie andere Programme, oder exportieren Sie ein kleineres.</translation>
+    </message>
+    <message>
+        <source>The PLY file holds no points.</source>
+        <translation>Die PLY-Datei enthält keine Punkte.</translation>
+    </message>
+    <message>
+        <source>Choose a model of Gaussians.</source>
+        <translation>Wählen Sie ein Modell aus Gaußverteilungen.</translation>
+    </message>
+    <message>
+        <source>The header of the PLY file {}.</source>
+        <translation>Der Kopf der PLY-Datei {}.</translation>
+    </message>
+    <message>
+        <source>The file is no PLY.</source>
+        <translation>Die Datei ist kein PLY.</translation>
+    </message>
+    <message>
+        <source>is longer than that of any model</source>
+        <translation>ist länger als der jedes Modells</translation>
+    </message>
+    <message>
+        <source>is cut off</source>
+        <translation>ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>names a version that is not 1.0</source>
+        <translation>nennt eine Version, die nicht 1.0 ist</translation>
+    </message>
+    <message>
+        <source>names an unknown format</source>
+        <translation>nennt ein unbekanntes Format</translation>
+    </message>
+    <message>
+        <source>counts fewer elements than none</source>
+        <translation>zählt weniger Elemente als keines</translation>
+    </message>
+    <message>
+        <source>does not say how many elements there are</source>
+        <translation>sagt nicht, wie viele Elemente es gibt</translation>
+    </message>
+    <message>
+        <source>has a list whose length is no whole number</source>
+        <translation>hat eine Liste, deren Länge keine ganze Zahl ist</translation>
+    </message>
+    <message>
+        <source>names an unknown type of number</source>
+        <translation>nennt eine unbekannte Art von Zahl</translation>
+    </message>
+    <message>
+        <source>has a property without a name</source>
+        <translation>hat eine Eigenschaft ohne Namen</translation>
+    </message>
+    <message>
+        <source>has a line that is none of a PLY</source>
+        <translation>hat eine Zeile, die keine eines PLY ist</translation>
+    </message>
+    <message>
+        <source>does not name a format</source>
+        <translation>nennt kein Format</translation>
+    </message>
+    <message>
+        <source>The PLY file holds a model in the packed form of SuperSplat, which is not read.</source>
+        <translation>Die PLY-Datei enthält ein Modell in der gepackten Form von SuperSplat, die nicht gelesen wird.</translation>
+    </message>
+    <message>
+        <source>Export it there as a PLY that is not compressed, or as SPZ.</source>
+        <translation>Exportieren Sie es dort als unkomprimiertes PLY oder als SPZ.</translation>
+    </message>
+    <message>
+        <source>The PLY file has a list in the place of {}.</source>
+        <translation>Die PLY-Datei hat eine Liste anstelle von {}.</translation>
+    </message>
+    <message>
+        <source>The PLY file has {} twice.</source>
+        <translation>Die PLY-Datei hat {} zweimal.</translation>
+    </message>
+    <message>
+        <source>The PLY file is no model of Gaussians: it lacks {}.</source>
+        <translation>Die PLY-Datei ist kein Modell aus Gaußverteilungen: ihr fehlt {}.</translation>
+    </message>
+    <message>
+        <source>Choose a model as 3D Gaussian splatting writes it, not a mesh or a point cloud.</source>
+        <translation>Wählen Sie ein Modell, wie es 3D Gaussian Splatting schreibt, kein Netz und keine Punktwolke.</translation>
+    </message>
+    <message>
+        <source>The PLY file has {} coefficients of colour f_rest; 0, 9, 24 or 45 without a gap are understood.</source>
+        <translation>Die PLY-Datei hat {} Farbkoeffizienten f_rest; verstanden werden 0, 9, 24 oder 45 ohne Lücke.</translation>
+    </message>
+    <message>
+        <source>Export it with spherical harmonics of degree 3 or less.</source>
+        <translation>Exportieren Sie es mit Kugelflächenfunktionen vom Grad 3 oder weniger.</translation>
+    </message>
+    <message>
+        <source>The SPZ file is cut off or damaged.</source>
+        <translation>Die SPZ-Datei ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>The model reaches farther than an SPZ file can say: 8 km from its origin.</source>
+        <translation>Das Modell reicht weiter, als eine SPZ-Datei angeben kann: 8 km von seinem Ursprung.</translation>
+    </message>
+    <message>
+        <source>Remove the splats that are so far away, or write a PLY.</source>
+        <translation>Entfernen Sie die Splats, die so weit weg sind, oder speichern Sie eine PLY.</translation>
+    </message>
+    <message>
+        <source>The file is gzip, but no SPZ model is in it.</source>
+        <translation>Die Datei ist gzip, aber kein SPZ-Modell ist darin.</translation>
+    </message>
+    <message>
+        <source>The SPZ file has version {}; 1 to {} are read.</source>
+        <translation>Die SPZ-Datei hat Version {}; gelesen werden 1 bis {}.</translation>
+    </message>
+    <message>
+        <source>Convert it to version 4, or to PLY.</source>
+        <translation>Wandeln Sie sie in Version 4 oder in PLY um.</translation>
+    </message>
+    <message>
+        <source>The SPZ file has spherical harmonics of degree {}; 0 to {} are read.</source>
+        <translation>Die SPZ-Datei hat Kugelflächenfunktionen vom Grad {}; gelesen werden 0 bis {}.</translation>
+    </message>
+    <message>
+        <source>Export it with a lower degree.</source>
+        <translation>Exportieren Sie sie mit einem kleineren Grad.</translation>
+    </message>
+    <message>
+        <source>The SPZ file counts {} splats; no more than {} are read.</source>
+        <translation>Die SPZ-Datei zählt {} Splats; mehr als {} werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>Convert it to PLY, of which there is no such limit.</source>
+        <translation>Wandeln Sie sie in PLY um, das keine solche Grenze hat.</translation>
+    </message>
+    <message>
+        <source>The SPZ file counts {} splats, for which it is too small.</source>
+        <translation>Die SPZ-Datei zählt {} Splats, und dafür ist sie zu klein.</translation>
+    </message>
+    <message>
+        <source>The model has {} splats; an SPZ file holds at most {}.</source>
+        <translation>Das Modell hat {} Splats; eine SPZ-Datei fasst höchstens {}.</translation>
+    </message>
+    <message>
+        <source>Write a PLY.</source>
+        <translation>Speichern Sie eine PLY.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s splats are so much alike that its SPZ file could not be told from a false one.</source>
+        <translation>Die Splats des Modells sind einander so ähnlich, dass seine SPZ-Datei nicht von einer falschen zu unterscheiden wäre.</translation>
+    </message>
+    <message>
+        <source>The file is larger than any SPZ model.</source>
+        <translation>Die Datei ist größer als jedes SPZ-Modell.</translation>
+    </message>
+    <message>
+        <source>The SPZ file names axes (number {}) that this version does not know.</source>
+        <translation>Die SPZ-Datei nennt Achsen (Nummer {}), die diese Version nicht kennt.</translation>
+    </message>
+    <message>
+        <source>Convert it to one with the axes of the format (right, up, back), or to PLY.</source>
+        <translation>Wandeln Sie sie in eine mit den Achsen des Formats um (rechts, oben, hinten), oder in PLY.</translation>
+    </message>
+    <message>
+        <source>The file holds no training that could go on.</source>
+        <translation>Die Datei enthält kein Training, das weitergehen könnte.</translation>
+    </message>
+    <message>
+        <source>Choose a .macula file, or train anew: PLY and SPZ hold only the model.</source>
+        <translation>Wählen Sie eine .macula-Datei, oder trainieren Sie neu: PLY und SPZ enthalten nur das Modell.</translation>
+    </message>
+    <message>
+        <source>The model has spherical harmonics of degree {}; 0 to {} are supported.</source>
+        <translation>Das Modell hat Kugelflächenfunktionen vom Grad {}; unterstützt werden 0 bis {}.</translation>
+    </message>
+    <message>
+        <source>The model is damaged: it does not have the same number of entries for all properties.</source>
+        <translation>Das Modell ist beschädigt: es hat nicht für alle Eigenschaften gleich viele Einträge.</translation>
+    </message>
+    <message>
+        <source>Load or train it again.</source>
+        <translation>Laden oder trainieren Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s place in the patient is not a number.</source>
+        <translation>Die Lage des Modells im Patienten ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>{} of the {} splats of the model hold values that are not numbers.</source>
+        <translation>{} der {} Splats des Modells enthalten Werte, die keine Zahlen sind.</translation>
+    </message>
+    <message>
+        <source>The settings of the training make no sense.</source>
+        <translation>Die Einstellungen des Trainings ergeben keinen Sinn.</translation>
+    </message>
+    <message>
+        <source>Position rates and decays must be above 0, other rates not below 0, both betas from 0 to below 1, and epsilon from 1e-30 to 1.</source>
+        <translation>Raten der Position und Abklingwerte müssen über 0 liegen, andere Raten nicht unter 0, beide Betas von 0 bis unter 1 und Epsilon von 1e-30 bis 1.</translation>
+    </message>
+    <message>
+        <source>The state of the training does not fit the model.</source>
+        <translation>Der Zustand des Trainings passt nicht zum Modell.</translation>
+    </message>
+    <message>
+        <source>It was saved for another model, or is damaged: train anew.</source>
+        <translation>Er wurde für ein anderes Modell gespeichert oder ist beschädigt: trainieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>A picture to learn from is empty or not of its view&apos;s size.</source>
+        <translation>Ein Bild, aus dem gelernt werden soll, ist leer oder hat nicht die Größe seiner Ansicht.</translation>
+    </message>
+    <message>
+        <source>Make it again.</source>
+        <translation>Machen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Pictures are halved 0 to 15 times, the weight of D-SSIM and the shares of splats are 0 to 1, the exposure and the steps between density control above 0.</source>
+        <translation>Bilder werden 0- bis 15-mal halbiert, das Gewicht von D-SSIM und die Anteile der Splats sind 0 bis 1, die Belichtung und die Schritte zwischen Anpassungen der Dichte über 0.</translation>
+    </message>
+    <message>
+        <source>Models of this degree of colour can be shown, but not trained.</source>
+        <translation>Modelle mit diesem Grad der Farbe können gezeigt, aber nicht trainiert werden.</translation>
+    </message>
+    <message>
+        <source>Reduce the model to degree 1.</source>
+        <translation>Verringern Sie das Modell auf Grad 1.</translation>
+    </message>
+    <message>
+        <source>There is no picture to learn from.</source>
+        <translation>Es gibt kein Bild, aus dem zu lernen wäre.</translation>
+    </message>
+    <message>
+        <source>Add views first.</source>
+        <translation>Fügen Sie zuerst Ansichten hinzu.</translation>
+    </message>
+    <message>
+        <source>The training was begun by version {} of the trainer, and would go on otherwise with version {}.</source>
+        <translation>Das Training wurde mit Version {} des Trainers begonnen und ginge mit Version {} anders weiter.</translation>
+    </message>
+    <message>
+        <source>Go on with the Macula it was begun with, or train anew; its model can still be drawn.</source>
+        <translation>Machen Sie mit dem Macula weiter, mit dem es begonnen wurde, oder trainieren Sie neu; das Modell kann noch gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>The state of the training is damaged: its parts do not belong together.</source>
+        <translation>Der Zustand des Trainings ist beschädigt: seine Teile gehören nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Load it again, or train anew.</source>
+        <translation>Laden Sie ihn noch einmal, oder trainieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>There is nothing to trace yet.</source>
+        <translation>Es gibt noch nichts zu verfolgen.</translation>
+    </message>
+    <message>
+        <source>Open a study first.</source>
+        <translation>Öffnen Sie zuerst eine Studie.</translation>
+    </message>
+    <message>
+        <source>A volume of more than 2147 million voxels cannot be masked.</source>
+        <translation>In einem Volumen von mehr als 2147 Millionen Voxeln kann nichts ausgeblendet werden.</translation>
+    </message>
+    <message>
+        <source>Show it without a mask.</source>
+        <translation>Zeigen Sie es, ohne etwas auszublenden.</translation>
+    </message>
+    <message>
+        <source>A volume of {} million voxels is more than can be traced.</source>
+        <translation>Ein Volumen von {} Millionen Voxeln ist mehr, als verfolgt werden kann.</translation>
+    </message>
+    <message>
+        <source>Open a smaller series.</source>
+        <translation>Öffnen Sie eine kleinere Serie.</translation>
+    </message>
+    <message>
+        <source>Choose another environment, or a built-in light rig.</source>
+        <translation>Wählen Sie eine andere Umgebung oder eine eingebaute Beleuchtung.</translation>
+    </message>
+    <message>
+        <source>Projections show all of the volume.</source>
+        <translation>Projektionen zeigen das ganze Volumen.</translation>
+    </message>
+    <message>
+        <source>Choose another look.</source>
+        <translation>Wählen Sie eine andere Darstellung.</translation>
+    </message>
+    <message>
+        <source>The search for points on the surface was cancelled.</source>
+        <translation>Die Suche nach Punkten auf der Oberfläche wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>This look traces no paths.</source>
+        <translation>Diese Darstellung verfolgt keine Pfade.</translation>
+    </message>
+    <message>
+        <source>Choose the cinematic look.</source>
+        <translation>Wählen Sie die Darstellung Cinematic.</translation>
+    </message>
+    <message>
+        <source>Choose a number from 0 to {} mm.</source>
+        <translation>Wählen Sie eine Zahl von 0 bis {} mm.</translation>
+    </message>
+    <message>
+        <source>Choose a number above 0, up to {} mm.</source>
+        <translation>Wählen Sie eine Zahl über 0, bis {} mm.</translation>
+    </message>
+    <message>
+        <source>A parallel view has no fovea.</source>
+        <translation>Eine parallele Ansicht hat keine Fovea.</translation>
+    </message>
+    <message>
+        <source>Trace all of the picture.</source>
+        <translation>Verfolgen Sie das ganze Bild.</translation>
+    </message>
+    <message>
+        <source>The foveation is not usable.</source>
+        <translation>Die Foveation ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give a gaze inside the picture, a field above 0 and below 170 degrees, and 1 to 16 times.</source>
+        <translation>Geben Sie einen Blick innerhalb des Bildes, ein Feld über 0 und unter 170 Grad und 1- bis 16-fach an.</translation>
+    </message>
+    <message>
+        <source>This number of points on the surface makes no sense.</source>
+        <translation>Diese Zahl von Punkten auf der Oberfläche ergibt keinen Sinn.</translation>
+    </message>
+    <message>
+        <source>There is no second volume with a preset.</source>
+        <translation>Es gibt kein zweites Volumen mit einer Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Open a second volume, and choose a preset for it.</source>
+        <translation>Öffnen Sie ein zweites Volumen, und wählen Sie eine Voreinstellung dafür.</translation>
+    </message>
+    <message>
+        <source>Where the second volume lies is not usable.</source>
+        <translation>Wo das zweite Volumen liegt, ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Register the two volumes again.</source>
+        <translation>Registrieren Sie die beiden Volumen noch einmal.</translation>
+    </message>
+    <message>
+        <source>The coloured segments are not of this volume.</source>
+        <translation>Die farbigen Segmente gehören nicht zu diesem Volumen.</translation>
+    </message>
+    <message>
+        <source>Show the segmentation again.</source>
+        <translation>Zeigen Sie die Segmentierung noch einmal.</translation>
+    </message>
+    <message>
+        <source>A coloured segment has no colour.</source>
+        <translation>Ein farbiges Segment hat keine Farbe.</translation>
+    </message>
+    <message>
+        <source>The colour of a segment is not usable.</source>
+        <translation>Die Farbe eines Segments ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give red, green, blue and opacity from 0 to 1.</source>
+        <translation>Geben Sie Rot, Grün, Blau und Deckkraft von 0 bis 1 an.</translation>
+    </message>
+    <message>
+        <source>The clip is not usable: {}.</source>
+        <translation>Der Beschnitt ist nicht brauchbar: {}.</translation>
+    </message>
+    <message>
+        <source>Correct the preset.</source>
+        <translation>Berichtigen Sie die Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>The preset has no range of values that could be fitted.</source>
+        <translation>Die Voreinstellung hat keinen Wertebereich, der angepasst werden könnte.</translation>
+    </message>
+    <message>
+        <source>Use it without fitting, or give it an effectiveRange.</source>
+        <translation>Verwenden Sie sie ohne Anpassung, oder geben Sie ihr einen effectiveRange.</translation>
+    </message>
+    <message>
+        <source>Choose a built-in opacity table, or a 16-bit CLUT, and save the preset again.</source>
+        <translation>Wählen Sie eine eingebaute Deckkrafttabelle oder eine CLUT mit 16 Bit, und speichern Sie die Voreinstellung noch einmal.</translation>
+    </message>
+    <message>
+        <source>The filters of the preset are not applied.</source>
+        <translation>Die Filter der Voreinstellung werden nicht angewendet.</translation>
+    </message>
+    <message>
+        <source>A point of {} has no usable {}.</source>
+        <translation>Ein Punkt von {} hat kein brauchbares {}.</translation>
+    </message>
+    <message>
+        <source>Give it a number from {:g} to {:g}.</source>
+        <translation>Geben Sie ihm eine Zahl von {:g} bis {:g}.</translation>
+    </message>
+    <message>
+        <source>The {} of the transfer function has {} points.</source>
+        <translation>{} der Übertragungsfunktion hat {} Punkte.</translation>
+    </message>
+    <message>
+        <source>Give it 1 to {} points.</source>
+        <translation>Geben Sie ihr 1 bis {} Punkte.</translation>
+    </message>
+    <message>
+        <source>The version of the MITK transfer function is not known.</source>
+        <translation>Die Version der MITK-Übertragungsfunktion ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Only version 1 can be read.</source>
+        <translation>Nur Version 1 kann gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Opacities or colours outside 0 to 1 were clamped.</source>
+        <translation>Deckkräfte oder Farben außerhalb von 0 bis 1 wurden begrenzt.</translation>
+    </message>
+    <message>
+        <source>The colour map has no opacities; a ramp from 0 at its first to 1 at its last colour was taken.</source>
+        <translation>Die Farbtabelle hat keine Deckkräfte; eine Rampe von 0 bei der ersten bis 1 bei der letzten Farbe wurde genommen.</translation>
+    </message>
+    <message>
+        <source>Only the first volume property, and its first component, are used.</source>
+        <translation>Nur die erste Volumeneigenschaft und ihre erste Komponente werden verwendet.</translation>
+    </message>
+    <message>
+        <source>Put the table beside the preset as NAME.plist, or save a 16-bit CLUT with the preset.</source>
+        <translation>Legen Sie die Tabelle als NAME.plist neben die Voreinstellung, oder speichern Sie eine CLUT mit 16 Bit darin.</translation>
+    </message>
+    <message>
+        <source>Give a JSON preset, a .vp or presets.xml of 3D Slicer, a ParaView or VolView JSON, an XML of MITK, or a plist of Horos.</source>
+        <translation>Wählen Sie eine JSON-Voreinstellung, eine .vp oder presets.xml von 3D Slicer, ein JSON von ParaView oder VolView, ein XML von MITK oder eine plist von Horos.</translation>
+    </message>
+    <message>
+        <source>The file holds {} presets.</source>
+        <translation>Die Datei enthält {} Voreinstellungen.</translation>
+    </message>
+    <message>
+        <source>holds a number that cannot be read</source>
+        <translation>enthält eine Zahl, die nicht gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>has a key without a value, or a value without a key</source>
+        <translation>hat einen Schlüssel ohne Wert oder einen Wert ohne Schlüssel</translation>
+    </message>
+    <message>
+        <source>Check that it is complete.</source>
+        <translation>Prüfen Sie, ob sie vollständig ist.</translation>
+    </message>
+    <message>
+        <source>The property list is in its binary form.</source>
+        <translation>Die Property List ist in ihrer binären Form.</translation>
+    </message>
+    <message>
+        <source>Convert it on a Mac: plutil -convert xml1 FILE.</source>
+        <translation>Wandeln Sie sie auf einem Mac um: plutil -convert xml1 DATEI.</translation>
+    </message>
+    <message>
+        <source>The file is no property list.</source>
+        <translation>Die Datei ist keine Property List.</translation>
+    </message>
+    <message>
+        <source>A .vp file of 3D Slicer has {} lines; this has {}.</source>
+        <translation>Eine .vp-Datei von 3D Slicer hat {} Zeilen; diese hat {}.</translation>
+    </message>
+    <message>
+        <source>Line {} is not as expected.</source>
+        <translation>Zeile {} ist nicht wie erwartet.</translation>
+    </message>
+    <message>
+        <source>Expected {}.</source>
+        <translation>Erwartet: {}.</translation>
+    </message>
+    <message>
+        <source>The {} of the preset {} is no number from 0 to {:g}.</source>
+        <translation>{} der Voreinstellung {} ist keine Zahl von 0 bis {:g}.</translation>
+    </message>
+    <message>
+        <source>Correct it, or remove it.</source>
+        <translation>Berichtigen oder entfernen Sie das.</translation>
+    </message>
+    <message>
+        <source>Use 0 for nearest or 1 for linear.</source>
+        <translation>Nehmen Sie 0 für nächste oder 1 für linear.</translation>
+    </message>
+    <message>
+        <source>The file holds too many presets.</source>
+        <translation>Die Datei enthält zu viele Voreinstellungen.</translation>
+    </message>
+    <message>
+        <source>Split it into files of at most {}.</source>
+        <translation>Teilen Sie sie in Dateien mit höchstens {}.</translation>
+    </message>
+    <message>
+        <source>The file holds no volume property of 3D Slicer.</source>
+        <translation>Die Datei enthält keine Volumeneigenschaft von 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>Give a presets.xml, or an MRML scene with volume rendering.</source>
+        <translation>Wählen Sie eine presets.xml oder eine MRML-Szene mit Volumen-Rendering.</translation>
+    </message>
+    <message>
+        <source>The {} of the preset {}.</source>
+        <translation>{} der Voreinstellung {}.</translation>
+    </message>
+    <message>
+        <source>Save the preset again in the program that it comes from.</source>
+        <translation>Speichern Sie die Voreinstellung noch einmal in dem Programm, aus dem sie kommt.</translation>
+    </message>
+    <message>
+        <source>Registration was cancelled.</source>
+        <translation>Die Registrierung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Link the volumes by hand, or choose another series.</source>
+        <translation>Koppeln Sie die Volumen von Hand, oder wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>Registering the second volume</source>
+        <translation>Das zweite Volumen wird registriert</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to register the volumes.</source>
+        <translation>Es ist nicht genug Speicher da, um die Volumen zu registrieren.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or link the volumes by hand.</source>
+        <translation>Schließen Sie andere Programme, oder koppeln Sie die Volumen von Hand.</translation>
+    </message>
+    <message>
+        <source>Camera {} of the path is none: {}</source>
+        <translation>Kamera {} der Fahrt ist keine: {}</translation>
+    </message>
+    <message>
+        <source>This model was made elsewhere and does not say where the patient&apos;s left or front is.</source>
+        <translation>Dieses Modell wurde anderswo erstellt und sagt nicht, wo links oder vorn am Patienten ist.</translation>
+    </message>
+    <message>
+        <source>Give --camera or --cameras, or none of these to look along its own +z.</source>
+        <translation>Geben Sie --camera oder --cameras an, oder keines davon, um entlang seiner eigenen Achse +z zu blicken.</translation>
+    </message>
+    <message>
+        <source>The file is no list of cameras.</source>
+        <translation>Die Datei ist keine Liste von Kameras.</translation>
+    </message>
+    <message>
+        <source>Give --cameras the cameras.json that was written beside the model; --camera takes one of Macula&apos;s own.</source>
+        <translation>Geben Sie mit --cameras die cameras.json an, die neben dem Modell geschrieben wurde; --camera nimmt eine von Macula.</translation>
+    </message>
+    <message>
+        <source>The file holds a list, not one camera of Macula&apos;s own.</source>
+        <translation>Die Datei enthält eine Liste, nicht eine einzelne Kamera von Macula.</translation>
+    </message>
+    <message>
+        <source>Give it as --cameras.</source>
+        <translation>Geben Sie sie als --cameras an.</translation>
+    </message>
+    <message>
+        <source>The file holds no cameras.</source>
+        <translation>Die Datei enthält keine Kameras.</translation>
+    </message>
+    <message>
+        <source>Check that it is the cameras.json of this model.</source>
+        <translation>Prüfen Sie, ob es die cameras.json dieses Modells ist.</translation>
+    </message>
+    <message>
+        <source>The picture holds display colours, not light.</source>
+        <translation>Das Bild enthält Anzeigefarben, kein Licht.</translation>
+    </message>
+    <message>
+        <source>Give a Radiance HDR or OpenEXR picture.</source>
+        <translation>Geben Sie ein Bild in Radiance HDR oder OpenEXR an.</translation>
+    </message>
+    <message>
+        <source>The picture is {} by {} pixels, not twice as wide as high.</source>
+        <translation>Das Bild hat {} mal {} Pixel und ist nicht doppelt so breit wie hoch.</translation>
+    </message>
+    <message>
+        <source>Give an equirectangular panorama.</source>
+        <translation>Geben Sie ein equirektangulares Panorama an.</translation>
+    </message>
+    <message>
+        <source>The picture holds {} values that are not finite and {} negative ones.</source>
+        <translation>Das Bild enthält {} Werte, die nicht endlich sind, und {} negative.</translation>
+    </message>
+    <message>
+        <source>Repair it, or give another one.</source>
+        <translation>Reparieren Sie es, oder geben Sie ein anderes an.</translation>
+    </message>
+    <message>
+        <source>There are no such lights.</source>
+        <translation>Diese Beleuchtung gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>A picture is no rig of lights.</source>
+        <translation>Ein Bild ist keine Beleuchtung aus einzelnen Lichtern.</translation>
+    </message>
+    <message>
+        <source>Choose lights by name, or those of a JSON file.</source>
+        <translation>Wählen Sie eine Beleuchtung nach ihrem Namen oder die einer JSON-Datei.</translation>
+    </message>
+    <message>
+        <source>These lights hang on the camera.</source>
+        <translation>Diese Beleuchtung hängt an der Kamera.</translation>
+    </message>
+    <message>
+        <source>A peripheral model holds light that stays where it is: choose lights of the patient.</source>
+        <translation>Ein peripheres Modell enthält Licht, das an seinem Ort bleibt: wählen Sie eine Beleuchtung des Patienten.</translation>
+    </message>
+    <message>
+        <source>There is no such preset.</source>
+        <translation>Diese Voreinstellung gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The size of the picture is not usable.</source>
+        <translation>Die Größe des Bildes ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give --size as WIDTHxHEIGHT in pixels, each from 1 to {}.</source>
+        <translation>Geben Sie --size als BREITExHÖHE in Pixeln an, jede von 1 bis {}.</translation>
+    </message>
+    <message>
+        <source>The window is not usable.</source>
+        <translation>Die Fensterung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give --window as CENTRE,WIDTH in units of the series, the width above 0.</source>
+        <translation>Geben Sie --window als MITTE,BREITE in Einheiten der Serie an, die Breite über 0.</translation>
+    </message>
+    <message>
+        <source>The background is not usable.</source>
+        <translation>Der Hintergrund ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give --background as R,G,B, each from 0 to 1: 1,1,1 is white.</source>
+        <translation>Geben Sie --background als R,G,B an, jedes von 0 bis 1: 1,1,1 ist Weiß.</translation>
+    </message>
+    <message>
+        <source>That part of the clip is not there any more.</source>
+        <translation>Diesen Teil des Beschnitts gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Take hold of another one.</source>
+        <translation>Fassen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>This clip cannot be kept with the study.</source>
+        <translation>Dieser Beschnitt kann nicht mit der Studie behalten werden.</translation>
+    </message>
+    <message>
+        <source>Reset the clips, and cut again.</source>
+        <translation>Setzen Sie den Beschnitt zurück, und schneiden Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Hiding voxels</source>
+        <translation>Voxel werden ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Hiding voxels was cancelled.</source>
+        <translation>Das Ausblenden der Voxel wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to hide parts of the volume.</source>
+        <translation>Es ist nicht genug Speicher da, um Teile des Volumens auszublenden.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or hide less. The picture and what is chosen stay as before.</source>
+        <translation>Schließen Sie andere Programme, oder blenden Sie weniger aus. Bild und Auswahl bleiben, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>The place of the clip is not a number.</source>
+        <translation>Der Ort des Beschnitts ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Give it in mm.</source>
+        <translation>Geben Sie ihn in mm an.</translation>
+    </message>
+    <message>
+        <source>Nothing of the volume would be left.</source>
+        <translation>Vom Volumen bliebe nichts übrig.</translation>
+    </message>
+    <message>
+        <source>Choose another place, or begin without a clip.</source>
+        <translation>Wählen Sie einen anderen Ort, oder beginnen Sie ohne Beschnitt.</translation>
+    </message>
+    <message>
+        <source>A clip with a box of another kind has six planes and no more.</source>
+        <translation>Ein Beschnitt mit einem anderen Quader hat sechs Ebenen und nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Open another face first, or begin without a clip.</source>
+        <translation>Öffnen Sie zuerst eine andere Fläche, oder beginnen Sie ohne Beschnitt.</translation>
+    </message>
+    <message>
+        <source>Nothing is left to remove on the {} side.</source>
+        <translation>Auf der Seite {} ist nichts mehr zu entfernen.</translation>
+    </message>
+    <message>
+        <source>Move the cross-hair into what is shown.</source>
+        <translation>Bewegen Sie das Fadenkreuz in das Gezeigte.</translation>
+    </message>
+    <message>
+        <source>The slab has no thickness.</source>
+        <translation>Der Slab hat keine Dicke.</translation>
+    </message>
+    <message>
+        <source>Give it in mm, more than 0.</source>
+        <translation>Geben Sie sie in mm an, größer als 0.</translation>
+    </message>
+    <message>
+        <source>The slab would be outside of the volume.</source>
+        <translation>Der Slab läge außerhalb des Volumens.</translation>
+    </message>
+    <message>
+        <source>Move the cross-hair into the volume.</source>
+        <translation>Bewegen Sie das Fadenkreuz in das Volumen.</translation>
+    </message>
+    <message>
+        <source>The corner would be outside of the volume.</source>
+        <translation>Die Ecke läge außerhalb des Volumens.</translation>
+    </message>
+    <message>
+        <source>A ball of that size is not possible here.</source>
+        <translation>Eine Kugel dieser Größe ist hier nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Give a radius from {:.4g} to {:.4g} mm.</source>
+        <translation>Geben Sie einen Radius von {:.4g} bis {:.4g} mm an.</translation>
+    </message>
+    <message>
+        <source>The ball would be outside of the volume.</source>
+        <translation>Die Kugel läge außerhalb des Volumens.</translation>
+    </message>
+    <message>
+        <source>There is no clip to turn inside out.</source>
+        <translation>Es gibt keinen Beschnitt zum Umkehren.</translation>
+    </message>
+    <message>
+        <source>Choose a clip, or cut something off.</source>
+        <translation>Wählen Sie einen Beschnitt, oder schneiden Sie etwas ab.</translation>
+    </message>
+    <message>
+        <source>Only a clip of one part can be turned inside out.</source>
+        <translation>Nur ein Beschnitt aus einem Teil kann umgekehrt werden.</translation>
+    </message>
+    <message>
+        <source>This one has {}; begin without a clip.</source>
+        <translation>Dieser hat {}; beginnen Sie ohne Beschnitt.</translation>
+    </message>
+    <message>
+        <source>The depth of the cut is not a number.</source>
+        <translation>Die Tiefe des Schnitts ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The clip leaves nothing of this volume.</source>
+        <translation>Der Beschnitt lässt von diesem Volumen nichts übrig.</translation>
+    </message>
+    <message>
+        <source>Begin again without a clip.</source>
+        <translation>Beginnen Sie noch einmal ohne Beschnitt.</translation>
+    </message>
+    <message>
+        <source>Draw around what is to be removed, in one go.</source>
+        <translation>Umfahren Sie in einem Zug, was entfernt werden soll.</translation>
+    </message>
+    <message>
+        <source>Cutting with the scissors</source>
+        <translation>Mit der Schere wird geschnitten</translation>
+    </message>
+    <message>
+        <source>The cut was cancelled.</source>
+        <translation>Der Schnitt wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Draw the outline around less, or keep the inside with Shift.</source>
+        <translation>Umfahren Sie weniger, oder behalten Sie mit Umschalt das Innere.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to cut this volume with the scissors.</source>
+        <translation>Es ist nicht genug Speicher da, um dieses Volumen mit der Schere zu schneiden.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or clip with a box, planes or a ball.</source>
+        <translation>Schließen Sie andere Programme, oder beschneiden Sie mit einem Quader, Ebenen oder einer Kugel.</translation>
+    </message>
+    <message>
+        <source>shaded</source>
+        <translation>schattiert</translation>
+    </message>
+    <message>
+        <source>hues kept</source>
+        <translation>Farbtöne erhalten</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>beschnitten</translation>
+    </message>
+    <message>
+        <source>What may be a table is shown, as Macula cannot tell it from the patient for sure; --remove-table leaves it out.</source>
+        <translation>Was ein Tisch sein kann, wird gezeigt, da Macula es nicht sicher vom Patienten unterscheiden kann; --remove-table lässt es weg.</translation>
+    </message>
+    <message>
+        <source>--keep-table shows what was left out.</source>
+        <translation>--keep-table zeigt das Weggelassene.</translation>
+    </message>
+    <message>
+        <source>The view keeps or hides segments; here they change nothing.</source>
+        <translation>Die Ansicht behält Segmente oder blendet sie aus; hier ändern sie nichts.</translation>
+    </message>
+    <message>
+        <source>The view has segments in colour; here they have none.</source>
+        <translation>Die Ansicht hat farbige Segmente; hier haben sie keine Farbe.</translation>
+    </message>
+    <message>
+        <source>The view has a second volume in the picture; here it is left out.</source>
+        <translation>Die Ansicht hat ein zweites Volumen im Bild; hier ist es weggelassen.</translation>
+    </message>
+    <message>
+        <source>The background is no colour.</source>
+        <translation>Der Hintergrund ist keine Farbe.</translation>
+    </message>
+    <message>
+        <source>Give black, white, grey, or red, green and blue as #rrggbb: #202830 is a dark blue.</source>
+        <translation>Geben Sie black, white, grey oder Rot, Grün und Blau als #rrggbb an: #202830 ist ein dunkles Blau.</translation>
+    </message>
+    <message>
+        <source>There is no such light.</source>
+        <translation>Dieses Licht gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Choose another one of the rig.</source>
+        <translation>Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>Without any light the picture would be black.</source>
+        <translation>Ohne jedes Licht wäre das Bild schwarz.</translation>
+    </message>
+    <message>
+        <source>Leave a light, or a sky that is not black.</source>
+        <translation>Lassen Sie ein Licht oder einen Himmel, der nicht schwarz ist.</translation>
+    </message>
+    <message>
+        <source>The rig has no room for one more light.</source>
+        <translation>Für ein weiteres Licht ist kein Platz.</translation>
+    </message>
+    <message>
+        <source>Remove one first.</source>
+        <translation>Entfernen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>Choose another presentation state.</source>
+        <translation>Wählen Sie einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>A presentation state refers to DICOM images with identifiers and a frame of reference, and this series has none.</source>
+        <translation>Ein Presentation State bezieht sich auf DICOM-Bilder mit Kennungen und einem Koordinatensystem, und diese Serie hat keine.</translation>
+    </message>
+    <message>
+        <source>There is no picture yet to make a presentation state of.</source>
+        <translation>Es gibt noch kein Bild für einen Presentation State.</translation>
+    </message>
+    <message>
+        <source>Wait until the study is shown.</source>
+        <translation>Warten Sie, bis die Studie gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>The presentation state is of other images.</source>
+        <translation>Der Presentation State ist von anderen Bildern.</translation>
+    </message>
+    <message>
+        <source>Open the series of these images, or choose another presentation state.</source>
+        <translation>Öffnen Sie die Serie dieser Bilder, oder wählen Sie einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>No DICOM study is open.</source>
+        <translation>Es ist keine DICOM-Studie offen.</translation>
+    </message>
+    <message>
+        <source>Open the series of the presentation state first.</source>
+        <translation>Öffnen Sie zuerst die Serie des Presentation States.</translation>
+    </message>
+    <message>
+        <source>What a newer Macula has written cannot be read; the picture is as others show it.</source>
+        <translation>Was ein neueres Macula geschrieben hat, kann nicht gelesen werden; das Bild ist, wie andere es zeigen.</translation>
+    </message>
+    <message>
+        <source>The presentation state is of another series.</source>
+        <translation>Der Presentation State ist von einer anderen Serie.</translation>
+    </message>
+    <message>
+        <source>Open that series, or choose another presentation state.</source>
+        <translation>Öffnen Sie diese Serie, oder wählen Sie einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>The presentation state is of other images of this series, such as another phase.</source>
+        <translation>Der Presentation State ist von anderen Bildern dieser Serie, etwa einer anderen Phase.</translation>
+    </message>
+    <message>
+        <source>Choose the volume of these images, or another presentation state.</source>
+        <translation>Wählen Sie das Volumen dieser Bilder oder einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>The presentation state is of other images of this series, too, or of a part of these alone.</source>
+        <translation>Der Presentation State ist auch von anderen Bildern dieser Serie oder nur von einem Teil dieser Bilder.</translation>
+    </message>
+    <message>
+        <source>The presentation state is of the values of the images, and this PET is shown in SUV.</source>
+        <translation>Der Presentation State gilt für die Werte der Bilder, und dieses PET wird in SUV gezeigt.</translation>
+    </message>
+    <message>
+        <source>Choose a preset or a window in SUV.</source>
+        <translation>Wählen Sie eine Voreinstellung oder ein Fenster in SUV.</translation>
+    </message>
+    <message>
+        <source>What lies before or behind the depth of its view is shown, too.</source>
+        <translation>Auch was vor oder hinter der Tiefe seiner Ansicht liegt, wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Second volume: Same frame of reference, not registered: the patient may have moved.</source>
+        <translation>Zweites Volumen: Gleiches Bezugssystem, nicht registriert: der Patient kann sich bewegt haben.</translation>
+    </message>
+    <message>
+        <source>The second volume was registered, to {:.1f} mm.</source>
+        <translation>Das zweite Volumen wurde registriert, auf {:.1f} mm.</translation>
+    </message>
+    <message>
+        <source>Nothing of the second volume lies in the study.</source>
+        <translation>Nichts vom zweiten Volumen liegt in der Studie.</translation>
+    </message>
+    <message>
+        <source>Choose another series by --second-series, or register both by --registration search.</source>
+        <translation>Wählen Sie mit --second-series eine andere Serie, oder registrieren Sie beide mit --registration search.</translation>
+    </message>
+    <message>
+        <source>The view was saved with another second volume: its place and look are not those of this one.</source>
+        <translation>Die Ansicht wurde mit einem anderen zweiten Volumen gespeichert: Lage und Darstellung sind nicht die von diesem.</translation>
+    </message>
+    <message>
+        <source>The second volume is of another patient than the study.</source>
+        <translation>Das zweite Volumen ist von einem anderen Patienten als die Studie.</translation>
+    </message>
+    <message>
+        <source>Choose a series of the same patient by --second and --second-series.</source>
+        <translation>Wählen Sie mit --second und --second-series eine Serie desselben Patienten.</translation>
+    </message>
+    <message>
+        <source>The images do not tell whether both volumes are of one patient.</source>
+        <translation>Die Bilder sagen nicht, ob beide Volumen von einem Patienten sind.</translation>
+    </message>
+    <message>
+        <source>The second volume is the study itself.</source>
+        <translation>Das zweite Volumen ist die Studie selbst.</translation>
+    </message>
+    <message>
+        <source>Choose another series by --second-series, of those that macula info lists, or another file by --second.</source>
+        <translation>Wählen Sie mit --second-series eine andere Serie, von denen, die macula info aufzählt, oder mit --second eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>There is no second volume.</source>
+        <translation>Es gibt kein zweites Volumen.</translation>
+    </message>
+    <message>
+        <source>Give its folder or file by --second, or leave out what else is said of it.</source>
+        <translation>Geben Sie seinen Ordner oder seine Datei mit --second an, oder lassen Sie weg, was sonst darüber gesagt ist.</translation>
+    </message>
+    <message>
+        <source>The gradient opacity of the second volume&apos;s preset is not drawn.</source>
+        <translation>Die Gradienten-Deckkraft der Voreinstellung des zweiten Volumens wird nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The second volume&apos;s preset is drawn without its curves of steep matter.</source>
+        <translation>Die Voreinstellung des zweiten Volumens wird ohne ihre Kurven für steile Materie gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Hiding segments</source>
+        <translation>Segmente werden ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Hiding segments was cancelled.</source>
+        <translation>Das Ausblenden der Segmente wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to hide segments.</source>
+        <translation>Es ist nicht genug Speicher da, um Segmente auszublenden.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or hide fewer. The picture and what is chosen stay as before.</source>
+        <translation>Schließen Sie andere Programme, oder blenden Sie weniger aus. Bild und Auswahl bleiben, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>More than 255 segments of different colours cannot be shown in 3D.</source>
+        <translation>Mehr als 255 Segmente verschiedener Farben können in 3D nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Colour fewer of them, or give some the same colour.</source>
+        <translation>Färben Sie weniger davon, oder geben Sie einigen dieselbe Farbe.</translation>
+    </message>
+    <message>
+        <source>Colouring segments</source>
+        <translation>Segmente werden gefärbt</translation>
+    </message>
+    <message>
+        <source>Colouring segments was cancelled.</source>
+        <translation>Das Färben der Segmente wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to colour segments.</source>
+        <translation>Es ist nicht genug Speicher da, um Segmente zu färben.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or colour fewer. The picture and what is chosen stay as before.</source>
+        <translation>Schließen Sie andere Programme, oder färben Sie weniger. Bild und Auswahl bleiben, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>That does not say what to do with which segment.</source>
+        <translation>Das sagt nicht, was mit welchem Segment geschehen soll.</translation>
+    </message>
+    <message>
+        <source>Write keep:LABEL, hide:LABEL or colour:LABEL; macula info lists the labels.</source>
+        <translation>Schreiben Sie keep:LABEL, hide:LABEL oder colour:LABEL; macula info zählt die Labels auf.</translation>
+    </message>
+    <message>
+        <source>No segmentation of this volume has a segment of that label.</source>
+        <translation>Keine Segmentierung dieses Volumens hat ein Segment mit diesem Label.</translation>
+    </message>
+    <message>
+        <source>macula info lists the labels.</source>
+        <translation>macula info zählt die Labels auf.</translation>
+    </message>
+    <message>
+        <source>A segmentation of the view is not in the folder, and nothing of it is kept, hidden or coloured.</source>
+        <translation>Eine Segmentierung der Ansicht ist nicht im Ordner, und nichts davon wird behalten, ausgeblendet oder gefärbt.</translation>
+    </message>
+    <message>
+        <source>No voxel of these segments lies in the volume; all of it is shown.</source>
+        <translation>Kein Voxel dieser Segmente liegt im Volumen; es wird ganz gezeigt.</translation>
+    </message>
+    <message>
+        <source>Measurements are written to a .csv or .json file.</source>
+        <translation>Messungen werden in eine .csv- oder .json-Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>Choose a name with one of these endings.</source>
+        <translation>Wählen Sie einen Namen mit einer dieser Endungen.</translation>
+    </message>
+    <message>
+        <source>A window is kept under a name.</source>
+        <translation>Eine Fensterung wird unter einem Namen behalten.</translation>
+    </message>
+    <message>
+        <source>Type one, such as Kidney.</source>
+        <translation>Geben Sie einen ein, zum Beispiel Niere.</translation>
+    </message>
+    <message>
+        <source>There are {} windows of your own already.</source>
+        <translation>Es gibt schon {} eigene Fensterungen.</translation>
+    </message>
+    <message>
+        <source>namedClips: expected another thing.</source>
+        <translation>namedClips: hier wird anderes erwartet.</translation>
+    </message>
+    <message>
+        <source>A list of at most {} clips.</source>
+        <translation>Eine Liste mit höchstens {} Beschnitten.</translation>
+    </message>
+    <message>
+        <source>The view was saved of another series.</source>
+        <translation>Die Ansicht wurde von einer anderen Serie gespeichert.</translation>
+    </message>
+    <message>
+        <source>Open that series, or choose another view.</source>
+        <translation>Öffnen Sie diese Serie, oder wählen Sie eine andere Ansicht.</translation>
+    </message>
+    <message>
+        <source>The view was saved when the images lay in other places, or of another volume of the series.</source>
+        <translation>Die Ansicht wurde gespeichert, als die Bilder an anderen Orten lagen, oder von einem anderen Volumen der Serie.</translation>
+    </message>
+    <message>
+        <source>Make it anew; or choose the volume that it is of. Without &quot;grid&quot; in the file it is taken as it is.</source>
+        <translation>Machen Sie sie neu, oder wählen Sie das Volumen, von dem sie ist. Ohne „grid“ in der Datei wird sie genommen, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>The values were not counted.</source>
+        <translation>Die Werte wurden nicht gezählt.</translation>
+    </message>
+    <message>
+        <source>The patient could not be told from the table.</source>
+        <translation>Der Patient konnte nicht vom Tisch unterschieden werden.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or show the volume with the table.</source>
+        <translation>Schließen Sie andere Programme, oder zeigen Sie das Volumen mit dem Tisch.</translation>
+    </message>
+    <message>
+        <source>Telling the patient from the table was cancelled.</source>
+        <translation>Die Suche nach dem Tisch wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Telling the patient from the table</source>
+        <translation>Patient und Tisch werden unterschieden</translation>
+    </message>
+    <message>
+        <source>The table can be left out of CT in Hounsfield units only.</source>
+        <translation>Der Tisch kann nur bei CT in Hounsfield-Einheiten weggelassen werden.</translation>
+    </message>
+    <message>
+        <source>Show these images with the table, or cut it away with a clip plane or box.</source>
+        <translation>Zeigen Sie diese Bilder mit dem Tisch, oder schneiden Sie ihn mit einer Schnittebene oder einem Quader weg.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to tell the patient from the table.</source>
+        <translation>Es ist nicht genug Speicher da, um Patient und Tisch zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>The copy of stored sessions was stopped.</source>
+        <translation>Das Kopieren der gespeicherten Sitzungen wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Copying stored models</source>
+        <translation>Gespeicherte Modelle werden kopiert</translation>
+    </message>
+    <message>
+        <source>Importing stored models</source>
+        <translation>Gespeicherte Modelle werden importiert</translation>
+    </message>
+    <message>
+        <source>Checking the database</source>
+        <translation>Die Datenbank wird geprüft</translation>
+    </message>
+    <message>
+        <source>Checking stored models</source>
+        <translation>Gespeicherte Modelle werden geprüft</translation>
+    </message>
+    <message>
+        <source>The check was stopped.</source>
+        <translation>Die Prüfung wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Sessions cannot be stored: the folder or a file in it is read-only.</source>
+        <translation>Sitzungen können nicht gespeichert werden: der Ordner oder eine Datei darin ist schreibgeschützt.</translation>
+    </message>
+    <message>
+        <source>Sessions cannot be stored: the disk is full.</source>
+        <translation>Sitzungen können nicht gespeichert werden: der Datenträger ist voll.</translation>
+    </message>
+    <message>
+        <source>Sessions cannot be stored: the drive cannot lock files.</source>
+        <translation>Sitzungen können nicht gespeichert werden: das Laufwerk kann keine Dateien sperren.</translation>
+    </message>
+    <message>
+        <source>Stored sessions are in use by another program.</source>
+        <translation>Gespeicherte Sitzungen werden von einem anderen Programm benutzt.</translation>
+    </message>
+    <message>
+        <source>The file of stored sessions is damaged.</source>
+        <translation>Die Datei der gespeicherten Sitzungen ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Stored sessions were written by a newer version of Macula.</source>
+        <translation>Gespeicherte Sitzungen stammen von einer neueren Version von Macula.</translation>
+    </message>
+    <message>
+        <source>The folder for sessions holds files of another program.</source>
+        <translation>Der Ordner für Sitzungen enthält Dateien eines anderen Programms.</translation>
+    </message>
+    <message>
+        <source>The disk reported an error while sessions were read or stored.</source>
+        <translation>Der Datenträger meldete beim Lesen oder Speichern von Sitzungen einen Fehler.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read or store sessions.</source>
+        <translation>Es ist nicht genug Speicher da, um Sitzungen zu lesen oder zu speichern.</translation>
+    </message>
+    <message>
+        <source>A stored model is damaged; it was set aside.</source>
+        <translation>Ein gespeichertes Modell ist beschädigt; es wurde beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>A model is larger than all that may be stored.</source>
+        <translation>Ein Modell ist größer als alles, was gespeichert werden darf.</translation>
+    </message>
+    <message>
+        <source>The stored model is no longer there.</source>
+        <translation>Das gespeicherte Modell ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>A stored setting is damaged; it was set aside.</source>
+        <translation>Eine gespeicherte Einstellung ist beschädigt; sie wurde beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>What is to be stored is no valid setting.</source>
+        <translation>Was gespeichert werden soll, ist keine gültige Einstellung.</translation>
+    </message>
+    <message>
+        <source>The folder holds no exported sessions.</source>
+        <translation>Der Ordner enthält keine exportierten Sitzungen.</translation>
+    </message>
+    <message>
+        <source>The data are deleted, but traces may remain in a file that another program is reading.</source>
+        <translation>Die Daten sind gelöscht, aber Spuren können in einer Datei bleiben, die ein anderes Programm liest.</translation>
+    </message>
+    <message>
+        <source>The series has {} segmentations.</source>
+        <translation>Die Serie hat {} Segmentierungen.</translation>
+    </message>
+    <message>
+        <source>Choose one of them with --volume.</source>
+        <translation>Wählen Sie eines davon mit --volume.</translation>
+    </message>
+    <message>
+        <source>There is no segmentation {}; the series has {}.</source>
+        <translation>Es gibt keine Segmentierung {}; die Serie hat {}.</translation>
+    </message>
+    <message>
+        <source>Choose another with --volume.</source>
+        <translation>Wählen Sie mit --volume eine andere.</translation>
+    </message>
+    <message>
+        <source>The slices are tilted against their axis, and the file says so; some programs do not understand that, and show the patient askew.</source>
+        <translation>Die Schichten sind gegen ihre Achse geneigt, und die Datei sagt das; manche Programme verstehen es nicht und zeigen den Patienten schief.</translation>
+    </message>
+    <message>
+        <source>There is no image.</source>
+        <translation>Es gibt kein Bild.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of the series.</source>
+        <translation>Für ein Bild der Serie ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>Choose a folder with a CT or MR series of several parallel slices.</source>
+        <translation>Wählen Sie einen Ordner mit einer CT- oder MR-Serie aus mehreren parallelen Schichten.</translation>
+    </message>
+    <message>
+        <source>Check its Series Instance UID or number, or choose another folder.</source>
+        <translation>Prüfen Sie die Series Instance UID oder die Nummer, oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The file is not a DICOM image.</source>
+        <translation>Die Datei ist kein DICOM-Bild.</translation>
+    </message>
+    <message>
+        <source>Choose another series; macula info lists them.</source>
+        <translation>Wählen Sie eine andere Serie; macula info zählt sie auf.</translation>
+    </message>
+    <message>
+        <source>See macula info for the list.</source>
+        <translation>Die Liste zeigt macula info.</translation>
+    </message>
+    <message>
+        <source>Choose another folder; macula info tells more about this one.</source>
+        <translation>Wählen Sie einen anderen Ordner; macula info sagt mehr über diesen.</translation>
+    </message>
+    <message>
+        <source>Several patients have a series of this UID.</source>
+        <translation>Mehrere Patienten haben eine Serie mit dieser UID.</translation>
+    </message>
+    <message>
+        <source>Choose by the number in front of it in macula info.</source>
+        <translation>Wählen Sie nach der Nummer davor in macula info.</translation>
+    </message>
+    <message>
+        <source>There is no such series in the folder.</source>
+        <translation>Diese Serie gibt es im Ordner nicht.</translation>
+    </message>
+    <message>
+        <source>See macula info for the list; --series takes the number in front (3, or 3.2 for its second stack), or the series UID.</source>
+        <translation>Die Liste zeigt macula info; --series nimmt die Nummer davor (3, oder 3.2 für den zweiten Stapel) oder die UID der Serie.</translation>
+    </message>
+    <message>
+        <source>The file is one volume; there is nothing to choose from.</source>
+        <translation>Die Datei ist ein einziges Volumen; es gibt nichts auszuwählen.</translation>
+    </message>
+    <message>
+        <source>Leave --series and --volume out.</source>
+        <translation>Lassen Sie --series und --volume weg.</translation>
+    </message>
+    <message>
+        <source>The phantom has no series to choose from.</source>
+        <translation>Das Phantom hat keine Serien, aus denen zu wählen wäre.</translation>
+    </message>
+    <message>
+        <source>Leave --series out.</source>
+        <translation>Lassen Sie --series weg.</translation>
+    </message>
+    <message>
+        <source>No folder was given: this is the built-in phantom.</source>
+        <translation>Kein Ordner wurde angegeben: das ist das eingebaute Phantom.</translation>
+    </message>
+    <message>
+        <source>Making the phantom</source>
+        <translation>Das Phantom wird erstellt</translation>
+    </message>
+    <message>
+        <source>A series was asked for of what is no folder of DICOM images.</source>
+        <translation>Eine Serie wurde verlangt, und das ist kein Ordner mit DICOM-Bildern.</translation>
+    </message>
+    <message>
+        <source>Ask for none, or give a folder.</source>
+        <translation>Verlangen Sie keine, oder wählen Sie einen Ordner.</translation>
+    </message>
+    <message>
+        <source>This folder is of {}, and nothing says which is meant: {}.</source>
+        <translation>Dieser Ordner ist von {}, und nichts sagt, welcher gemeint ist: {}.</translation>
+    </message>
+    <message>
+        <source>Ask who knows the patient, and open one of the series by its Series Instance UID or by that number (series_uid).</source>
+        <translation>Fragen Sie, wer den Patienten kennt, und öffnen Sie eine der Serien nach ihrer Series Instance UID oder nach dieser Nummer (series_uid).</translation>
+    </message>
+    <message>
+        <source>Reading {} segmentations</source>
+        <translation>{} Segmentierungen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading segmentations was cancelled.</source>
+        <translation>Das Lesen der Segmentierungen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>It was drawn on other voxels than those of this volume; the nearest voxel is shown.</source>
+        <translation>Sie wurde auf anderen Voxeln als denen dieses Volumens gezeichnet; das nächste Voxel wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>It has fractions; what is half or more is shown as the segment.</source>
+        <translation>Sie hat Anteile; was die Hälfte oder mehr ist, wird als Segment gezeigt.</translation>
+    </message>
+    <message>
+        <source>{} of its voxels lie outside of this volume, and are not counted.</source>
+        <translation>{} ihrer Voxel liegen außerhalb dieses Volumens und werden nicht gezählt.</translation>
+    </message>
+    <message>
+        <source>No voxel of it lies in this volume.</source>
+        <translation>Kein Voxel davon liegt in diesem Volumen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the headset.</source>
+        <translation>Für das Headset ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>This build of Macula knows no headsets.</source>
+        <translation>Diese Fassung von Macula kennt keine Headsets.</translation>
+    </message>
+    <message>
+        <source>Build it with the package libopenxr-dev installed.</source>
+        <translation>Bauen Sie sie, während das Paket libopenxr-dev installiert ist.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>Es ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>There is no folder for what the session keeps.</source>
+        <translation>Es gibt keinen Ordner für das, was die Sitzung behält.</translation>
+    </message>
+    <message>
+        <source>Say --sessions FOLDER, or set TMPDIR.</source>
+        <translation>Geben Sie --sessions ORDNER an, oder setzen Sie TMPDIR.</translation>
+    </message>
+    <message>
+        <source>There is no display to open a window on, or it does not answer.</source>
+        <translation>Es gibt keine Anzeige für ein Fenster, oder sie antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>Set DISPLAY or WAYLAND_DISPLAY, or use `macula render`, which needs none.</source>
+        <translation>Setzen Sie DISPLAY oder WAYLAND_DISPLAY, oder verwenden Sie `macula render`, das keine braucht.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for these pictures.</source>
+        <translation>Für diese Bilder ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>Choose a smaller size, or close other programs.</source>
+        <translation>Wählen Sie eine kleinere Größe, oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>Für dieses Bild ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>The presentation state could not be written.</source>
+        <translation>Der Presentation State konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Choose another folder, and check free space and permissions.</source>
+        <translation>Wählen Sie einen anderen Ordner, und prüfen Sie freien Platz und Rechte.</translation>
+    </message>
+    <message>
+        <source>The presentation state could not be read.</source>
+        <translation>Der Presentation State konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file may be damaged; choose another one.</source>
+        <translation>Die Datei ist vielleicht beschädigt; wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for both pictures.</source>
+        <translation>Für beide Bilder ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>There is no preset to save yet.</source>
+        <translation>Es gibt noch keine Voreinstellung zu speichern.</translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen yet.</source>
+        <translation>Es ist noch nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>The preset is gone.</source>
+        <translation>Die Voreinstellung gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Choose another one.</source>
+        <translation>Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read the presets.</source>
+        <translation>Es ist nicht genug Speicher da, um die Voreinstellungen zu lesen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for small pictures.</source>
+        <translation>Für kleine Bilder ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to measure.</source>
+        <translation>Zum Messen ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>The file of settings is damaged.</source>
+        <translation>Die Datei der Einstellungen ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The usual settings are taken; what you set next is saved, and the damaged file is kept.</source>
+        <translation>Es gelten die üblichen Einstellungen; was Sie als Nächstes einstellen, wird gespeichert, und die beschädigte Datei bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>The settings could not be saved: their folder cannot be made.</source>
+        <translation>Die Einstellungen konnten nicht gespeichert werden: ihr Ordner kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to keep windows.</source>
+        <translation>Es ist nicht genug Speicher da, um Fensterungen zu behalten.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to count the values.</source>
+        <translation>Es ist nicht genug Speicher da, um die Werte zu zählen.</translation>
+    </message>
+    <message>
+        <source>Close other programs, and open the study again.</source>
+        <translation>Schließen Sie andere Programme, und öffnen Sie die Studie noch einmal.</translation>
+    </message>
+    <message>
+        <source>This kind of display cannot show Vulkan pictures.</source>
+        <translation>Diese Art von Anzeige kann keine Vulkan-Bilder zeigen.</translation>
+    </message>
+    <message>
+        <source>Use an X11 or a Wayland display, or `macula render`.</source>
+        <translation>Verwenden Sie eine X11- oder Wayland-Anzeige, oder `macula render`.</translation>
+    </message>
+    <message>
+        <source>The window cannot show Vulkan pictures.</source>
+        <translation>Das Fenster kann keine Vulkan-Bilder zeigen.</translation>
+    </message>
+    <message>
+        <source>Install a Vulkan driver for this display.</source>
+        <translation>Installieren Sie einen Vulkan-Treiber für diese Anzeige.</translation>
+    </message>
+    <message>
+        <source>No study is open.</source>
+        <translation>Keine Studie ist offen.</translation>
+    </message>
+    <message>
+        <source>Open the study that the view is of first.</source>
+        <translation>Öffnen Sie zuerst die Studie der Ansicht.</translation>
+    </message>
+    <message>
+        <source>The folder for pictures is not there.</source>
+        <translation>Den Ordner für Bilder gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Make it, or choose another one.</source>
+        <translation>Legen Sie ihn an, oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>The folder for pictures is full of them.</source>
+        <translation>Der Ordner für Bilder ist voll davon.</translation>
+    </message>
+    <message>
+        <source>Empty it, or choose another one.</source>
+        <translation>Leeren Sie ihn, oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>The headset does not say where the eyes are, or what they see.</source>
+        <translation>Das Headset sagt nicht, wo die Augen sind oder was sie sehen.</translation>
+    </message>
+    <message>
+        <source>Put the headset on, and restart its software if that does not help.</source>
+        <translation>Setzen Sie das Headset auf, und starten Sie seine Software neu, wenn das nicht hilft.</translation>
+    </message>
+    <message>
+        <source>The headset asks for a picture of 170 degrees or more.</source>
+        <translation>Das Headset verlangt ein Bild von 170 Grad oder mehr.</translation>
+    </message>
+    <message>
+        <source>Restart the software of the headset.</source>
+        <translation>Starten Sie die Software des Headsets neu.</translation>
+    </message>
+    <message>
+        <source>The software of the headset does not answer as OpenXR 1.0 demands.</source>
+        <translation>Die Software des Headsets antwortet nicht, wie es OpenXR 1.0 verlangt.</translation>
+    </message>
+    <message>
+        <source>Update or reinstall it.</source>
+        <translation>Aktualisieren Sie sie, oder installieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The OpenXR loader is not installed, so no headset can be found.</source>
+        <translation>Der Loader von OpenXR ist nicht installiert, daher kann kein Headset gefunden werden.</translation>
+    </message>
+    <message>
+        <source>Install it (Debian/Ubuntu: sudo apt install libopenxr-loader1).</source>
+        <translation>Installieren Sie ihn (Debian/Ubuntu: sudo apt install libopenxr-loader1).</translation>
+    </message>
+    <message>
+        <source>In a headset only path-traced pictures can be shown.</source>
+        <translation>In einem Headset können nur Bilder mit Pfadverfolgung gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Choose the cinematic or the clear look.</source>
+        <translation>Wählen Sie die Darstellung Cinematic oder Klar.</translation>
+    </message>
+    <message>
+        <source>These lights hang on the camera, and in a headset there are two eyes.</source>
+        <translation>Diese Beleuchtung hängt an der Kamera, und in einem Headset gibt es zwei Augen.</translation>
+    </message>
+    <message>
+        <source>Choose lights that stay in place; macula presets lists them.</source>
+        <translation>Wählen Sie eine Beleuchtung, die an ihrem Ort bleibt; macula presets zählt sie auf.</translation>
+    </message>
+    <message>
+        <source>Nothing of this study can be seen.</source>
+        <translation>Von dieser Studie ist nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>Choose another preset, or another clip.</source>
+        <translation>Wählen Sie eine andere Voreinstellung oder einen anderen Beschnitt.</translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime that XR_RUNTIME_JSON names cannot be loaded.</source>
+        <translation>Die OpenXR-Runtime, die XR_RUNTIME_JSON nennt, kann nicht geladen werden.</translation>
+    </message>
+    <message>
+        <source>Correct or unset XR_RUNTIME_JSON.</source>
+        <translation>Berichtigen oder entfernen Sie XR_RUNTIME_JSON.</translation>
+    </message>
+    <message>
+        <source>The software of the headset cannot show pictures made with Vulkan (XR_KHR_vulkan_enable2).</source>
+        <translation>Die Software des Headsets kann keine Bilder zeigen, die mit Vulkan gemacht sind (XR_KHR_vulkan_enable2).</translation>
+    </message>
+    <message>
+        <source>Update it, or use another OpenXR runtime.</source>
+        <translation>Aktualisieren Sie sie, oder verwenden Sie eine andere OpenXR-Runtime.</translation>
+    </message>
+    <message>
+        <source>The headset does not say how large its pictures are.</source>
+        <translation>Das Headset sagt nicht, wie groß seine Bilder sind.</translation>
+    </message>
+    <message>
+        <source>Update the software of the headset.</source>
+        <translation>Aktualisieren Sie die Software des Headsets.</translation>
+    </message>
+    <message>
+        <source>The headset needs another version of Vulkan.</source>
+        <translation>Das Headset braucht eine andere Version von Vulkan.</translation>
+    </message>
+    <message>
+        <source>The headset takes no pictures of 8 bits in sRGB (R8G8B8A8_SRGB).</source>
+        <translation>Das Headset nimmt keine Bilder mit 8 Bit in sRGB (R8G8B8A8_SRGB).</translation>
+    </message>
+    <message>
+        <source>The headset has ended the session: it was unplugged or fell asleep.</source>
+        <translation>Das Headset hat die Sitzung beendet: es wurde ausgesteckt oder ist eingeschlafen.</translation>
+    </message>
+    <message>
+        <source>Wake it up or plug it in, and begin again; nothing that was chosen is lost.</source>
+        <translation>Wecken Sie es, oder stecken Sie es ein, und beginnen Sie noch einmal; nichts, was gewählt war, ist verloren.</translation>
+    </message>
+    <message>
+        <source>The software of the headset has stopped.</source>
+        <translation>Die Software des Headsets hat angehalten.</translation>
+    </message>
+    <message>
+        <source>Start it again, and begin again; nothing that was chosen is lost.</source>
+        <translation>Starten Sie sie wieder, und beginnen Sie noch einmal; nichts, was gewählt war, ist verloren.</translation>
+    </message>
+    <message>
+        <source>No software of a headset (OpenXR runtime) answers.</source>
+        <translation>Keine Software eines Headsets (OpenXR-Runtime) antwortet.</translation>
+    </message>
+    <message>
+        <source>Start SteamVR, Monado or what came with the headset, and make it the active OpenXR runtime.</source>
+        <translation>Starten Sie SteamVR, Monado oder was dem Headset beilag, und machen Sie es zur aktiven OpenXR-Runtime.</translation>
+    </message>
+    <message>
+        <source>No headset is connected, or it is switched off.</source>
+        <translation>Kein Headset ist angeschlossen, oder es ist ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Connect the headset, switch it on, and try again.</source>
+        <translation>Schließen Sie das Headset an, schalten Sie es ein, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime knows no headsets.</source>
+        <translation>Die OpenXR-Runtime kennt keine Headsets.</translation>
+    </message>
+    <message>
+        <source>Make the runtime of the headset the active one.</source>
+        <translation>Machen Sie die Runtime des Headsets zur aktiven.</translation>
+    </message>
+    <message>
+        <source>The headset could not {}.</source>
+        <translation>Das Headset konnte dies nicht: {}.</translation>
+    </message>
+    <message>
+        <source>Copy the whole series again from its source.</source>
+        <translation>Kopieren Sie die ganze Serie noch einmal von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>Look at these images by themselves, or copy the series again from its source.</source>
+        <translation>Sehen Sie sich diese Bilder einzeln an, oder kopieren Sie die Serie noch einmal von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>Export the series again, or choose another.</source>
+        <translation>Exportieren Sie die Serie noch einmal, oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>No file of this series can be read; it has {count}.</source>
+        <translation>Keine Datei dieser Serie kann gelesen werden; sie hat {count}.</translation>
+    </message>
+    <message>
+        <source>A file cannot be opened.</source>
+        <translation>Eine Datei kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>A file is listed in the folder, and its content is not on this machine.</source>
+        <translation>Eine Datei steht im Ordner, aber ihr Inhalt ist nicht auf diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>Connect the drive, or make the files available offline.</source>
+        <translation>Verbinden Sie das Laufwerk, oder machen Sie die Dateien offline verfügbar.</translation>
+    </message>
+    <message>
+        <source>The medium gave an error where something was to be read from it: it is damaged, dirty or failing.</source>
+        <translation>Das Medium meldete einen Fehler, als etwas gelesen werden sollte: Es ist beschädigt, verschmutzt oder am Versagen.</translation>
+    </message>
+    <message>
+        <source>Clean the disc, or check drive and cable, and copy the medium again; else ask for another copy.</source>
+        <translation>Reinigen Sie die Disc, oder prüfen Sie Laufwerk und Kabel, und kopieren Sie das Medium noch einmal; sonst bitten Sie um eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>A path is longer than this system can open; what lies there is missing here.</source>
+        <translation>Ein Pfad ist länger, als dieses System öffnen kann; was dort liegt, fehlt hier.</translation>
+    </message>
+    <message>
+        <source>A DICOM file is damaged and cannot be read.</source>
+        <translation>Eine DICOM-Datei ist beschädigt und kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>A DICOM file ends before its pixel data do.</source>
+        <translation>Eine DICOM-Datei endet vor ihren Pixeldaten.</translation>
+    </message>
+    <message>
+        <source>A DICOM image has no pixel data.</source>
+        <translation>Ein DICOM-Bild hat keine Pixeldaten.</translation>
+    </message>
+    <message>
+        <source>A DICOM image does not say in a number how many frames it has.</source>
+        <translation>Ein DICOM-Bild sagt nicht mit einer Zahl, wie viele Einzelbilder es hat.</translation>
+    </message>
+    <message>
+        <source>Frames that the files of this series should have, and that are not there: {missing} of {total}.</source>
+        <translation>Einzelbilder, die die Dateien dieser Serie haben sollten und die fehlen: {missing} von {total}.</translation>
+    </message>
+    <message>
+        <source>Files that hold more than the number of frames they give (NumberOfFrames): {files}. What is beyond is not shown: pixels or descriptions of {frames} frames.</source>
+        <translation>Dateien, die mehr enthalten, als die Zahl ihrer Einzelbilder (NumberOfFrames) angibt: {files}. Was darüber hinausgeht, wird nicht gezeigt: Pixel oder Beschreibungen von {frames} Einzelbildern.</translation>
+    </message>
+    <message>
+        <source>Slices may be missing here; copy the series again from its source.</source>
+        <translation>Hier können Schichten fehlen; kopieren Sie die Serie noch einmal von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>Bytes follow the pixel data in some files and are no part of the images, which are whole: up to {bytes}.</source>
+        <translation>In manchen Dateien folgen auf die Pixeldaten Bytes, die nicht zu den Bildern gehören; diese sind vollständig: bis zu {bytes}.</translation>
+    </message>
+    <message>
+        <source>Images in which attributes stand twice, with different values: {count} of {total} ({attributes}). Of each the first value is used.</source>
+        <translation>Bilder, in denen Attribute zweimal mit verschiedenen Werten stehen: {count} von {total} ({attributes}). Von jedem gilt der erste Wert.</translation>
+    </message>
+    <message>
+        <source>Compare values and sizes with those that another program shows; have the images set right.</source>
+        <translation>Vergleichen Sie Werte und Größen mit denen, die ein anderes Programm zeigt; lassen Sie die Bilder berichtigen.</translation>
+    </message>
+    <message>
+        <source>Files of this series that do not say what kind of object they are: {count}.</source>
+        <translation>Dateien dieser Serie, die nicht sagen, was für ein Objekt sie sind: {count}.</translation>
+    </message>
+    <message>
+        <source>Check that the series is what it seems to be.</source>
+        <translation>Prüfen Sie, ob die Serie ist, was sie zu sein scheint.</translation>
+    </message>
+    <message>
+        <source>Images that do not say by what kind of device they were taken (Modality): {count} of {total}; they were taken for {modality}.</source>
+        <translation>Bilder, die nicht sagen, mit was für einem Gerät sie aufgenommen wurden (Modality): {count} von {total}; sie gelten als {modality}.</translation>
+    </message>
+    <message>
+        <source>Folders that could not be read: {count}. Images in them are missing here.</source>
+        <translation>Ordner, die nicht gelesen werden konnten: {count}. Bilder darin fehlen hier.</translation>
+    </message>
+    <message>
+        <source>Check the permissions of the folders, or copy the study again.</source>
+        <translation>Prüfen Sie die Zugriffsrechte der Ordner, oder kopieren Sie die Studie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Links that lead out of the chosen folder, and were not followed: {count}.</source>
+        <translation>Verknüpfungen, die aus dem gewählten Ordner führen und denen nicht gefolgt wurde: {count}.</translation>
+    </message>
+    <message>
+        <source>Choose the folder they lead to, if it is wanted.</source>
+        <translation>Wählen Sie den Ordner, zu dem sie führen, wenn er gewünscht ist.</translation>
+    </message>
+    <message>
+        <source>Archives ({kinds}) in the folder, which were not opened: {count}.</source>
+        <translation>Archive ({kinds}) im Ordner, die nicht geöffnet wurden: {count}.</translation>
+    </message>
+    <message>
+        <source>Unpack those that hold images of this study, and open the folder again.</source>
+        <translation>Entpacken Sie die, in denen Bilder dieser Studie sind, und öffnen Sie den Ordner noch einmal.</translation>
+    </message>
+    <message>
+        <source>Files that the directory of this medium (DICOMDIR) lists and that are not there: {count}.</source>
+        <translation>Dateien, die das Verzeichnis dieses Mediums (DICOMDIR) aufführt und die fehlen: {count}.</translation>
+    </message>
+    <message>
+        <source>Copy the medium again; images may be missing.</source>
+        <translation>Kopieren Sie das Medium noch einmal; Bilder können fehlen.</translation>
+    </message>
+    <message>
+        <source>The images say that their study has {total} objects (NumberOfStudyRelatedInstances); {count} of it are here.</source>
+        <translation>Die Bilder sagen, dass ihre Studie {total} Objekte hat (NumberOfStudyRelatedInstances); davon sind {count} hier.</translation>
+    </message>
+    <message>
+        <source>Copy the study again from its source if all of it should be here.</source>
+        <translation>Kopieren Sie die Studie noch einmal von ihrer Quelle, wenn sie ganz hier sein soll.</translation>
+    </message>
+    <message>
+        <source>Files that the directory of this medium (DICOMDIR) names outside the chosen folder, and that were not read: {count}.</source>
+        <translation>Dateien, die das Verzeichnis dieses Mediums (DICOMDIR) außerhalb des gewählten Ordners nennt und die nicht gelesen wurden: {count}.</translation>
+    </message>
+    <message>
+        <source>Take care where this medium comes from.</source>
+        <translation>Achten Sie darauf, woher dieses Medium kommt.</translation>
+    </message>
+    <message>
+        <source>The directory of this medium (DICOMDIR) cannot be read; the files themselves were read.</source>
+        <translation>Das Verzeichnis dieses Mediums (DICOMDIR) kann nicht gelesen werden; die Dateien selbst wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>Files that are copies of others of this series, and were left out: {count}.</source>
+        <translation>Dateien, die Kopien anderer dieser Serie sind und weggelassen wurden: {count}.</translation>
+    </message>
+    <message>
+        <source>Images that have the identifier of another of this series, in a file that differs: {count}. Of each the first file is used; the others are in a stack of their own.</source>
+        <translation>Bilder mit der Kennung eines anderen dieser Serie in einer abweichenden Datei: {count}. Von jedem wird die erste Datei verwendet; die anderen liegen in einem eigenen Stapel.</translation>
+    </message>
+    <message>
+        <source>Compare them before relying on this series.</source>
+        <translation>Vergleichen Sie sie, bevor Sie sich auf diese Serie verlassen.</translation>
+    </message>
+    <message>
+        <source>Files of this series that cannot be read, and were left out: {count}.</source>
+        <translation>Dateien dieser Serie, die nicht gelesen werden können und weggelassen wurden: {count}.</translation>
+    </message>
+    <message>
+        <source>Copy the series again from its source.</source>
+        <translation>Kopieren Sie die Serie noch einmal von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>Text of this series does not fit the character set it declares; names may be shown wrongly.</source>
+        <translation>Text dieser Serie passt nicht zu ihrem angegebenen Zeichensatz; Namen können falsch gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>The files of this series name different patients or studies, and were split into {count} series.</source>
+        <translation>Die Dateien dieser Serie nennen verschiedene Patienten oder Studien und wurden in {count} Serien geteilt.</translation>
+    </message>
+    <message>
+        <source>Check name, ID, birth date and sex of the patient in every part; slices of this patient may lie in another part.</source>
+        <translation>Prüfen Sie Name, ID, Geburtsdatum und Geschlecht des Patienten in jedem Teil; Schichten dieses Patienten können in einem anderen Teil liegen.</translation>
+    </message>
+    <message>
+        <source>The images differ in {attributes}, and were separated into {count} stacks.</source>
+        <translation>Die Bilder unterscheiden sich in {attributes} und wurden in {count} Stapel getrennt.</translation>
+    </message>
+    <message>
+        <source>The images have different sizes, and were separated into {count} stacks.</source>
+        <translation>Die Bilder haben verschiedene Größen und wurden in {count} Stapel getrennt.</translation>
+    </message>
+    <message>
+        <source>Some images are in colour and others are not; they were separated into {count} stacks.</source>
+        <translation>Manche Bilder sind farbig und andere nicht; sie wurden in {count} Stapel getrennt.</translation>
+    </message>
+    <message>
+        <source>The images lie in different orientations, and were separated into {count} stacks.</source>
+        <translation>Die Bilder haben verschiedene Ausrichtungen und wurden in {count} Stapel getrennt.</translation>
+    </message>
+    <message>
+        <source>The images do not share one coordinate system, or some have no position; they were separated into {count} stacks.</source>
+        <translation>Die Bilder haben kein gemeinsames Koordinatensystem, oder manche haben keine Position; sie wurden in {count} Stapel getrennt.</translation>
+    </message>
+    <message>
+        <source>The images have different pixel spacings, and were separated into {count} stacks.</source>
+        <translation>Die Bilder haben verschiedene Pixelabstände und wurden in {count} Stapel getrennt.</translation>
+    </message>
+    <message>
+        <source>Images whose values are in another unit than those of the others, and that are a stack of their own: {count} ({unit}).</source>
+        <translation>Bilder, deren Werte in einer anderen Einheit sind als die der übrigen und die ein eigener Stapel sind: {count} ({unit}).</translation>
+    </message>
+    <message>
+        <source>Look at both; values of one cannot be compared with those of the other.</source>
+        <translation>Sehen Sie sich beide an; die Werte des einen sind nicht mit denen des anderen vergleichbar.</translation>
+    </message>
+    <message>
+        <source>Every position was imaged {count} times; each is a volume of its own, told apart by {attribute}.</source>
+        <translation>Jede Position wurde {count}-mal aufgenommen; jede ist ein eigenes Volumen, unterschieden durch {attribute}.</translation>
+    </message>
+    <message>
+        <source>Every position was imaged {count} times, and only the order of the image numbers tells them apart.</source>
+        <translation>Jede Position wurde {count}-mal aufgenommen, und nur die Reihenfolge der Bildnummern unterscheidet sie.</translation>
+    </message>
+    <message>
+        <source>Check that the volumes of this series are what they seem to be.</source>
+        <translation>Prüfen Sie, ob die Volumen dieser Serie sind, was sie zu sein scheinen.</translation>
+    </message>
+    <message>
+        <source>Images whose {attribute} does not say to which phase they belong, and whose number was asked instead: {numbers}.</source>
+        <translation>Bilder, deren {attribute} nicht sagt, zu welcher Phase sie gehören, und deren Nummer stattdessen entschied: {numbers}.</translation>
+    </message>
+    <message>
+        <source>Compare these slices with those beside them before relying on them.</source>
+        <translation>Vergleichen Sie diese Schichten mit denen daneben, bevor Sie sich auf sie verlassen.</translation>
+    </message>
+    <message>
+        <source>Images of which nothing says for sure to which acquisition or phase they belong: {numbers}. They are in a stack of their own, and the others lack them.</source>
+        <translation>Bilder, von denen nichts sicher sagt, zu welcher Aufnahme oder Phase sie gehören: {numbers}. Sie sind ein eigener Stapel, und den anderen fehlen sie.</translation>
+    </message>
+    <message>
+        <source>Look at these images by themselves; part of the scan may have been repeated.</source>
+        <translation>Sehen Sie diese Bilder für sich an; ein Teil der Aufnahme wurde vielleicht wiederholt.</translation>
+    </message>
+    <message>
+        <source>Phases that have fewer images than the others: {count} of {total}.</source>
+        <translation>Phasen, die weniger Bilder haben als die anderen: {count} von {total}.</translation>
+    </message>
+    <message>
+        <source>Images that lie at the same position as another: {count} of {total}. Nothing in them says which belong together.</source>
+        <translation>Bilder an derselben Position wie ein anderes: {count} von {total}. Nichts darin sagt, welche zusammengehören.</translation>
+    </message>
+    <message>
+        <source>Which images make a volume? Choose another series, or separate the files of this one by hand.</source>
+        <translation>Welche Bilder ergeben ein Volumen? Wählen Sie eine andere Serie, oder trennen Sie die Dateien dieser von Hand.</translation>
+    </message>
+    <message>
+        <source>Positions that were imaged more than once: {count}. Of each, the image with the lowest number is in the volume, and the others are in a stack of their own.</source>
+        <translation>Positionen, die mehrmals aufgenommen wurden: {count}. Von jeder ist das Bild mit der kleinsten Nummer im Volumen, die anderen liegen in einem eigenen Stapel.</translation>
+    </message>
+    <message>
+        <source>Compare the repeated images before relying on these slices.</source>
+        <translation>Vergleichen Sie die wiederholten Bilder, bevor Sie sich auf diese Schichten verlassen.</translation>
+    </message>
+    <message>
+        <source>Files of those that make up one image that are not here: {missing} of {total}.</source>
+        <translation>Dateien, die zusammen ein Bild ergeben und hier fehlen: {missing} von {total}.</translation>
+    </message>
+    <message>
+        <source>Slices that seem to be missing beyond the end towards the {side}: {count}; {evidence}.</source>
+        <translation>Schichten, die jenseits des Endes zu fehlen scheinen ({side}): {count}; {evidence}.</translation>
+    </message>
+    <message>
+        <source>Copy the whole series again from its source; what lies beyond this end is not shown.</source>
+        <translation>Kopieren Sie die ganze Serie noch einmal von ihrer Quelle; was jenseits dieses Endes liegt, wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Images of this series that seem to be missing: {count}; {evidence}.</source>
+        <translation>Bilder dieser Serie, die zu fehlen scheinen: {count}; {evidence}.</translation>
+    </message>
+    <message>
+        <source>Copy the whole series again from its source; the slices may end too early.</source>
+        <translation>Kopieren Sie die ganze Serie noch einmal von ihrer Quelle; die Schichten enden vielleicht zu früh.</translation>
+    </message>
+    <message>
+        <source>{other} of this study reaches {mm:.0f} mm farther towards the {side} than these slices.</source>
+        <translation>{other} dieser Studie reicht {mm:.0f} mm weiter als diese Schichten ({side}).</translation>
+    </message>
+    <message>
+        <source>If both should cover the same, images are missing here: compare with the source.</source>
+        <translation>Sollten beide dasselbe abdecken, fehlen hier Bilder: Vergleichen Sie mit der Quelle.</translation>
+    </message>
+    <message>
+        <source>Series {number} of this study continues this stack, with the same slice distance.</source>
+        <translation>Serie {number} dieser Studie setzt diesen Stapel mit demselben Schichtabstand fort.</translation>
+    </message>
+    <message>
+        <source>Look at both; together they cover more.</source>
+        <translation>Sehen Sie beide an; zusammen decken sie mehr ab.</translation>
+    </message>
+    <message>
+        <source>This is a localizer: an overview image, not a slice of a volume.</source>
+        <translation>Das ist ein Localizer: ein Übersichtsbild, keine Schicht eines Volumens.</translation>
+    </message>
+    <message>
+        <source>Choose a series of slices.</source>
+        <translation>Wählen Sie eine Serie von Schichten.</translation>
+    </message>
+    <message>
+        <source>The image numbers run {count} times along the patient, and nothing else tells these sets of slices apart; each is a stack of its own.</source>
+        <translation>Die Bildnummern laufen {count}-mal am Patienten entlang, und nichts sonst unterscheidet diese Sätze von Schichten; jeder ist ein eigener Stapel.</translation>
+    </message>
+    <message>
+        <source>Look at all of them; they may be several acquisitions.</source>
+        <translation>Sehen Sie alle an; es sind vielleicht mehrere Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>The slices are {count} even sets, the first two shifted by {offsetMm:.3f} mm against each other, and nothing else tells them apart; each is a stack of its own.</source>
+        <translation>Die Schichten sind {count} gleichmäßige Sätze, die ersten beiden um {offsetMm:.3f} mm gegeneinander verschoben, und nichts sonst unterscheidet sie; jeder ist ein eigener Stapel.</translation>
+    </message>
+    <message>
+        <source>{attribute} changes along the slices, first at slice {slice}; values may step there.</source>
+        <translation>{attribute} ändert sich entlang der Schichten, zuerst bei Schicht {slice}; dort können Werte springen.</translation>
+    </message>
+    <message>
+        <source>Do not take a step there for a finding.</source>
+        <translation>Halten Sie einen Sprung dort nicht für einen Befund.</translation>
+    </message>
+    <message>
+        <source>Slices {slices} were acquired {minutes:.1f} min before or after those beside them: the patient may have moved, and contrast medium spread.</source>
+        <translation>Die Schichten {slices} wurden {minutes:.1f} min vor oder nach denen daneben aufgenommen: Der Patient kann sich bewegt und Kontrastmittel sich ausgebreitet haben.</translation>
+    </message>
+    <message>
+        <source>Every other slice differs from those beside it in the same way: two acquisitions may be mixed in this volume.</source>
+        <translation>Jede zweite Schicht weicht in gleicher Weise von ihren Nachbarn ab: in diesem Volumen können zwei Aufnahmen vermischt sein.</translation>
+    </message>
+    <message>
+        <source>Compare the original images, slice by slice, before relying on this volume.</source>
+        <translation>Vergleichen Sie die Originalbilder Schicht für Schicht, bevor Sie sich auf dieses Volumen verlassen.</translation>
+    </message>
+    <message>
+        <source>The images lie in {count} blocks, up to {gapMm:.0f} mm apart; each is a stack of its own, so what is shown is one of {count}.</source>
+        <translation>Die Bilder liegen in {count} Blöcken, bis zu {gapMm:.0f} mm auseinander; jeder ist ein eigener Stapel, gezeigt wird also einer von {count}.</translation>
+    </message>
+    <message>
+        <source>Look at the other blocks too.</source>
+        <translation>Sehen Sie auch die anderen Blöcke an.</translation>
+    </message>
+    <message>
+        <source>Every image names a coordinate system (FrameOfReferenceUID) of its own, and together they make an even stack; it was taken for granted that they share one.</source>
+        <translation>Jedes Bild nennt ein eigenes Koordinatensystem (FrameOfReferenceUID), und zusammen ergeben sie einen gleichmäßigen Stapel; es wurde angenommen, dass sie eines teilen.</translation>
+    </message>
+    <message>
+        <source>Check that the slices fit each other. The series is not shown together with others.</source>
+        <translation>Prüfen Sie, ob die Schichten zueinander passen. Die Serie wird nicht zusammen mit anderen gezeigt.</translation>
+    </message>
+    <message>
+        <source>Images that name no coordinate system (FrameOfReferenceUID): {count} of {total}. They continue the stack of the others, and it was taken for granted that they share theirs.</source>
+        <translation>Bilder, die kein Koordinatensystem (FrameOfReferenceUID) nennen: {count} von {total}. Sie setzen den Stapel der anderen fort, und es wurde angenommen, dass sie deren teilen.</translation>
+    </message>
+    <message>
+        <source>The frames belong to {count} stacks (StackID), which make one even volume together and are shown as one.</source>
+        <translation>Die Bilder gehören zu {count} Stapeln (StackID), die zusammen ein gleichmäßiges Volumen ergeben und als eines gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Images that share one identifier (SOPInstanceUID) and lie at different positions: {count}. All are kept.</source>
+        <translation>Bilder, die eine Kennung (SOPInstanceUID) teilen und an verschiedenen Positionen liegen: {count}. Alle bleiben.</translation>
+    </message>
+    <message>
+        <source>Other programs may show only one of them; have the identifiers set right.</source>
+        <translation>Andere Programme zeigen vielleicht nur eines davon; lassen Sie die Kennungen berichtigen.</translation>
+    </message>
+    <message>
+        <source>Images that repeat another at the same position, pixel by pixel, and were left out: {count}.</source>
+        <translation>Bilder, die ein anderes an derselben Position Pixel für Pixel wiederholen und weggelassen wurden: {count}.</translation>
+    </message>
+    <message>
+        <source>Nothing is lost; the series was probably sent twice.</source>
+        <translation>Nichts ist verloren; die Serie wurde wohl zweimal gesendet.</translation>
+    </message>
+    <message>
+        <source>{count} images have a {level} identifier each and would make one even stack together.</source>
+        <translation>{count} Bilder haben je eine eigene Kennung ({level}) und ergäben zusammen einen gleichmäßigen Stapel.</translation>
+    </message>
+    <message>
+        <source>Are they one series? Then open the folder with --join.</source>
+        <translation>Sind sie eine Serie? Dann öffnen Sie den Ordner mit --join.</translation>
+    </message>
+    <message>
+        <source>{count} images with a {level} identifier each were joined to this series because that was asked for.</source>
+        <translation>{count} Bilder mit je einer eigenen Kennung ({level}) wurden zu dieser Serie verbunden, weil das verlangt wurde.</translation>
+    </message>
+    <message>
+        <source>Check that all of them are of one patient and one examination.</source>
+        <translation>Prüfen Sie, ob alle von einem Patienten und einer Untersuchung sind.</translation>
+    </message>
+    <message>
+        <source>There is only one slice.</source>
+        <translation>Es gibt nur eine Schicht.</translation>
+    </message>
+    <message>
+        <source>Choose a series with more slices.</source>
+        <translation>Wählen Sie eine Serie mit mehr Schichten.</translation>
+    </message>
+    <message>
+        <source>The images do not say where they lie in the patient.</source>
+        <translation>Die Bilder sagen nicht, wo sie im Patienten liegen.</translation>
+    </message>
+    <message>
+        <source>The frames of this multi-frame image do not say where they lie in the patient.</source>
+        <translation>Die Einzelbilder dieses Multiframe-Bildes sagen nicht, wo sie im Patienten liegen.</translation>
+    </message>
+    <message>
+        <source>The frames of this multi-frame image do not say how they are oriented in the patient.</source>
+        <translation>Die Einzelbilder dieses Multiframe-Bildes sagen nicht, wie sie im Patienten ausgerichtet sind.</translation>
+    </message>
+    <message>
+        <source>The frames of this multi-frame image do not say how large a pixel is.</source>
+        <translation>Die Einzelbilder dieses Multiframe-Bildes sagen nicht, wie groß ein Pixel ist.</translation>
+    </message>
+    <message>
+        <source>The images do not say how large a pixel is.</source>
+        <translation>Die Bilder sagen nicht, wie groß ein Pixel ist.</translation>
+    </message>
+    <message>
+        <source>The images say where they lie in a frame of the transducer, and not in the patient: letters of sides, and left and right, are not those of the patient.</source>
+        <translation>Die Bilder sagen, wo sie in einem System des Schallkopfs liegen, und nicht im Patienten: Buchstaben der Seiten, und links und rechts, sind nicht die des Patienten.</translation>
+    </message>
+    <message>
+        <source>Do not tell sides from this volume.</source>
+        <translation>Lesen Sie an diesem Volumen keine Seiten ab.</translation>
+    </message>
+    <message>
+        <source>Only the first frame says where it lies; it was taken for granted that the others follow it along the slice normal, at the distance that the file gives.</source>
+        <translation>Nur das erste Einzelbild sagt, wo es liegt; es wurde vorausgesetzt, dass die anderen ihm entlang der Schichtnormalen folgen, im Abstand, den die Datei nennt.</translation>
+    </message>
+    <message>
+        <source>If they run the other way, the volume is mirrored: compare with a marker of the side.</source>
+        <translation>Laufen sie andersherum, ist das Volumen gespiegelt: Vergleichen Sie mit einer Seitenmarkierung.</translation>
+    </message>
+    <message>
+        <source>{attribute} is not written as numbers with backslashes between them, and can be read in no way, or in several.</source>
+        <translation>{attribute} ist nicht als Zahlen mit umgekehrten Schrägstrichen dazwischen geschrieben und ist gar nicht oder auf mehrere Arten zu lesen.</translation>
+    </message>
+    <message>
+        <source>Have it set right, or export the series again.</source>
+        <translation>Lassen Sie es richtigstellen, oder exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Images whose position, orientation or pixel spacing has other signs between its numbers, or in them, than it should: {count} of {total}. It was read in the only way that there is.</source>
+        <translation>Bilder, deren Position, Orientierung oder Pixelabstand andere Zeichen zwischen den Zahlen oder in ihnen hat, als sie sollten: {count} von {total}. Es wurde auf die einzige Art gelesen, die es gibt.</translation>
+    </message>
+    <message>
+        <source>Measure a known length before relying on sizes.</source>
+        <translation>Messen Sie eine bekannte Länge, bevor Sie sich auf Größen verlassen.</translation>
+    </message>
+    <message>
+        <source>The size of a pixel is not calibrated; it was taken from {source}.</source>
+        <translation>Die Pixelgröße ist nicht kalibriert; sie stammt aus: {source}.</translation>
+    </message>
+    <message>
+        <source>Do not measure lengths in these images.</source>
+        <translation>Messen Sie in diesen Bildern keine Längen.</translation>
+    </message>
+    <message>
+        <source>The orientation or pixel spacing of a slice is not a valid one.</source>
+        <translation>Die Ausrichtung oder der Pixelabstand einer Schicht ist ungültig.</translation>
+    </message>
+    <message>
+        <source>The letters of the sides (PatientOrientation) say the opposite of the orientation in space (ImageOrientationPatient), which is used, in {count} of {total} images.</source>
+        <translation>Die Buchstaben der Seiten (PatientOrientation) sagen das Gegenteil der Orientierung im Raum (ImageOrientationPatient), die verwendet wird, in {count} von {total} Bildern.</translation>
+    </message>
+    <message>
+        <source>Left and right, or front and back, may be exchanged: compare with the original images.</source>
+        <translation>Links und rechts oder vorn und hinten können vertauscht sein: Vergleichen Sie mit den Originalbildern.</translation>
+    </message>
+    <message>
+        <source>The row and column directions are {error:.4f} off perpendicular unit vectors, and were set right.</source>
+        <translation>Die Richtungen von Zeilen und Spalten weichen um {error:.4f} von senkrechten Einheitsvektoren ab und wurden berichtigt.</translation>
+    </message>
+    <message>
+        <source>The slices are turned against each other by up to {degrees:.3f} degrees; they are drawn with the mean orientation, and a voxel is up to {errorMm:.3f} mm away from where it is drawn.</source>
+        <translation>Die Schichten sind um bis zu {degrees:.3f} Grad gegeneinander gedreht; sie werden mit der mittleren Lage gezeichnet, und ein Voxel liegt bis zu {errorMm:.3f} mm neben der Stelle, an der es gezeichnet ist.</translation>
+    </message>
+    <message>
+        <source>Allow for this error when measuring.</source>
+        <translation>Rechnen Sie beim Messen mit diesem Fehler.</translation>
+    </message>
+    <message>
+        <source>Slices that are missing: {missing} of {total}, which are {spacingMm:.3f} mm apart.</source>
+        <translation>Fehlende Schichten: {missing} von {total}, die {spacingMm:.3f} mm auseinander liegen.</translation>
+    </message>
+    <message>
+        <source>Slices of the volume that are interpolated, because no image was there: {count} ({slices}).</source>
+        <translation>Schichten des Volumens, die interpoliert sind, weil dort kein Bild war: {count} ({slices}).</translation>
+    </message>
+    <message>
+        <source>Do not read anything into interpolated slices.</source>
+        <translation>Deuten Sie nichts in interpolierte Schichten hinein.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced, {leastMm:.3f} to {mostMm:.3f} mm apart; they were resampled to an even {spacingMm:.3f} mm.</source>
+        <translation>Die Schichten haben ungleiche Abstände von {leastMm:.3f} bis {mostMm:.3f} mm; sie wurden auf gleichmäßige {spacingMm:.3f} mm umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Look at the original images before measuring across slices.</source>
+        <translation>Sehen Sie die Originalbilder an, bevor Sie über Schichten hinweg messen.</translation>
+    </message>
+    <message>
+        <source>The slices are too unevenly spaced for a volume, {leastMm:.3f} to {mostMm:.3f} mm apart.</source>
+        <translation>Die Schichten haben für ein Volumen zu ungleiche Abstände, {leastMm:.3f} bis {mostMm:.3f} mm.</translation>
+    </message>
+    <message>
+        <source>Images whose position is missing or cannot be right, and that were left out of the volume: {numbers}.</source>
+        <translation>Bilder, deren Position fehlt oder nicht stimmen kann und die im Volumen fehlen: {numbers}.</translation>
+    </message>
+    <message>
+        <source>The slices are not quite evenly spaced: a slice is up to {errorMm:.3f} mm away from where it is drawn.</source>
+        <translation>Die Schichtabstände sind nicht ganz gleich: eine Schicht liegt bis zu {errorMm:.3f} mm neben ihrem gezeigten Ort.</translation>
+    </message>
+    <message>
+        <source>Allow for this error when measuring across slices.</source>
+        <translation>Berücksichtigen Sie diesen Fehler beim Messen über Schichten hinweg.</translation>
+    </message>
+    <message>
+        <source>The images are not parallel to each other.</source>
+        <translation>Die Bilder sind nicht parallel zueinander.</translation>
+    </message>
+    <message>
+        <source>The images do not make a volume: {reason}.</source>
+        <translation>Die Bilder ergeben kein Volumen: {reason}.</translation>
+    </message>
+    <message>
+        <source>The slices are stacked at an angle of {degrees:.1f} degrees (tilted gantry), and are drawn so.</source>
+        <translation>Die Schichten sind unter einem Winkel von {degrees:.1f} Grad gestapelt (geneigte Gantry) und werden so gezeigt.</translation>
+    </message>
+    <message>
+        <source>The slices are {thicknessMm:.2f} mm thick and {spacingMm:.2f} mm apart: {percent:.0f} % of what is between the first and the last was never imaged, and is interpolated here.</source>
+        <translation>Die Schichten sind {thicknessMm:.2f} mm dick und {spacingMm:.2f} mm auseinander: {percent:.0f} % zwischen der ersten und der letzten wurde nie aufgenommen und ist hier interpoliert.</translation>
+    </message>
+    <message>
+        <source>Do not read anything into what lies between the slices.</source>
+        <translation>Deuten Sie nichts in das hinein, was zwischen den Schichten liegt.</translation>
+    </message>
+    <message>
+        <source>This is no image, and is not shown by itself: {kind}.</source>
+        <translation>Das ist kein Bild und wird nicht für sich gezeigt: {kind}.</translation>
+    </message>
+    <message>
+        <source>Images of this kind ({kind}) are no slices of a volume.</source>
+        <translation>Bilder dieser Art ({kind}) sind keine Schichten eines Volumens.</translation>
+    </message>
+    <message>
+        <source>The images are in colour; a volume needs one value per voxel.</source>
+        <translation>Die Bilder sind farbig; ein Volumen braucht einen Wert je Voxel.</translation>
+    </message>
+    <message>
+        <source>The images do not say in a usable way which bits of a pixel hold its value: neither whole numbers in 1, 8, 16 or 32 bits nor floating point.</source>
+        <translation>Die Bilder sagen nicht auf brauchbare Weise, welche Bits eines Pixels seinen Wert enthalten: weder ganze Zahlen in 1, 8, 16 oder 32 Bit noch Gleitkommazahlen.</translation>
+    </message>
+    <message>
+        <source>This version cannot decode the images: {syntax}.</source>
+        <translation>Diese Version kann die Bilder nicht dekodieren: {syntax}.</translation>
+    </message>
+    <message>
+        <source>Images whose pixels this version cannot decode, and that were left out of the volume: {numbers}.</source>
+        <translation>Bilder, deren Pixel diese Version nicht dekodieren kann und die im Volumen fehlen: {numbers}.</translation>
+    </message>
+    <message>
+        <source>The images say that their pixels are encoded as {said}, and they are as {found}, which they were read as.</source>
+        <translation>Die Bilder geben an, ihre Pixel seien als {said} codiert; sie sind es als {found} und wurden so gelesen.</translation>
+    </message>
+    <message>
+        <source>Have the images exported again; other programs may not read them.</source>
+        <translation>Lassen Sie die Bilder neu exportieren; andere Programme lesen sie vielleicht nicht.</translation>
+    </message>
+    <message>
+        <source>The images do not say how a value is shown; greater ones were taken as brighter.</source>
+        <translation>Die Bilder sagen nicht, wie ein Wert gezeigt wird; größere wurden als heller angenommen.</translation>
+    </message>
+    <message>
+        <source>Each image is a mosaic of many slices (Siemens), which this version does not unpack.</source>
+        <translation>Jedes Bild ist ein Mosaik vieler Schichten (Siemens), das diese Version nicht zerlegt.</translation>
+    </message>
+    <message>
+        <source>Export the series again as one image for each slice, or convert it with dcm2niix.</source>
+        <translation>Exportieren Sie die Serie noch einmal mit einem Bild je Schicht, oder wandeln Sie sie mit dcm2niix um.</translation>
+    </message>
+    <message>
+        <source>These values are a dose distribution (unit: {unit}), and no anatomy.</source>
+        <translation>Diese Werte sind eine Dosisverteilung (Einheit: {unit}) und keine Anatomie.</translation>
+    </message>
+    <message>
+        <source>To see anatomy, choose the images that the treatment was planned on.</source>
+        <translation>Um Anatomie zu sehen, wählen Sie die Bilder, auf denen die Behandlung geplant wurde.</translation>
+    </message>
+    <message>
+        <source>The values come from a lookup table in the images, which was applied.</source>
+        <translation>Die Werte kommen aus einer Tabelle in den Bildern, die angewendet wurde.</translation>
+    </message>
+    <message>
+        <source>The lookup table that makes values of the pixels is not a usable one.</source>
+        <translation>Die Tabelle, die aus Pixeln Werte macht, ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>The rescale slope or intercept of an image is not a usable number.</source>
+        <translation>Rescale Slope oder Intercept eines Bildes ist keine brauchbare Zahl.</translation>
+    </message>
+    <message>
+        <source>Images that do not say how stored numbers become values: {count} of {total}. A missing rescale slope was taken as 1, a missing intercept as 0.</source>
+        <translation>Bilder, die nicht sagen, wie aus gespeicherten Zahlen Werte werden: {count} von {total}. Ein fehlender Rescale Slope wurde als 1, ein fehlender Intercept als 0 angenommen.</translation>
+    </message>
+    <message>
+        <source>Do not rely on the values; presets made for Hounsfield units may not fit.</source>
+        <translation>Verlassen Sie sich nicht auf die Werte; Voreinstellungen für Hounsfield-Einheiten passen vielleicht nicht.</translation>
+    </message>
+    <message>
+        <source>These CT images do not say that their values are Hounsfield units ({reason}); they are taken as plain numbers.</source>
+        <translation>Diese CT-Bilder sagen nicht, dass ihre Werte Hounsfield-Einheiten sind ({reason}); sie gelten als einfache Zahlen.</translation>
+    </message>
+    <message>
+        <source>Presets for Hounsfield units do not fit, and the table cannot be removed. Use the original images.</source>
+        <translation>Voreinstellungen für Hounsfield-Einheiten passen nicht, und der Tisch kann nicht entfernt werden. Verwenden Sie die Originalbilder.</translation>
+    </message>
+    <message>
+        <source>Images whose rescale slope or intercept is missing or cannot be right, and that were left out of the volume: {numbers}.</source>
+        <translation>Bilder, deren Rescale Slope oder Intercept fehlt oder nicht stimmen kann und die im Volumen fehlen: {numbers}.</translation>
+    </message>
+    <message>
+        <source>Images whose rescale slope or intercept is another than that of all others; it was applied as it is: {numbers}.</source>
+        <translation>Bilder, deren Rescale Slope oder Intercept ein anderer ist als bei allen übrigen; er wurde so angewendet: {numbers}.</translation>
+    </message>
+    <message>
+        <source>Compare these slices with their neighbours; if they are brighter or darker, copy the series again from its source.</source>
+        <translation>Vergleichen Sie diese Schichten mit ihren Nachbarn; sind sie heller oder dunkler, kopieren Sie die Serie noch einmal von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>Each image has its own rescale factors; they are applied image by image.</source>
+        <translation>Jedes Bild hat eigene Rescale-Faktoren; sie werden Bild für Bild angewendet.</translation>
+    </message>
+    <message>
+        <source>Places where the values jump because the rescale slope or intercept changes and the stored numbers do not: {count}, first at slice {slice}, by {step:.4g}. The values on one side are wrong.</source>
+        <translation>Stellen, an denen die Werte springen, weil sich Rescale Slope oder Intercept ändert und die gespeicherten Zahlen nicht: {count}, zuerst bei Schicht {slice}, um {step:.4g}. Die Werte auf einer Seite sind falsch.</translation>
+    </message>
+    <message>
+        <source>Do not rely on values of this volume; export the series again.</source>
+        <translation>Verlassen Sie sich nicht auf Werte dieses Volumens; exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Images whose pixels {fault}, and that were left out of the volume: {numbers}.</source>
+        <translation>Bilder, deren Pixel {fault} und die im Volumen fehlen: {numbers}.</translation>
+    </message>
+    <message>
+        <source>Images whose pixels {fault}: {count} of {total}. They are shown as the images say.</source>
+        <translation>Bilder, deren Pixel {fault}: {count} von {total}. Sie werden gezeigt, wie die Bilder es angeben.</translation>
+    </message>
+    <message>
+        <source>Do not rely on the values; export the series again.</source>
+        <translation>Verlassen Sie sich nicht auf die Werte; exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Images that differ from both of their neighbours far more than these from each other; they are shown as they are: {numbers}.</source>
+        <translation>Bilder, die von beiden Nachbarn weit mehr abweichen als diese voneinander; sie werden gezeigt, wie sie sind: {numbers}.</translation>
+    </message>
+    <message>
+        <source>Compare these slices with their neighbours, and copy the series again from its source.</source>
+        <translation>Vergleichen Sie diese Schichten mit ihren Nachbarn, und kopieren Sie die Serie noch einmal von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>The values are the real world values that the images define, in {unit}.</source>
+        <translation>Die Werte sind die Real World Values, die die Bilder festlegen, in {unit}.</translation>
+    </message>
+    <message>
+        <source>Standardised uptake values cannot be worked out: {missing} is missing or not usable.</source>
+        <translation>Standardisierte Aufnahmewerte (SUV) können nicht berechnet werden: {missing} fehlt oder ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Images whose values need more bits than they say, and that were left out of the volume: {numbers}.</source>
+        <translation>Bilder, deren Werte mehr Bits brauchen, als sie angeben, und die im Volumen fehlen: {numbers}.</translation>
+    </message>
+    <message>
+        <source>Images with bits outside of those that they say hold the values: {count} of {total}. These bits were dropped.</source>
+        <translation>Bilder mit Bits außerhalb derer, die laut Angabe die Werte enthalten: {count} von {total}. Diese Bits wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Compare the values with those that another program shows.</source>
+        <translation>Vergleichen Sie die Werte mit denen, die ein anderes Programm zeigt.</translation>
+    </message>
+    <message>
+        <source>Images that say that their values lie higher in a pixel (HighBit) than the bits in use: {count} of {total}. They were read from the lowest bit on; as the images say, values would be a fraction of these.</source>
+        <translation>Bilder, die angeben, ihre Werte lägen höher im Pixel (HighBit) als die benutzten Bits: {count} von {total}. Sie wurden vom niedrigsten Bit an gelesen; nach den Angaben wären die Werte ein Bruchteil davon.</translation>
+    </message>
+    <message>
+        <source>Pixels that are no finite number: {count}. They are treated as outside of the scan.</source>
+        <translation>Pixel, die keine endliche Zahl sind: {count}. Sie gelten als außerhalb der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Do not read anything into the places where they are.</source>
+        <translation>Deuten Sie nichts in die Stellen hinein, an denen sie sind.</translation>
+    </message>
+    <message>
+        <source>The images were compressed with loss; fine detail may be missing or false.</source>
+        <translation>Die Bilder wurden verlustbehaftet komprimiert; feine Einzelheiten können fehlen oder falsch sein.</translation>
+    </message>
+    <message>
+        <source>Use the original images for diagnosis.</source>
+        <translation>Verwenden Sie zur Diagnose die Originalbilder.</translation>
+    </message>
+    <message>
+        <source>The images have lookup tables that say how they are shown (VOI LUT); these are not used, only windows are.</source>
+        <translation>Die Bilder haben Tabellen, die sagen, wie sie gezeigt werden (VOI LUT); diese werden nicht verwendet, nur Fenster.</translation>
+    </message>
+    <message>
+        <source>The images are meant to be shown with low values bright (MONOCHROME1); values are as stored.</source>
+        <translation>Die Bilder sind dafür gedacht, niedrige Werte hell zu zeigen (MONOCHROME1); Werte sind wie gespeichert.</translation>
+    </message>
+    <message>
+        <source>The display window of these images is not usable, and was ignored.</source>
+        <translation>Die Fensterung dieser Bilder ist nicht brauchbar und wurde nicht beachtet.</translation>
+    </message>
+    <message>
+        <source>{count} voxels belong to several segments; of each only the last is shown.</source>
+        <translation>{count} Voxel gehören zu mehreren Segmenten; von jedem wird nur das letzte gezeigt.</translation>
+    </message>
+    <message>
+        <source>Look at the segments one by one in the program that made them.</source>
+        <translation>Sehen Sie die Segmente einzeln in dem Programm an, das sie erstellt hat.</translation>
+    </message>
+    <message>
+        <source>{count} voxels of the segmentation lie outside of the volume, and are not shown.</source>
+        <translation>{count} Voxel der Segmentierung liegen außerhalb des Volumens und werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Check that no slices of the series are missing.</source>
+        <translation>Prüfen Sie, ob Schichten der Serie fehlen.</translation>
+    </message>
+    <message>
+        <source>Segment {number} has the number of the background (Pixel Padding Value): nothing of it is shown.</source>
+        <translation>Segment {number} hat die Nummer des Hintergrunds (Pixel Padding Value): nichts davon wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Look at it in the program that made it.</source>
+        <translation>Sehen Sie es in dem Programm an, das es erstellt hat.</translation>
+    </message>
+    <message>
+        <source>Segment 0 has the number {number} in the label map, in which 0 is none of the segments.</source>
+        <translation>Segment 0 hat in der Label-Map die Nummer {number}, denn dort ist 0 keines der Segmente.</translation>
+    </message>
+    <message>
+        <source>Presentation states: {count}; they are no images, and say how a series is shown.</source>
+        <translation>Presentation States: {count}; sie sind keine Bilder und sagen, wie eine Serie gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Open one of them in the list of studies; macula render draws those of 3D views.</source>
+        <translation>Öffnen Sie einen davon in der Liste der Studien; macula render zeichnet die von 3D-Ansichten.</translation>
+    </message>
+    <message>
+        <source>The presentation state has {what}, which cannot be shown.</source>
+        <translation>Der Presentation State enthält {what}; das kann nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Compare with what the program shows that made it.</source>
+        <translation>Vergleichen Sie mit dem, was das Programm zeigt, das ihn erstellt hat.</translation>
+    </message>
+    <message>
+        <source>The presentation state has {what}; {how}.</source>
+        <translation>Der Presentation State enthält {what}; {how}.</translation>
+    </message>
+    <message>
+        <source>Another program changed this presentation state of Macula; it is shown as its standard attributes say.</source>
+        <translation>Ein anderes Programm hat diesen Presentation State von Macula geändert; er wird gezeigt, wie es seine Standardattribute angeben.</translation>
+    </message>
+    <message>
+        <source>The table is left out, and whatever else lies apart from the patient: {partsText}, {volumeText} (confidence {confidence}).</source>
+        <translation>Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: {partsText}, {volumeText} (Sicherheit: {confidence}).</translation>
+    </message>
+    <message>
+        <source>Show the table again to see everything that was scanned.</source>
+        <translation>Zeigen Sie den Tisch wieder, um alles Aufgenommene zu sehen.</translation>
+    </message>
+    <message>
+        <source>No table was found. What lies apart from the patient is left out: {partsText}, {volumeText} (confidence {confidence}).</source>
+        <translation>Kein Tisch wurde gefunden. Was abseits des Patienten liegt, ist weggelassen: {partsText}, {volumeText} (Sicherheit: {confidence}).</translation>
+    </message>
+    <message>
+        <source>Nothing lies apart from the patient; nothing is left out.</source>
+        <translation>Nichts liegt abseits des Patienten; nichts ist weggelassen.</translation>
+    </message>
+    <message>
+        <source>The patient lies against the table in {slices} of {total} slices of the search grid; the surface between them is an estimate there, to about 3 mm.</source>
+        <translation>Der Patient liegt in {slices} von {total} Schichten des Suchgitters am Tisch an; die Fläche dazwischen ist dort auf etwa 3 mm geschätzt.</translation>
+    </message>
+    <message>
+        <source>Do not judge the skin of the side that the patient lies on; show the table again for that.</source>
+        <translation>Beurteilen Sie die Haut der Seite nicht, auf der der Patient liegt; zeigen Sie dafür den Tisch wieder.</translation>
+    </message>
+    <message>
+        <source>It is not clear what is patient and what is table; nothing is left out.</source>
+        <translation>Es ist nicht klar, was Patient und was Tisch ist; nichts ist weggelassen.</translation>
+    </message>
+    <message>
+        <source>Cut the table away with a clip plane or box.</source>
+        <translation>Schneiden Sie den Tisch mit einer Schnittebene oder einem Quader weg.</translation>
+    </message>
+    <message>
+        <source>No patient was found in these images; nothing is left out.</source>
+        <translation>In diesen Bildern wurde kein Patient gefunden; nichts ist weggelassen.</translation>
+    </message>
+    <message>
+        <source>Computed radiography image</source>
+        <translation>Speicherfolienaufnahme (CR)</translation>
+    </message>
+    <message>
+        <source>Digital X-ray image</source>
+        <translation>digitale Röntgenaufnahme</translation>
+    </message>
+    <message>
+        <source>Digital X-ray image, unprocessed</source>
+        <translation>digitale Röntgenaufnahme, unverarbeitet</translation>
+    </message>
+    <message>
+        <source>Mammography image</source>
+        <translation>Mammographie</translation>
+    </message>
+    <message>
+        <source>Mammography image, unprocessed</source>
+        <translation>Mammographie, unverarbeitet</translation>
+    </message>
+    <message>
+        <source>Intra-oral X-ray image</source>
+        <translation>intraorale Röntgenaufnahme</translation>
+    </message>
+    <message>
+        <source>X-ray angiographic image</source>
+        <translation>angiographische Röntgenaufnahme</translation>
+    </message>
+    <message>
+        <source>Enhanced X-ray angiographic image</source>
+        <translation>angiographische Röntgenaufnahme (Enhanced)</translation>
+    </message>
+    <message>
+        <source>X-ray radiofluoroscopic image</source>
+        <translation>Durchleuchtung</translation>
+    </message>
+    <message>
+        <source>Enhanced X-ray radiofluoroscopic image</source>
+        <translation>Durchleuchtung (Enhanced)</translation>
+    </message>
+    <message>
+        <source>Visible light image</source>
+        <translation>Aufnahme in sichtbarem Licht</translation>
+    </message>
+    <message>
+        <source>Ultrasound clip</source>
+        <translation>Ultraschallsequenz</translation>
+    </message>
+    <message>
+        <source>Ultrasound image</source>
+        <translation>Ultraschallbild</translation>
+    </message>
+    <message>
+        <source>Key object selection</source>
+        <translation>Auswahl wichtiger Bilder (Key Object Selection)</translation>
+    </message>
+    <message>
+        <source>Structured report</source>
+        <translation>strukturierter Befund (Structured Report)</translation>
+    </message>
+    <message>
+        <source>Presentation state of slices</source>
+        <translation>Presentation State von Schichten</translation>
+    </message>
+    <message>
+        <source>Presentation state of a 3D view</source>
+        <translation>Presentation State einer 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
+    </message>
+    <message>
+        <source>Waveform</source>
+        <translation>Kurve (Waveform)</translation>
+    </message>
+    <message>
+        <source>Raw data</source>
+        <translation>Rohdaten</translation>
+    </message>
+    <message>
+        <source>Spatial registration</source>
+        <translation>räumliche Registrierung</translation>
+    </message>
+    <message>
+        <source>Spatial fiducials</source>
+        <translation>räumliche Marker</translation>
+    </message>
+    <message>
+        <source>Deformable spatial registration</source>
+        <translation>elastische räumliche Registrierung</translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentierung</translation>
+    </message>
+    <message>
+        <source>Surface segmentation</source>
+        <translation>Oberflächensegmentierung</translation>
+    </message>
+    <message>
+        <source>Tractography</source>
+        <translation>Traktographie</translation>
+    </message>
+    <message>
+        <source>Label map segmentation</source>
+        <translation>Label-Map-Segmentierung</translation>
+    </message>
+    <message>
+        <source>Real world value mapping</source>
+        <translation>Zuordnung von Real World Values</translation>
+    </message>
+    <message>
+        <source>MR spectroscopy</source>
+        <translation>MR-Spektroskopie</translation>
+    </message>
+    <message>
+        <source>PDF document</source>
+        <translation>PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>CDA document</source>
+        <translation>CDA-Dokument</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
+        <source>Radiotherapy structure set</source>
+        <translation>Strahlentherapie-Strukturen (RTSTRUCT)</translation>
+    </message>
+    <message>
+        <source>Radiotherapy plan</source>
+        <translation>Bestrahlungsplan</translation>
+    </message>
+    <message>
+        <source>Radiotherapy object</source>
+        <translation>Strahlentherapie-Objekt</translation>
+    </message>
+    <message>
+        <source>Left drag, arrows</source>
+        <translation>Links ziehen, Pfeile</translation>
+    </message>
+    <message>
+        <source>Walk around the patient</source>
+        <translation>Um den Patienten herumgehen</translation>
+    </message>
+    <message>
+        <source>Middle drag, Shift + left drag, Shift + arrows</source>
+        <translation>Mitte ziehen, Umschalt + links ziehen, Umschalt + Pfeile</translation>
+    </message>
+    <message>
+        <source>Move sideways</source>
+        <translation>Seitwärts verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel, right drag, Ctrl + left drag, + and -</source>
+        <translation>Rad, rechts ziehen, Strg + links ziehen, + und -</translation>
+    </message>
+    <message>
+        <source>Closer, farther</source>
+        <translation>Näher, weiter weg</translation>
+    </message>
+    <message>
+        <source>Alt + left drag, Ctrl + Left and Right, [ and ]</source>
+        <translation>Alt + links ziehen, Strg + Links und Rechts, [ und ]</translation>
+    </message>
+    <message>
+        <source>Turn the picture: clockwise to the right</source>
+        <translation>Bild drehen: nach rechts im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Alt + wheel</source>
+        <translation>Alt + Rad</translation>
+    </message>
+    <message>
+        <source>Fly in: the camera and what it turns around go forward</source>
+        <translation>Hineinfliegen: Kamera und Drehpunkt gehen vorwärts</translation>
+    </message>
+    <message>
+        <source>Right drag in maximum, minimum, average</source>
+        <translation>Rechts ziehen in Maximum, Minimum, Mittelwert</translation>
+    </message>
+    <message>
+        <source>Window: wider to the right, brighter up</source>
+        <translation>Fensterung: nach rechts breiter, nach oben heller</translation>
+    </message>
+    <message>
+        <source>Alt + right drag, or drag with T held</source>
+        <translation>Alt + rechts ziehen, oder ziehen mit gehaltenem T</translation>
+    </message>
+    <message>
+        <source>Transfer function: shift to the right, widen upwards</source>
+        <translation>Übertragungsfunktion: nach rechts verschieben, nach oben verbreitern</translation>
+    </message>
+    <message>
+        <source>Double click in 3D</source>
+        <translation>Doppelklick in 3D</translation>
+    </message>
+    <message>
+        <source>Turn around what is there, and show it on slices</source>
+        <translation>Um das drehen, was dort ist, und es auf Schichten zeigen</translation>
+    </message>
+    <message>
+        <source>Window of the series again</source>
+        <translation>Wieder die Fensterung der Serie</translation>
+    </message>
+    <message>
+        <source>Look from anterior</source>
+        <translation>Ansicht von anterior</translation>
+    </message>
+    <message>
+        <source>Look from posterior</source>
+        <translation>Ansicht von posterior</translation>
+    </message>
+    <message>
+        <source>Look from the patient&apos;s left</source>
+        <translation>Ansicht von links des Patienten</translation>
+    </message>
+    <message>
+        <source>Look from the patient&apos;s right</source>
+        <translation>Ansicht von rechts des Patienten</translation>
+    </message>
+    <message>
+        <source>Look from superior</source>
+        <translation>Ansicht von superior</translation>
+    </message>
+    <message>
+        <source>Look from inferior</source>
+        <translation>Ansicht von inferior</translation>
+    </message>
+    <message>
+        <source>Fit what is visible</source>
+        <translation>Sichtbares einpassen</translation>
+    </message>
+    <message>
+        <source>Parallel rays, or seen by an eye</source>
+        <translation>Parallele Strahlen, oder wie mit einem Auge gesehen</translation>
+    </message>
+    <message>
+        <source>Patient, study and series over the picture, in title and lists, or not</source>
+        <translation>Patient, Studie und Serie über dem Bild, in Titel und Listen, oder nicht</translation>
+    </message>
+    <message>
+        <source>Cube and scale, or not</source>
+        <translation>Würfel und Maßstab, oder nicht</translation>
+    </message>
+    <message>
+        <source>Click on a side of the cube</source>
+        <translation>Klick auf eine Seite des Würfels</translation>
+    </message>
+    <message>
+        <source>Look from there, as near as before</source>
+        <translation>Ansicht von dort, so nah wie vorher</translation>
+    </message>
+    <message>
+        <source>Ctrl+1 to Ctrl+6</source>
+        <translation>Strg+1 bis Strg+6</translation>
+    </message>
+    <message>
+        <source>Cinematic, clear, ray cast, maximum, minimum, average</source>
+        <translation>Cinematic, Klar, Volumen-Rendering, Maximum, Minimum, Mittelwert</translation>
+    </message>
+    <message>
+        <source>Shade the ray cast, or not</source>
+        <translation>Volumen-Rendering schattieren, oder nicht</translation>
+    </message>
+    <message>
+        <source>Remove the table of a CT, or show it again</source>
+        <translation>Den Tisch eines CT entfernen oder wieder zeigen</translation>
+    </message>
+    <message>
+        <source>No clip</source>
+        <translation>Kein Beschnitt</translation>
+    </message>
+    <message>
+        <source>Handles of the clip in all pictures, or not</source>
+        <translation>Griffe des Beschnitts in allen Bildern, oder nicht</translation>
+    </message>
+    <message>
+        <source>Shift + wheel in 3D with handles</source>
+        <translation>Umschalt + Rad in 3D mit Griffen</translation>
+    </message>
+    <message>
+        <source>Cut across the line of sight: deeper, less deep</source>
+        <translation>Schnitt quer zur Blickrichtung: tiefer, weniger tief</translation>
+    </message>
+    <message>
+        <source>Drag a handle, Shift + wheel in 3D with the panel of lights</source>
+        <translation>Griff ziehen, Umschalt + Mausrad in 3D mit der Leiste der Lichter</translation>
+    </message>
+    <message>
+        <source>Where a light shines from, how strong it is</source>
+        <translation>Woher ein Licht scheint, wie stark es ist</translation>
+    </message>
+    <message>
+        <source>Scissors: draw around what is to go in 3D; with Shift, what stays; or not</source>
+        <translation>Schere: in 3D umfahren, was weg soll; mit Umschalt, was bleibt; oder nicht</translation>
+    </message>
+    <message>
+        <source>Drop a folder or a file</source>
+        <translation>Ordner oder Datei ablegen</translation>
+    </message>
+    <message>
+        <source>Open a study</source>
+        <translation>Studie öffnen</translation>
+    </message>
+    <message>
+        <source>Open an image or a volume file</source>
+        <translation>Bild oder Volumendatei öffnen</translation>
+    </message>
+    <message>
+        <source>Open a prior or another volume beside the study</source>
+        <translation>Voraufnahme oder anderes Volumen neben der Studie öffnen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Tab</source>
+        <translation>Strg+Tab</translation>
+    </message>
+    <message>
+        <source>The second volume in the place of the study, and back</source>
+        <translation>Das zweite Volumen an Stelle der Studie, und zurück</translation>
+    </message>
+    <message>
+        <source>Save the view: all that was chosen, and the camera</source>
+        <translation>Ansicht speichern: alles, was gewählt wurde, und die Kamera</translation>
+    </message>
+    <message>
+        <source>Open a view that was saved</source>
+        <translation>Gespeicherte Ansicht öffnen</translation>
+    </message>
+    <message>
+        <source>Save the picture, at any size</source>
+        <translation>Bild speichern, in jeder Größe</translation>
+    </message>
+    <message>
+        <source>Save the measurements as a table</source>
+        <translation>Messungen als Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Save the 3D view as a DICOM presentation state</source>
+        <translation>3D-Ansicht als DICOM Presentation State speichern</translation>
+    </message>
+    <message>
+        <source>Undo the last change</source>
+        <translation>Letzte Änderung rückgängig</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>F5 to F9</source>
+        <translation>F5 bis F9</translation>
+    </message>
+    <message>
+        <source>Four panes, or 3D, axial, coronal, sagittal alone</source>
+        <translation>Vier Bildfelder, oder 3D, axial, koronar, sagittal allein</translation>
+    </message>
+    <message>
+        <source>F2 to F4, F10, F12</source>
+        <translation>F2 bis F4, F10, F12</translation>
+    </message>
+    <message>
+        <source>Panels: studies, transfer function, clip; presets; lights</source>
+        <translation>Leisten: Studien, Übertragungsfunktion, Beschnitt; Voreinstellungen; Lichter</translation>
+    </message>
+    <message>
+        <source>Panel: segmentations</source>
+        <translation>Leiste: Segmentierungen</translation>
+    </message>
+    <message>
+        <source>Find a study of the folder</source>
+        <translation>Studie des Ordners suchen</translation>
+    </message>
+    <message>
+        <source>Wheel, Up, Down on slices</source>
+        <translation>Rad, Auf, Ab auf Schichten</translation>
+    </message>
+    <message>
+        <source>Next slice; with Shift, or Page Up and Page Down, five; Home and End: to the ends</source>
+        <translation>Nächste Schicht; mit Umschalt oder Bild auf und Bild ab fünf; Pos1 und Ende: zu den Enden</translation>
+    </message>
+    <message>
+        <source>Right drag, 1 to 9 on slices</source>
+        <translation>Rechts ziehen, 1 bis 9 auf Schichten</translation>
+    </message>
+    <message>
+        <source>Window: wider to the right, brighter up; or a customary one</source>
+        <translation>Fensterung: nach rechts breiter, nach oben heller; oder eine übliche</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel, middle drag, +, - on slices</source>
+        <translation>Strg + Rad, Mitte ziehen, +, - auf Schichten</translation>
+    </message>
+    <message>
+        <source>Closer, sideways</source>
+        <translation>Näher, seitwärts</translation>
+    </message>
+    <message>
+        <source>F, double right click on slices</source>
+        <translation>F, Doppelklick rechts auf Schichten</translation>
+    </message>
+    <message>
+        <source>The whole slice, in the middle of its pane</source>
+        <translation>Die ganze Schicht, in der Mitte ihres Bildfelds</translation>
+    </message>
+    <message>
+        <source>Tab, Shift + Tab</source>
+        <translation>Tab, Umschalt + Tab</translation>
+    </message>
+    <message>
+        <source>To the next pane or control, or back</source>
+        <translation>Zum nächsten Bildfeld oder Bedienelement, oder zurück</translation>
+    </message>
+    <message>
+        <source>C, W, Z, M, D, G, E, V</source>
+        <translation>C, W, Z, M, D, G, E, V</translation>
+    </message>
+    <message>
+        <source>Left button on slices: cross-hair, window, zoom, move, distance, angle, ellipse, probe</source>
+        <translation>Linke Taste auf Schichten: Fadenkreuz, Fensterung, Zoom, Verschieben, Strecke, Winkel, Ellipse, Messpunkt</translation>
+    </message>
+    <message>
+        <source>I on slices</source>
+        <translation>I auf Schichten</translation>
+    </message>
+    <message>
+        <source>White and black change places</source>
+        <translation>Weiß und Schwarz tauschen den Platz</translation>
+    </message>
+    <message>
+        <source>Space on slices</source>
+        <translation>Leertaste auf Schichten</translation>
+    </message>
+    <message>
+        <source>Play through all slices, or stop</source>
+        <translation>Alle Schichten abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Delete on slices</source>
+        <translation>Entf auf Schichten</translation>
+    </message>
+    <message>
+        <source>Remove the measurement that is chosen</source>
+        <translation>Die gewählte Messung entfernen</translation>
+    </message>
+    <message>
+        <source>Double click on slices</source>
+        <translation>Doppelklick auf Schichten</translation>
+    </message>
+    <message>
+        <source>This pane alone, or all four</source>
+        <translation>Dieses Bildfeld allein, oder alle vier</translation>
+    </message>
+    <message>
+        <source>Settings: language, look, keys, what is kept</source>
+        <translation>Einstellungen: Sprache, Aussehen, Tasten, was aufbewahrt wird</translation>
+    </message>
+    <message>
+        <source>Ctrl+[ and Ctrl+]</source>
+        <translation>Strg+[ und Strg+]</translation>
+    </message>
+    <message>
+        <source>Frames in motion: faster, or more accurate</source>
+        <translation>Bilder in Bewegung: schneller, oder genauer</translation>
+    </message>
+    <message>
+        <source>Trace the picture at rest until it is final; Esc stops</source>
+        <translation>Das ruhende Bild verfolgen, bis es endgültig ist; Esc hält an</translation>
+    </message>
+    <message>
+        <source>Right click, Menu on slices</source>
+        <translation>Rechtsklick, Menütaste auf Schichten</translation>
+    </message>
+    <message>
+        <source>Windows, and those of your own</source>
+        <translation>Fensterungen, auch eigene</translation>
+    </message>
+    <message>
+        <source>Alt+1 to Alt+9 on slices</source>
+        <translation>Alt+1 bis Alt+9 auf Schichten</translation>
+    </message>
+    <message>
+        <source>A window of your own</source>
+        <translation>Eine eigene Fensterung</translation>
+    </message>
+    <message>
+        <source>Double click on a measurement, Enter</source>
+        <translation>Doppelklick auf eine Messung, Eingabe</translation>
+    </message>
+    <message>
+        <source>Its label</source>
+        <translation>Ihre Beschriftung</translation>
+    </message>
+    <message>
+        <source>All keys</source>
+        <translation>Alle Tasten</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Four Panes</source>
+        <translation>&amp;Vier Bildfelder</translation>
+    </message>
+    <message>
+        <source>&amp;3D Alone</source>
+        <translation>&amp;3D allein</translation>
+    </message>
+    <message>
+        <source>A&amp;xial Alone</source>
+        <translation>A&amp;xial allein</translation>
+    </message>
+    <message>
+        <source>C&amp;oronal Alone</source>
+        <translation>K&amp;oronar allein</translation>
+    </message>
+    <message>
+        <source>Sa&amp;gittal Alone</source>
+        <translation>Sa&amp;gittal allein</translation>
+    </message>
+    <message>
+        <source>{:.1f} GiB</source>
+        <translation>{:.1f} GiB</translation>
+    </message>
+    <message>
+        <source>, and {} are free</source>
+        <translation>, und {} sind frei</translation>
+    </message>
+    <message>
+        <source>The camera has a number that is not finite.</source>
+        <translation>Die Kamera hat eine Zahl, die nicht endlich ist.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s vertical field of view must lie between 0.1 and 170 degrees.</source>
+        <translation>Das senkrechte Blickfeld der Kamera muss zwischen 0,1 und 170 Grad liegen.</translation>
+    </message>
+    <message>
+        <source>The height of a parallel picture must lie between 0.001 mm and 1 km.</source>
+        <translation>Die Höhe eines parallelen Bildes muss zwischen 0,001 mm und 1 km liegen.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s position and target are the same point.</source>
+        <translation>Ort und Ziel der Kamera sind derselbe Punkt.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s up direction is parallel to its view.</source>
+        <translation>Die Richtung nach oben der Kamera ist parallel zu ihrem Blick.</translation>
+    </message>
+    <message>
+        <source>The segmentation has no voxels.</source>
+        <translation>Die Segmentierung hat keine Voxel.</translation>
+    </message>
+    <message>
+        <source>The segmentation has not as many voxels as its size says.</source>
+        <translation>Die Segmentierung hat nicht so viele Voxel, wie ihre Größe angibt.</translation>
+    </message>
+    <message>
+        <source>The segmentation does not say where it lies.</source>
+        <translation>Die Segmentierung sagt nicht, wo sie liegt.</translation>
+    </message>
+    <message>
+        <source>The volume should have {} voxels, and has {}.</source>
+        <translation>Das Volumen sollte {} Voxel haben und hat {}.</translation>
+    </message>
+    <message>
+        <source>The position of the voxels in the patient is not usable: the axes do not span a volume.</source>
+        <translation>Die Lage der Voxel im Patienten ist nicht brauchbar: die Achsen spannen kein Volumen auf.</translation>
+    </message>
+    <message>
+        <source>another unit</source>
+        <translation>eine andere Einheit</translation>
+    </message>
+    <message>
+        <source>× reference dose</source>
+        <translation>× Referenzdosis</translation>
+    </message>
+    <message>
+        <source>The only volume{}.</source>
+        <translation>Das einzige Volumen{}.</translation>
+    </message>
+    <message>
+        <source>Its series has {} other stack of images.</source>
+        <translation>Ihre Serie hat {} weiteren Bildstapel.</translation>
+    </message>
+    <message>
+        <source>Its series has {} other stacks of images.</source>
+        <translation>Ihre Serie hat {} weitere Bildstapel.</translation>
+    </message>
+    <message>
+        <source>Nothing{} can be shown in 3D. {}: {}</source>
+        <translation>Nichts{} kann in 3D gezeigt werden. {}: {}</translation>
+    </message>
+    <message>
+        <source>The only stack of images</source>
+        <translation>Der einzige Bildstapel</translation>
+    </message>
+    <message>
+        <source>The largest of {} stacks of images</source>
+        <translation>Der größte von {} Bildstapeln</translation>
+    </message>
+    <message>
+        <source>it is no volume.</source>
+        <translation>es ist kein Volumen.</translation>
+    </message>
+    <message>
+        <source>There are no images{}.</source>
+        <translation>Es gibt keine Bilder{}.</translation>
+    </message>
+    <message>
+        <source>Of {} volumes{} the {}one {}with the most voxels ({} x {} x {}).</source>
+        <translation>Von {} Volumen{} das {}{}mit den meisten Voxeln ({} x {} x {}).</translation>
+    </message>
+    <message>
+        <source>original axial </source>
+        <translation>originale axiale </translation>
+    </message>
+    <message>
+        <source>original </source>
+        <translation>originale </translation>
+    </message>
+    <message>
+        <source>without interpolated slices and </source>
+        <translation>ohne interpolierte Schichten und </translation>
+    </message>
+    <message>
+        <source> of {} in this folder</source>
+        <translation> von {} in diesem Ordner</translation>
+    </message>
+    <message>
+        <source> in this series</source>
+        <translation> in dieser Serie</translation>
+    </message>
+    <message>
+        <source>decode the image</source>
+        <translation>das Bild zu dekodieren</translation>
+    </message>
+    <message>
+        <source>{} of the {} images cannot be decoded. {}</source>
+        <translation>{} der {} Bilder können nicht dekodiert werden. {}</translation>
+    </message>
+    <message>
+        <source>load this series</source>
+        <translation>diese Serie zu laden</translation>
+    </message>
+    <message>
+        <source>have another sign than they say (PixelRepresentation)</source>
+        <translation>ein anderes Vorzeichen haben, als sie angeben (PixelRepresentation),</translation>
+    </message>
+    <message>
+        <source>have their bytes in the wrong order</source>
+        <translation>ihre Bytes in falscher Reihenfolge haben</translation>
+    </message>
+    <message>
+        <source>have one value, in whole or from some row on, between images that go on there</source>
+        <translation>ganz oder ab einer Zeile einen einzigen Wert haben, zwischen Bildern, die dort weitergehen,</translation>
+    </message>
+    <message>
+        <source>do not fit</source>
+        <translation>nicht passen</translation>
+    </message>
+    <message>
+        <source>several volumes blended into one picture</source>
+        <translation>mehrere Volumen, zu einem Bild gemischt</translation>
+    </message>
+    <message>
+        <source>colours of more than one input</source>
+        <translation>Farben von mehr als einer Eingabe</translation>
+    </message>
+    <message>
+        <source>more than one input</source>
+        <translation>mehr als eine Eingabe</translation>
+    </message>
+    <message>
+        <source>more than one set of images</source>
+        <translation>mehr als einen Satz von Bildern</translation>
+    </message>
+    <message>
+        <source>a registration to another frame of reference</source>
+        <translation>eine Registrierung auf ein anderes Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>a sequence of volumes in time</source>
+        <translation>eine zeitliche Folge von Volumen</translation>
+    </message>
+    <message>
+        <source>an unreadable list of frames</source>
+        <translation>eine unlesbare Liste von Einzelbildern</translation>
+    </message>
+    <message>
+        <source>a window that is no straight line</source>
+        <translation>eine Fensterung, die keine gerade Linie ist</translation>
+    </message>
+    <message>
+        <source>a straight one is shown</source>
+        <translation>eine gerade wird gezeigt</translation>
+    </message>
+    <message>
+        <source>colours of another space</source>
+        <translation>Farben eines anderen Farbraums</translation>
+    </message>
+    <message>
+        <source>they are shown as sRGB</source>
+        <translation>sie werden als sRGB gezeigt</translation>
+    </message>
+    <message>
+        <source>a clip by a segmentation</source>
+        <translation>einen Beschnitt durch eine Segmentierung</translation>
+    </message>
+    <message>
+        <source>shading with numbers that are not 0 to 1</source>
+        <translation>eine Schattierung mit Zahlen, die nicht 0 bis 1 sind</translation>
+    </message>
+    <message>
+        <source>an animation</source>
+        <translation>eine Animation</translation>
+    </message>
+    <message>
+        <source>drawings or texts over the picture</source>
+        <translation>Zeichnungen oder Texte über dem Bild</translation>
+    </message>
+    <message>
+        <source>Choose a file of the kind Volume Rendering Volumetric Presentation State.</source>
+        <translation>Wählen Sie eine Datei der Art Volume Rendering Volumetric Presentation State.</translation>
+    </message>
+    <message>
+        <source>a table of greys</source>
+        <translation>eine Tabelle von Grauwerten</translation>
+    </message>
+    <message>
+        <source>a displayed area that is none</source>
+        <translation>einen Bildausschnitt, der keiner ist</translation>
+    </message>
+    <message>
+        <source>annotations</source>
+        <translation>Anmerkungen</translation>
+    </message>
+    <message>
+        <source>a shutter</source>
+        <translation>eine Blende</translation>
+    </message>
+    <message>
+        <source>a subtraction of images</source>
+        <translation>eine Subtraktion von Bildern</translation>
+    </message>
+    <message>
+        <source>an overlay</source>
+        <translation>ein Overlay</translation>
+    </message>
+    <message>
+        <source>Choose a file of the kind Grayscale Softcopy Presentation State.</source>
+        <translation>Wählen Sie eine Datei der Art Grayscale Softcopy Presentation State.</translation>
+    </message>
+    <message>
+        <source>The file is no presentation state of grey slices.</source>
+        <translation>Die Datei ist kein Presentation State von grauen Schichten.</translation>
+    </message>
+    <message>
+        <source>read the directory of this disc</source>
+        <translation>das Verzeichnis dieses Datenträgers zu lesen</translation>
+    </message>
+    <message>
+        <source>Object of unknown kind</source>
+        <translation>Objekt unbekannter Art</translation>
+    </message>
+    <message>
+        <source>Object of class {}</source>
+        <translation>Objekt der Klasse {}</translation>
+    </message>
+    <message>
+        <source>unknown compression</source>
+        <translation>unbekannte Kompression</translation>
+    </message>
+    <message>
+        <source>no valid identifier</source>
+        <translation>keine gültige Kennung</translation>
+    </message>
+    <message>
+        <source>Reading 1 file</source>
+        <translation>1 Datei wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading {} files</source>
+        <translation>{} Dateien werden gelesen</translation>
+    </message>
+    <message>
+        <source>read this folder</source>
+        <translation>diesen Ordner zu lesen</translation>
+    </message>
+    <message>
+        <source>1 patient</source>
+        <translation>1 Patienten</translation>
+    </message>
+    <message>
+        <source>up to {} patients</source>
+        <translation>bis zu {} Patienten</translation>
+    </message>
+    <message>
+        <source>{} patients</source>
+        <translation>{} Patienten</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>nicht zu öffnen</translation>
+    </message>
+    <message>
+        <source>with a content that is not on this machine</source>
+        <translation>mit einem Inhalt, der nicht auf diesem Rechner ist</translation>
+    </message>
+    <message>
+        <source>on a medium that cannot be read there</source>
+        <translation>auf einem Medium, das dort nicht gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>with a path that is too long to be opened</source>
+        <translation>mit einem Pfad, der zum Öffnen zu lang ist</translation>
+    </message>
+    <message>
+        <source>damaged, or not written as they say</source>
+        <translation>beschädigt, oder nicht so geschrieben, wie sie angeben</translation>
+    </message>
+    <message>
+        <source>cut off before the end of their pixel data</source>
+        <translation>abgeschnitten vor dem Ende der Pixeldaten</translation>
+    </message>
+    <message>
+        <source>without pixel data</source>
+        <translation>ohne Pixeldaten</translation>
+    </message>
+    <message>
+        <source>without a usable number of frames</source>
+        <translation>ohne brauchbare Zahl der Einzelbilder</translation>
+    </message>
+    <message>
+        <source>The only DICOM file in this folder cannot be read: {}.</source>
+        <translation>Die einzige DICOM-Datei in diesem Ordner kann nicht gelesen werden: {}.</translation>
+    </message>
+    <message>
+        <source>None of the {} DICOM files in this folder can be read: {}.</source>
+        <translation>Keine der {} DICOM-Dateien in diesem Ordner kann gelesen werden: {}.</translation>
+    </message>
+    <message>
+        <source>There is the directory of a medium (DICOMDIR) here, and none of the {} files that it lists.</source>
+        <translation>Hier ist das Verzeichnis eines Mediums (DICOMDIR), und keine der {} Dateien, die es aufführt.</translation>
+    </message>
+    <message>
+        <source>Copy the whole medium, with all of its folders, and open the copy.</source>
+        <translation>Kopieren Sie das ganze Medium mit allen Ordnern, und öffnen Sie die Kopie.</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image in the folder, and some of its sub-folders cannot be read. {}</source>
+        <translation>Im Ordner ist kein DICOM-Bild, und manche seiner Unterordner können nicht gelesen werden. {}</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image in the folder itself; links that lead out of it are not followed.</source>
+        <translation>Im Ordner selbst ist kein DICOM-Bild; Verknüpfungen, die hinausführen, wird nicht gefolgt.</translation>
+    </message>
+    <message>
+        <source>Choose the folder that the links lead to.</source>
+        <translation>Wählen Sie den Ordner, zu dem die Verknüpfungen führen.</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image here but perhaps in an archive ({}), which is not opened.</source>
+        <translation>Hier ist kein DICOM-Bild, höchstens in einem Archiv ({}), das nicht geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Unpack it, and open the folder with what was in it.</source>
+        <translation>Entpacken Sie es, und öffnen Sie den Ordner mit dem, was darin war.</translation>
+    </message>
+    <message>
+        <source>There is no file in this folder.</source>
+        <translation>In diesem Ordner ist keine Datei.</translation>
+    </message>
+    <message>
+        <source>Choose a folder with DICOM images.</source>
+        <translation>Wählen Sie einen Ordner mit DICOM-Bildern.</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image in this folder: the only file in it is none.</source>
+        <translation>In diesem Ordner ist kein DICOM-Bild: Seine einzige Datei ist keines.</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image among the {} files of this folder.</source>
+        <translation>Unter den {} Dateien dieses Ordners ist kein DICOM-Bild.</translation>
+    </message>
+    <message>
+        <source>load the segmentation</source>
+        <translation>die Segmentierung zu laden</translation>
+    </message>
+    <message>
+        <source>read a segmentation</source>
+        <translation>eine Segmentierung zu lesen</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>Series {}</source>
+        <translation>Serie {}</translation>
+    </message>
+    <message>
+        <source>Another series</source>
+        <translation>Eine andere Serie</translation>
+    </message>
+    <message>
+        <source>The localizer</source>
+        <translation>Der Localizer</translation>
+    </message>
+    <message>
+        <source>patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>the image numbers begin at {}</source>
+        <translation>die Bildnummern beginnen bei {}</translation>
+    </message>
+    <message>
+        <source>the image numbers leave out {} to {}</source>
+        <translation>die Bildnummern lassen {} bis {} aus</translation>
+    </message>
+    <message>
+        <source>the images say that their acquisition has {} (ImagesInAcquisition)</source>
+        <translation>die Bilder sagen, dass ihre Aufnahme {} hat (ImagesInAcquisition)</translation>
+    </message>
+    <message>
+        <source>the images say that the series has {} (NumberOfSeriesRelatedInstances)</source>
+        <translation>die Bilder sagen, dass die Serie {} hat (NumberOfSeriesRelatedInstances)</translation>
+    </message>
+    <message>
+        <source>the images say that a volume has {} slices (NumberOfSlices)</source>
+        <translation>die Bilder sagen, dass ein Volumen {} Schichten hat (NumberOfSlices)</translation>
+    </message>
+    <message>
+        <source>the directory of the medium (DICOMDIR) lists them</source>
+        <translation>das Verzeichnis des Mediums (DICOMDIR) führt sie auf</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Füße</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorne</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>their pixel spacings differ</source>
+        <translation>ihre Pixelabstände unterscheiden sich</translation>
+    </message>
+    <message>
+        <source>they are shifted sideways against each other</source>
+        <translation>sie sind seitlich gegeneinander verschoben</translation>
+    </message>
+    <message>
+        <source>they lie beside each other</source>
+        <translation>sie liegen nebeneinander</translation>
+    </message>
+    <message>
+        <source>each is shifted sideways against the one before</source>
+        <translation>jedes ist gegen das vorige seitlich verschoben</translation>
+    </message>
+    <message>
+        <source>{} of {} slices declare no padding value; that of the others was taken for them.</source>
+        <translation>{} von {} Schichten nennen keinen Füllwert; für sie gilt der der anderen.</translation>
+    </message>
+    <message>
+        <source>without a number</source>
+        <translation>ohne Nummer</translation>
+    </message>
+    <message>
+        <source>{}, by their kind of object</source>
+        <translation>{}, nach der Art ihrer Objekte</translation>
+    </message>
+    <message>
+        <source>images of an unknown device</source>
+        <translation>Bilder eines unbekannten Geräts</translation>
+    </message>
+    <message>
+        <source>what others of the series are</source>
+        <translation>das, was andere der Serie sind</translation>
+    </message>
+    <message>
+        <source>{} bytes</source>
+        <translation>{} Bytes</translation>
+    </message>
+    <message>
+        <source>{} kB</source>
+        <translation>{} kB</translation>
+    </message>
+    <message>
+        <source>{} MB</source>
+        <translation>{} MB</translation>
+    </message>
+    <message>
+        <source>their sizes differ</source>
+        <translation>ihre Größen unterscheiden sich</translation>
+    </message>
+    <message>
+        <source>they have no pixels</source>
+        <translation>sie haben keine Pixel</translation>
+    </message>
+    <message>
+        <source>a unit that is not named</source>
+        <translation>einer ungenannten Einheit</translation>
+    </message>
+    <message>
+        <source>not named</source>
+        <translation>nicht genannt</translation>
+    </message>
+    <message>
+        <source>a factor that holds for all images</source>
+        <translation>einem Faktor, der für alle Bilder gilt</translation>
+    </message>
+    <message>
+        <source>the spacing at the detector</source>
+        <translation>dem Abstand am Detektor</translation>
+    </message>
+    <message>
+        <source>the nominal spacing of the scanned film</source>
+        <translation>dem Nennabstand des gescannten Films</translation>
+    </message>
+    <message>
+        <source>SUV by body weight</source>
+        <translation>SUV nach Körpergewicht</translation>
+    </message>
+    <message>
+        <source>Units of Bq/mL</source>
+        <translation>die Einheit Bq/mL</translation>
+    </message>
+    <message>
+        <source>correction for decay and attenuation</source>
+        <translation>die Korrektur für Zerfall und Schwächung</translation>
+    </message>
+    <message>
+        <source>a RadionuclideTotalDose in Bq that fits PatientWeight</source>
+        <translation>eine RadionuclideTotalDose in Bq, die zu PatientWeight passt</translation>
+    </message>
+    <message>
+        <source>time of the scan</source>
+        <translation>die Aufnahmezeit</translation>
+    </message>
+    <message>
+        <source>plausible time between injection and scan</source>
+        <translation>eine plausible Zeit zwischen Injektion und Aufnahme</translation>
+    </message>
+    <message>
+        <source>no rescale slope and intercept</source>
+        <translation>kein Rescale Slope und Intercept</translation>
+    </message>
+    <message>
+        <source>their rescale type is another</source>
+        <translation>ihr Rescale Type ist ein anderer</translation>
+    </message>
+    <message>
+        <source>their lookup table does not say what it leads to</source>
+        <translation>ihre Tabelle sagt nicht, wohin sie führt</translation>
+    </message>
+    <message>
+        <source>no usable description of the pixels</source>
+        <translation>keine brauchbare Beschreibung der Pixel</translation>
+    </message>
+    <message>
+        <source>pixels of 8 bits, as of a capture</source>
+        <translation>Pixel mit 8 Bit, wie bei einem Capture</translation>
+    </message>
+    <message>
+        <source>they are no CT image objects</source>
+        <translation>sie sind keine CT-Bildobjekte</translation>
+    </message>
+    <message>
+        <source>their image type is that of a map, as of a material or of perfusion</source>
+        <translation>ihr Image Type ist der einer Karte, etwa eines Materials oder der Perfusion</translation>
+    </message>
+    <message>
+        <source>A picture of that size cannot be written as DICOM.</source>
+        <translation>Ein Bild dieser Größe kann nicht als DICOM geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The pixels do not fit the size of the picture.</source>
+        <translation>Die Pixel passen nicht zur Größe des Bildes.</translation>
+    </message>
+    <message>
+        <source>Draw the picture again.</source>
+        <translation>Zeichnen Sie das Bild noch einmal.</translation>
+    </message>
+    <message>
+        <source>Take at most {} letters, digits and signs, without a backslash.</source>
+        <translation>Nehmen Sie höchstens {} Buchstaben, Ziffern und Zeichen, ohne umgekehrten Schrägstrich.</translation>
+    </message>
+    <message>
+        <source>Write the picture without patient and study, or as PNG.</source>
+        <translation>Speichern Sie das Bild ohne Patient und Studie oder als PNG.</translation>
+    </message>
+    <message>
+        <source>Only CT and MR volumes can be written as DICOM.</source>
+        <translation>Nur CT- und MR-Volumen können als DICOM geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The rows and columns of this volume are not perpendicular, which DICOM cannot express.</source>
+        <translation>Zeilen und Spalten dieses Volumens stehen nicht senkrecht aufeinander, was DICOM nicht ausdrücken kann.</translation>
+    </message>
+    <message>
+        <source>The file holds {} volumes, one for each point in time.</source>
+        <translation>Die Datei enthält {} Volumen, eines je Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>The file does not say how the image lies in the patient: its axes were taken to lead to the patient&apos;s left, back and head. Left and right may be exchanged.</source>
+        <translation>Die Datei sagt nicht, wie das Bild im Patienten liegt: es wurde angenommen, dass seine Achsen nach links, hinten und zum Kopf des Patienten führen. Links und rechts können vertauscht sein.</translation>
+    </message>
+    <message>
+        <source>Known are {}.</source>
+        <translation>Bekannt sind {}.</translation>
+    </message>
+    <message>
+        <source>The file does not name the unit of its values: none was assumed. Presets for Hounsfield units do not fit.</source>
+        <translation>Die Datei nennt die Einheit ihrer Werte nicht: keine wurde angenommen. Voreinstellungen für Hounsfield-Einheiten passen nicht.</translation>
+    </message>
+    <message>
+        <source>Macula wrote this file, with values in {}; a program that changed them since need not have said so.</source>
+        <translation>Macula hat diese Datei geschrieben, mit Werten in {}; ein Programm, das sie seither geändert hat, muss das nicht gesagt haben.</translation>
+    </message>
+    <message>
+        <source>read the header of this volume</source>
+        <translation>den Kopf dieses Volumens zu lesen</translation>
+    </message>
+    <message>
+        <source>read this volume</source>
+        <translation>dieses Volumen zu lesen</translation>
+    </message>
+    <message>
+        <source>The weights do not fit the pictures.</source>
+        <translation>Die Gewichte passen nicht zu den Bildern.</translation>
+    </message>
+    <message>
+        <source>A weight is no number.</source>
+        <translation>Ein Gewicht ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Values and mask are not of one size.</source>
+        <translation>Werte und Maske sind nicht gleich groß.</translation>
+    </message>
+    <message>
+        <source>A value to average is no number.</source>
+        <translation>Ein zu mittelnder Wert ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>This build cannot read {} pictures.</source>
+        <translation>Diese Fassung kann keine {}-Bilder lesen.</translation>
+    </message>
+    <message>
+        <source>A picture to compare is empty.</source>
+        <translation>Ein zu vergleichendes Bild ist leer.</translation>
+    </message>
+    <message>
+        <source>A picture to compare holds linear light, not display values.</source>
+        <translation>Ein zu vergleichendes Bild enthält lineares Licht, keine Anzeigewerte.</translation>
+    </message>
+    <message>
+        <source>A picture to compare has values that are no numbers.</source>
+        <translation>Ein zu vergleichendes Bild hat Werte, die keine Zahlen sind.</translation>
+    </message>
+    <message>
+        <source>Preparing the volume</source>
+        <translation>Das Volumen wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Preparing what is shown</source>
+        <translation>Das Gezeigte wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>The picture could not be made.</source>
+        <translation>Das Bild konnte nicht erstellt werden.</translation>
+    </message>
+    <message>
+        <source>Open the study again, or start the program with another --device.</source>
+        <translation>Öffnen Sie die Studie noch einmal, oder starten Sie das Programm mit einem anderen --device.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to show this study.</source>
+        <translation>Es ist nicht genug Speicher da, um diese Studie zu zeigen.</translation>
+    </message>
+    <message>
+        <source>Starting the graphics device</source>
+        <translation>Das Grafikgerät wird gestartet</translation>
+    </message>
+    <message>
+        <source>The picture was removed</source>
+        <translation>Das Bild wurde entfernt</translation>
+    </message>
+    <message>
+        <source>The device is started again</source>
+        <translation>Das Gerät wird wieder gestartet</translation>
+    </message>
+    <message>
+        <source>Stopped while stored sessions were waited for.</source>
+        <translation>Angehalten, während auf gespeicherte Sitzungen gewartet wurde.</translation>
+    </message>
+    <message>
+        <source>Looking for a stored model</source>
+        <translation>Ein gespeichertes Modell wird gesucht</translation>
+    </message>
+    <message>
+        <source>Saving the model</source>
+        <translation>Das Modell wird gespeichert</translation>
+    </message>
+    <message>
+        <source>End it with {}.</source>
+        <translation>Lassen Sie ihn auf {} enden.</translation>
+    </message>
+    <message>
+        <source>another study</source>
+        <translation>einer anderen Studie</translation>
+    </message>
+    <message>
+        <source>another preset</source>
+        <translation>einer anderen Voreinstellung</translation>
+    </message>
+    <message>
+        <source>another clip</source>
+        <translation>einem anderen Beschnitt</translation>
+    </message>
+    <message>
+        <source>other lights</source>
+        <translation>einer anderen Beleuchtung</translation>
+    </message>
+    <message>
+        <source>another {}</source>
+        <translation>einem anderen Wert: {}</translation>
+    </message>
+    <message>
+        <source>another second volume or other colours of segments</source>
+        <translation>einem anderen zweiten Volumen oder anderen Farben der Segmente</translation>
+    </message>
+    <message>
+        <source>macula train draws no second volume and no colours of segments: train anew without them.</source>
+        <translation>macula train zeichnet kein zweites Volumen und keine Farben der Segmente: trainieren Sie ohne diese neu.</translation>
+    </message>
+    <message>
+        <source>Give the PATH, --series, --preset, --clip, --remove-table and --lights that it was made with, or train anew.</source>
+        <translation>Geben Sie PATH, --series, --preset, --clip, --remove-table und --lights so an, wie es erstellt wurde, oder trainieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>version 1; newer ones need a newer Macula</source>
+        <translation>Version 1; neuere brauchen ein neueres Macula</translation>
+    </message>
+    <message>
+        <source>more pixels than those before</source>
+        <translation>mehr Pixel als die davor</translation>
+    </message>
+    <message>
+        <source>a slower point with less error</source>
+        <translation>ein langsamerer Punkt mit kleinerem Fehler</translation>
+    </message>
+    <message>
+        <source>Please report this: {}</source>
+        <translation>Bitte melden Sie dies: {}</translation>
+    </message>
+    <message>
+        <source>an eye, a target and an upright that make a camera</source>
+        <translation>ein Auge, ein Ziel und eine Richtung nach oben, die eine Kamera ergeben</translation>
+    </message>
+    <message>
+        <source>The preset cannot be kept: {}</source>
+        <translation>Die Voreinstellung kann nicht behalten werden: {}</translation>
+    </message>
+    <message>
+        <source>What is seen cannot be kept: {}</source>
+        <translation>Das Gezeigte kann nicht behalten werden: {}</translation>
+    </message>
+    <message>
+        <source>The clock of this machine shows an earlier time than an opening of a study that is stored, so nothing was deleted for its age.</source>
+        <translation>Die Uhr dieses Rechners zeigt eine frühere Zeit, als beim Öffnen einer Studie gespeichert wurde. Deshalb wurde nichts seines Alters wegen gelöscht.</translation>
+    </message>
+    <message>
+        <source>The clock of this machine is so far ahead of the last opening that every stored study would be deleted for its age; those that were not old then were kept.</source>
+        <translation>Die Uhr dieses Rechners ist der letzten Öffnung so weit voraus, dass jede gespeicherte Studie ihres Alters wegen gelöscht würde; was damals nicht alt war, wurde behalten.</translation>
+    </message>
+    <message>
+        <source>Set the clock. Where it is right, run `macula sessions purge --unused-days N --trust-clock`.</source>
+        <translation>Stellen Sie die Uhr. Wenn sie stimmt, rufen Sie `macula sessions purge --unused-days N --trust-clock` auf.</translation>
+    </message>
+    <message>
+        <source>Where the clock is right there is nothing to do: from tomorrow on it is believed. To delete now, run `macula sessions purge --unused-days N --trust-clock`.</source>
+        <translation>Wenn die Uhr stimmt, ist nichts zu tun: ab morgen wird ihr geglaubt. Um jetzt zu löschen, rufen Sie `macula sessions purge --unused-days N --trust-clock` auf.</translation>
+    </message>
+    <message>
+        <source>1 study was</source>
+        <translation>1 Studie wurde</translation>
+    </message>
+    <message>
+        <source>{} studies were</source>
+        <translation>{} Studien wurden</translation>
+    </message>
+    <message>
+        <source>1 folder</source>
+        <translation>1 Ordner</translation>
+    </message>
+    <message>
+        <source>{} folders</source>
+        <translation>{} Ordner</translation>
+    </message>
+    <message>
+        <source>1 row</source>
+        <translation>1 Zeile</translation>
+    </message>
+    <message>
+        <source>{} rows</source>
+        <translation>{} Zeilen</translation>
+    </message>
+    <message>
+        <source>1 model</source>
+        <translation>1 Modell</translation>
+    </message>
+    <message>
+        <source>{} models</source>
+        <translation>{} Modelle</translation>
+    </message>
+    <message>
+        <source>1 stored state</source>
+        <translation>1 gespeicherter Zustand</translation>
+    </message>
+    <message>
+        <source>{} stored states</source>
+        <translation>{} gespeicherte Zustände</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to keep this study&apos;s model.</source>
+        <translation>Es ist nicht genug Speicher da, um das Modell dieser Studie zu behalten.</translation>
+    </message>
+    <message>
+        <source>Stored sessions could not be opened.</source>
+        <translation>Gespeicherte Sitzungen konnten nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>What was not opened for long could not be deleted.</source>
+        <translation>Was lange nicht geöffnet wurde, konnte nicht gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>macula sessions list shows those there are.</source>
+        <translation>macula sessions list zeigt, welche es gibt.</translation>
+    </message>
+    <message>
+        <source>coloured segments</source>
+        <translation>farbige Segmente</translation>
+    </message>
+    <message>
+        <source>Segments have no colours in this look: they have in all but projections.</source>
+        <translation>Segmente haben in dieser Darstellung keine Farben: sie haben sie in allen außer Projektionen.</translation>
+    </message>
+    <message>
+        <source>Segments are coloured: in them colours are no values of the preset.</source>
+        <translation>Segmente sind gefärbt: in ihnen sind Farben keine Werte der Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>The picture is noisier than its limit of noise.</source>
+        <translation>Das Bild rauscht stärker als seine Grenze für Rauschen.</translation>
+    </message>
+    <message>
+        <source>{} samples were not finite and were dropped; please report this.</source>
+        <translation>{} Abtastungen waren nicht endlich und wurden weggelassen; bitte melden Sie das.</translation>
+    </message>
+    <message>
+        <source>{} light paths were too long for the device and were dropped.</source>
+        <translation>{} Lichtpfade waren zu lang für das Gerät und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Light met matter {} times that was denser than its bound, and passed too easily; please report this.</source>
+        <translation>Licht traf {}-mal auf Materie, die dichter war als ihre Schranke, und drang zu leicht hindurch; bitte melden Sie dies.</translation>
+    </message>
+    <message>
+        <source>Pictures left out: there were too many. Lower --pictures or --size.</source>
+        <translation>Bilder weggelassen: es waren zu viele. Verringern Sie --pictures oder --size.</translation>
+    </message>
+    <message>
+        <source>all but projections</source>
+        <translation>allen außer Projektionen</translation>
+    </message>
+    <message>
+        <source>open the device {}</source>
+        <translation>das Gerät {} öffnen</translation>
+    </message>
+    <message>
+        <source>wait for the graphics device</source>
+        <translation>auf das Grafikgerät warten</translation>
+    </message>
+    <message>
+        <source>prepare work for the graphics device</source>
+        <translation>Arbeit für das Grafikgerät vorbereiten</translation>
+    </message>
+    <message>
+        <source>submit work to the graphics device</source>
+        <translation>Arbeit an das Grafikgerät geben</translation>
+    </message>
+    <message>
+        <source>it offers Vulkan {}.{}, and 1.3 is needed</source>
+        <translation>es bietet Vulkan {}.{}, und 1.3 wird gebraucht</translation>
+    </message>
+    <message>
+        <source>it lacks {}</source>
+        <translation>ihm fehlt {}</translation>
+    </message>
+    <message>
+        <source>it has no queue for compute</source>
+        <translation>es hat keine Queue, die rechnen kann</translation>
+    </message>
+    <message>
+        <source>it lacks timeline semaphores</source>
+        <translation>ihm fehlen Timeline-Semaphore</translation>
+    </message>
+    <message>
+        <source>it lacks scalar block layout</source>
+        <translation>ihm fehlt scalar block layout</translation>
+    </message>
+    <message>
+        <source>it lacks synchronization2</source>
+        <translation>ihm fehlt synchronization2</translation>
+    </message>
+    <message>
+        <source>it lacks maintenance4</source>
+        <translation>ihm fehlt maintenance4</translation>
+    </message>
+    <message>
+        <source>start Vulkan</source>
+        <translation>Vulkan starten</translation>
+    </message>
+    <message>
+        <source>listen to the Vulkan validation layer</source>
+        <translation>der Prüfschicht von Vulkan zuhören</translation>
+    </message>
+    <message>
+        <source>prepare the shader {}</source>
+        <translation>den Shader {} vorbereiten</translation>
+    </message>
+    <message>
+        <source>record &quot;{}&quot;</source>
+        <translation>„{}“ aufzeichnen</translation>
+    </message>
+    <message>
+        <source>read the timings</source>
+        <translation>die Zeiten lesen</translation>
+    </message>
+    <message>
+        <source>find memory for the {}</source>
+        <translation>Speicher finden für: {}</translation>
+    </message>
+    <message>
+        <source>get {} for the {}</source>
+        <translation>{} belegen für: {}</translation>
+    </message>
+    <message>
+        <source>buffer &quot;{}&quot;</source>
+        <translation>Puffer „{}“</translation>
+    </message>
+    <message>
+        <source>create the {}</source>
+        <translation>anlegen: {}</translation>
+    </message>
+    <message>
+        <source>create the {} of {}</source>
+        <translation>anlegen: {} von {}</translation>
+    </message>
+    <message>
+        <source>bind memory to the {}</source>
+        <translation>Speicher binden an: {}</translation>
+    </message>
+    <message>
+        <source>map the {}</source>
+        <translation>einblenden: {}</translation>
+    </message>
+    <message>
+        <source>texel buffer &quot;{}&quot;</source>
+        <translation>Texelpuffer „{}“</translation>
+    </message>
+    <message>
+        <source>{} elements</source>
+        <translation>{} Elemente</translation>
+    </message>
+    <message>
+        <source>image &quot;{}&quot;</source>
+        <translation>Bild „{}“</translation>
+    </message>
+    <message>
+        <source>{} pixels along one edge</source>
+        <translation>{} Pixel entlang einer Kante</translation>
+    </message>
+    <message>
+        <source>create the {} of {} x {} x {}</source>
+        <translation>anlegen: {} von {} x {} x {}</translation>
+    </message>
+    <message>
+        <source>create the sampler &quot;{}&quot;</source>
+        <translation>den Sampler „{}“ anlegen</translation>
+    </message>
+    <message>
+        <source>open the image that another program shares</source>
+        <translation>das Bild öffnen, das ein anderes Programm teilt</translation>
+    </message>
+    <message>
+        <source>Describe the image and its memory exactly as they were made.</source>
+        <translation>Beschreiben Sie das Bild und seinen Speicher genau so, wie sie gemacht wurden.</translation>
+    </message>
+    <message>
+        <source>Give none: then the picture is there when the call returns.</source>
+        <translation>Geben Sie keines an: dann ist das Bild da, wenn der Aufruf zurückkehrt.</translation>
+    </message>
+    <message>
+        <source>{} Or open it with VK_KHR_external_semaphore_fd, if it offers that.</source>
+        <translation>{} Oder öffnen Sie es mit VK_KHR_external_semaphore_fd, wenn es das bietet.</translation>
+    </message>
+    <message>
+        <source>semaphore</source>
+        <translation>Semaphor</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>bring data to the graphics device</source>
+        <translation>Daten auf das Grafikgerät bringen</translation>
+    </message>
+    <message>
+        <source>ask for the formats of the window</source>
+        <translation>nach den Formaten des Fensters fragen</translation>
+    </message>
+    <message>
+        <source>find a format for the window with 8 bits per colour</source>
+        <translation>ein Format mit 8 Bit je Farbe für das Fenster finden</translation>
+    </message>
+    <message>
+        <source>ask whether the device can draw in the window</source>
+        <translation>fragen, ob das Gerät im Fenster zeichnen kann</translation>
+    </message>
+    <message>
+        <source>create a semaphore</source>
+        <translation>ein Semaphor anlegen</translation>
+    </message>
+    <message>
+        <source>resize the window</source>
+        <translation>die Größe des Fensters ändern</translation>
+    </message>
+    <message>
+        <source>ask for the size of the window</source>
+        <translation>nach der Größe des Fensters fragen</translation>
+    </message>
+    <message>
+        <source>create the images of the window</source>
+        <translation>die Bilder des Fensters anlegen</translation>
+    </message>
+    <message>
+        <source>get the images of the window</source>
+        <translation>die Bilder des Fensters holen</translation>
+    </message>
+    <message>
+        <source>get an image of the window</source>
+        <translation>ein Bild des Fensters holen</translation>
+    </message>
+    <message>
+        <source>show the image in the window</source>
+        <translation>das Bild im Fenster zeigen</translation>
+    </message>
+    <message>
+        <source>The views cannot be chosen this way.</source>
+        <translation>Die Ansichten können so nicht gewählt werden.</translation>
+    </message>
+    <message>
+        <source>Give a start distance above 0, an increment and a variability of 0 or above, and a field of view of 0.1 to 170 degrees.</source>
+        <translation>Geben Sie einen Anfangsabstand über 0, einen Schritt und eine Streuung von 0 oder mehr und ein Blickfeld von 0.1 bis 170 Grad an.</translation>
+    </message>
+    <message>
+        <source>Use a newer Macula, or export the model as PLY there.</source>
+        <translation>Verwenden Sie ein neueres Macula, oder exportieren Sie das Modell dort als PLY.</translation>
+    </message>
+    <message>
+        <source>Export it as PLY with the Macula that made it.</source>
+        <translation>Exportieren Sie es als PLY mit dem Macula, das es erstellt hat.</translation>
+    </message>
+    <message>
+        <source>{} or {}</source>
+        <translation>{} oder {}</translation>
+    </message>
+    <message>
+        <source>Choose a {} file.</source>
+        <translation>Wählen Sie eine {}-Datei.</translation>
+    </message>
+    <message>
+        <source>The file is no {} model.</source>
+        <translation>Die Datei ist kein {}-Modell.</translation>
+    </message>
+    <message>
+        <source>Models are written as {}.</source>
+        <translation>Modelle werden als {} gespeichert.</translation>
+    </message>
+    <message>
+        <source>None of the model&apos;s splats can be used.</source>
+        <translation>Keines der Splats des Modells kann verwendet werden.</translation>
+    </message>
+    <message>
+        <source>splats</source>
+        <translation>Splats</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>Of the second volume: {}</source>
+        <translation>Zum zweiten Volumen: {}</translation>
+    </message>
+    <message>
+        <source>The environment picture is empty.</source>
+        <translation>Das Umgebungsbild ist leer.</translation>
+    </message>
+    <message>
+        <source>The environment picture has values that are negative or not finite.</source>
+        <translation>Das Umgebungsbild hat Werte, die negativ oder nicht endlich sind.</translation>
+    </message>
+    <message>
+        <source>&quot;patient&quot; or &quot;camera&quot;</source>
+        <translation>„patient“ oder „camera“</translation>
+    </message>
+    <message>
+        <source>a light or an ambient sky that is not black</source>
+        <translation>ein Licht oder ein Himmel, der nicht schwarz ist</translation>
+    </message>
+    <message>
+        <source>&quot;trilinear&quot;, &quot;stochastic&quot;, &quot;smooth&quot; or &quot;sharp&quot;</source>
+        <translation>„trilinear“, „stochastic“, „smooth“ oder „sharp“</translation>
+    </message>
+    <message>
+        <source>Choose a smaller picture, or another device.</source>
+        <translation>Wählen Sie ein kleineres Bild oder ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>{} bounces cannot be traced.</source>
+        <translation>{} Streuungen können nicht verfolgt werden.</translation>
+    </message>
+    <message>
+        <source>Choose 1 to {}.</source>
+        <translation>Wählen Sie 1 bis {}.</translation>
+    </message>
+    <message>
+        <source>The exposure is not usable.</source>
+        <translation>Die Belichtung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose a number above 0, up to {}.</source>
+        <translation>Wählen Sie eine Zahl über 0, bis {}.</translation>
+    </message>
+    <message>
+        <source>The strength of the lights is not usable.</source>
+        <translation>Die Stärke der Beleuchtung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose a number from 0 to {}.</source>
+        <translation>Wählen Sie eine Zahl von 0 bis {}.</translation>
+    </message>
+    <message>
+        <source>The rotation of the lights is not usable.</source>
+        <translation>Die Drehung der Beleuchtung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose an angle in degrees.</source>
+        <translation>Wählen Sie einen Winkel in Grad.</translation>
+    </message>
+    <message>
+        <source>Give a centre, and a width above 0.</source>
+        <translation>Geben Sie eine Mitte und eine Breite über 0 an.</translation>
+    </message>
+    <message>
+        <source>Ask for 1 to {} points, with 1 path or more.</source>
+        <translation>Verlangen Sie 1 bis {} Punkte, mit 1 Pfad oder mehr.</translation>
+    </message>
+    <message>
+        <source>Show less of the volume by another preset or a clip, or allow more memory for voxels.</source>
+        <translation>Zeigen Sie mit einer anderen Voreinstellung oder einem Beschnitt weniger vom Volumen, oder erlauben Sie mehr Speicher für Voxel.</translation>
+    </message>
+    <message>
+        <source>Show less of the volume by another preset or a clip: this device&apos;s buffers hold no more.</source>
+        <translation>Zeigen Sie mit einer anderen Voreinstellung oder einem Beschnitt weniger vom Volumen: Die Puffer dieses Geräts fassen nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Show less of the volume by another preset or a clip, or use a device with more memory.</source>
+        <translation>Zeigen Sie mit einer anderen Voreinstellung oder einem Beschnitt weniger vom Volumen, oder verwenden Sie ein Gerät mit mehr Speicher.</translation>
+    </message>
+    <message>
+        <source>What is visible takes {:.1f} MiB and only {:.1f} MiB can be had: {} of {} visible blocks ({:.0f} %) are shown {}.</source>
+        <translation>Das Sichtbare braucht {:.1f} MiB, und nur {:.1f} MiB sind zu haben: {} von {} sichtbaren Blöcken ({:.0f} %) werden mit {} gezeigt.</translation>
+    </message>
+    <message>
+        <source>{} voxels as one along each edge or less</source>
+        <translation>je {} Voxeln als einem entlang jeder Kante oder weniger</translation>
+    </message>
+    <message>
+        <source>{} voxels as one along each edge</source>
+        <translation>je {} Voxeln als einem entlang jeder Kante</translation>
+    </message>
+    <message>
+        <source>there are more than six planes</source>
+        <translation>es sind mehr als sechs Ebenen</translation>
+    </message>
+    <message>
+        <source>Give six planes at most.</source>
+        <translation>Geben Sie höchstens sechs Ebenen an.</translation>
+    </message>
+    <message>
+        <source>the box has no size</source>
+        <translation>der Quader hat keine Größe</translation>
+    </message>
+    <message>
+        <source>Give a centre and positive half sizes in mm.</source>
+        <translation>Geben Sie eine Mitte und positive halbe Größen in mm an.</translation>
+    </message>
+    <message>
+        <source>the axes of the box are not at right angles</source>
+        <translation>die Achsen des Quaders stehen nicht senkrecht</translation>
+    </message>
+    <message>
+        <source>Give three unit vectors.</source>
+        <translation>Geben Sie drei Einheitsvektoren an.</translation>
+    </message>
+    <message>
+        <source>a plane has no direction</source>
+        <translation>eine Ebene hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>Give its normal as a unit vector, and its distance in mm.</source>
+        <translation>Geben Sie ihre Normale als Einheitsvektor an und ihren Abstand in mm.</translation>
+    </message>
+    <message>
+        <source>the corner has no direction</source>
+        <translation>die Ecke hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>Give three signs, such as L, A, S.</source>
+        <translation>Geben Sie drei Seiten an, zum Beispiel L, A, S.</translation>
+    </message>
+    <message>
+        <source>the ball has no size</source>
+        <translation>die Kugel hat keine Größe</translation>
+    </message>
+    <message>
+        <source>Give a centre and a positive radius in mm.</source>
+        <translation>Geben Sie eine Mitte und einen positiven Radius in mm an.</translation>
+    </message>
+    <message>
+        <source>there is no segmentation to mask with</source>
+        <translation>es gibt keine Segmentierung zum Ausblenden</translation>
+    </message>
+    <message>
+        <source>Give one.</source>
+        <translation>Geben Sie eine an.</translation>
+    </message>
+    <message>
+        <source>the window of its faces has no width</source>
+        <translation>die Fensterung seiner Flächen hat keine Breite</translation>
+    </message>
+    <message>
+        <source>Give a centre and a positive width.</source>
+        <translation>Geben Sie eine Mitte und eine positive Breite an.</translation>
+    </message>
+    <message>
+        <source>&quot;inside&quot; or &quot;outside&quot;</source>
+        <translation>„inside“ oder „outside“</translation>
+    </message>
+    <message>
+        <source>&quot;low&quot; below &quot;high&quot; on each axis</source>
+        <translation>„low“ unter „high“ auf jeder Achse</translation>
+    </message>
+    <message>
+        <source>L or R, then A or P, then S or I, such as &quot;LAS&quot;</source>
+        <translation>L oder R, dann A oder P, dann S oder I, etwa „LAS“</translation>
+    </message>
+    <message>
+        <source>three letters, such as &quot;LAS&quot;</source>
+        <translation>drei Buchstaben, etwa „LAS“</translation>
+    </message>
+    <message>
+        <source>a direction, not all zeros</source>
+        <translation>eine Richtung, nicht nur Nullen</translation>
+    </message>
+    <message>
+        <source>&quot;series&quot;, or center and width</source>
+        <translation>„series“, oder center und width</translation>
+    </message>
+    <message>
+        <source>greyFaces beside it</source>
+        <translation>greyFaces daneben</translation>
+    </message>
+    <message>
+        <source>&quot;clear&quot; or &quot;black&quot;</source>
+        <translation>„clear“ oder „black“</translation>
+    </message>
+    <message>
+        <source>a number from {} to {}</source>
+        <translation>eine Zahl von {} bis {}</translation>
+    </message>
+    <message>
+        <source>a number not below {}</source>
+        <translation>eine Zahl nicht unter {}</translation>
+    </message>
+    <message>
+        <source>a number not above {}</source>
+        <translation>eine Zahl nicht über {}</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>line {}, column {}</source>
+        <translation>Zeile {}, Spalte {}</translation>
+    </message>
+    <message>
+        <source>The key {} is missing.</source>
+        <translation>Der Schlüssel {} fehlt.</translation>
+    </message>
+    <message>
+        <source>Add it.</source>
+        <translation>Fügen Sie ihn hinzu.</translation>
+    </message>
+    <message>
+        <source>an object, { … }</source>
+        <translation>ein Objekt, { … }</translation>
+    </message>
+    <message>
+        <source>The key {} is unknown.</source>
+        <translation>Der Schlüssel {} ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Known here: {}.</source>
+        <translation>Hier bekannt: {}.</translation>
+    </message>
+    <message>
+        <source>a list of {} entries</source>
+        <translation>eine Liste mit {} Einträgen</translation>
+    </message>
+    <message>
+        <source>a list of {} to {} entries</source>
+        <translation>eine Liste mit {} bis {} Einträgen</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>{} is not as expected.</source>
+        <translation>{} ist nicht wie erwartet.</translation>
+    </message>
+    <message>
+        <source>The file</source>
+        <translation>Die Datei</translation>
+    </message>
+    <message>
+        <source>The file is nested too deeply at {}.</source>
+        <translation>Die Datei ist bei {} zu tief geschachtelt.</translation>
+    </message>
+    <message>
+        <source>Give a file that is nested at most {} deep.</source>
+        <translation>Wählen Sie eine Datei, die höchstens {} tief geschachtelt ist.</translation>
+    </message>
+    <message>
+        <source>An object of the file has too many keys, at {}.</source>
+        <translation>Ein Objekt der Datei hat zu viele Schlüssel, bei {}.</translation>
+    </message>
+    <message>
+        <source>Give a file whose objects have at most {} keys.</source>
+        <translation>Wählen Sie eine Datei, deren Objekte höchstens {} Schlüssel haben.</translation>
+    </message>
+    <message>
+        <source>The file is no valid JSON from {} on.</source>
+        <translation>Die Datei ist ab {} kein gültiges JSON.</translation>
+    </message>
+    <message>
+        <source>Look for a missing comma, quote or bracket there or just before.</source>
+        <translation>Suchen Sie dort oder kurz davor nach einem fehlenden Komma, Anführungszeichen oder einer Klammer.</translation>
+    </message>
+    <message>
+        <source>The file is no valid JSON.</source>
+        <translation>Die Datei ist kein gültiges JSON.</translation>
+    </message>
+    <message>
+        <source>Look for numbers that are too large.</source>
+        <translation>Suchen Sie nach Zahlen, die zu groß sind.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s gradient of steep matter must be above 0.</source>
+        <translation>Der Gradient steiler Materie muss in der Voreinstellung über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s curves of steep matter need points of opacity and of colour, finite and sorted by value.</source>
+        <translation>Die Kurven steiler Materie brauchen in der Voreinstellung Punkte der Deckkraft und der Farbe, endlich und nach Wert sortiert.</translation>
+    </message>
+    <message>
+        <source>An opacity of the preset&apos;s steep matter, a colour, a midpoint or a sharpness lies outside 0 to 1.</source>
+        <translation>Eine Deckkraft der steilen Materie der Voreinstellung, eine Farbe, ein Mittelpunkt oder eine Schärfe liegt nicht in 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s opacity points are missing, not finite, or not sorted by value.</source>
+        <translation>Die Deckkraftpunkte der Voreinstellung fehlen, sind nicht endlich oder nicht nach Wert sortiert.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s colour points are missing, not finite, or not sorted by value.</source>
+        <translation>Die Farbpunkte der Voreinstellung fehlen, sind nicht endlich oder nicht nach Wert sortiert.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s gradient opacity points are not finite or not sorted by value.</source>
+        <translation>Die Punkte der Gradienten-Deckkraft der Voreinstellung sind nicht endlich oder nicht nach Wert sortiert.</translation>
+    </message>
+    <message>
+        <source>An opacity of the preset, a midpoint or a sharpness lies outside 0 to 1.</source>
+        <translation>Eine Deckkraft der Voreinstellung, ein Mittelpunkt oder eine Schärfe liegt außerhalb von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>A colour of the preset, a midpoint or a sharpness lies outside 0 to 1.</source>
+        <translation>Eine Farbe der Voreinstellung, ein Mittelpunkt oder eine Schärfe liegt außerhalb von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s unit distance must be above 0 mm.</source>
+        <translation>Die Bezugsdicke der Voreinstellung muss über 0 mm liegen.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s density must be 0 or above.</source>
+        <translation>Die Dichte der Voreinstellung muss 0 oder mehr sein.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s albedo must lie in 0 to 1.</source>
+        <translation>Die Albedo der Voreinstellung muss in 0 bis 1 liegen.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s scattering anisotropy must lie between -0.99 and 0.99.</source>
+        <translation>Die Streuanisotropie der Voreinstellung muss zwischen -0,99 und 0,99 liegen.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s surface weight or reflectance lies outside 0 to 1, or its roughness outside 0.1 to 1.</source>
+        <translation>Gewicht oder Reflexionsgrad der Oberfläche liegen in der Voreinstellung nicht in 0 bis 1, oder ihre Rauheit nicht in 0,1 bis 1.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s surface gradient must be above 0.</source>
+        <translation>Der Gradient der Oberfläche muss in der Voreinstellung über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>The preset&apos;s range to fit to the volume is empty.</source>
+        <translation>Der Bereich der Voreinstellung, der an das Volumen angepasst wird, ist leer.</translation>
+    </message>
+    <message>
+        <source>points sorted by x: not below {}</source>
+        <translation>nach x sortierte Punkte: nicht unter {}</translation>
+    </message>
+    <message>
+        <source>&quot;HU&quot; or &quot;raw&quot;</source>
+        <translation>„HU“ oder „raw“</translation>
+    </message>
+    <message>
+        <source>lower-case letters, digits and hyphens</source>
+        <translation>Kleinbuchstaben, Ziffern und Bindestriche</translation>
+    </message>
+    <message>
+        <source>true, false, &quot;foreground&quot; or &quot;valueRange&quot;</source>
+        <translation>true, false, „foreground“ oder „valueRange“</translation>
+    </message>
+    <message>
+        <source>&quot;rgb&quot;, &quot;hsv&quot;, &quot;hsvWrap&quot;, &quot;lab&quot;, &quot;diverging&quot; or &quot;step&quot;</source>
+        <translation>„rgb“, „hsv“, „hsvWrap“, „lab“, „diverging“ oder „step“</translation>
+    </message>
+    <message>
+        <source>two ascending numbers</source>
+        <translation>zwei aufsteigende Zahlen</translation>
+    </message>
+    <message>
+        <source>&quot;nearest&quot;, &quot;linear&quot; or &quot;cubic&quot;</source>
+        <translation>„nearest“, „linear“ oder „cubic“</translation>
+    </message>
+    <message>
+        <source>The preset was stretched to this volume: its {:g} to {:g} are drawn at {:g} to {:g}, {}.</source>
+        <translation>Die Voreinstellung wurde auf dieses Volumen gestreckt: ihre {:g} bis {:g} liegen bei {:g} bis {:g}, {}.</translation>
+    </message>
+    <message>
+        <source>the background and the 98th percentile of the foreground</source>
+        <translation>dem Hintergrund und dem 98. Perzentil des Vordergrunds</translation>
+    </message>
+    <message>
+        <source>the 2nd and 98th percentile of the foreground</source>
+        <translation>dem 2. und 98. Perzentil des Vordergrunds</translation>
+    </message>
+    <message>
+        <source>the smallest and largest value</source>
+        <translation>dem kleinsten und größten Wert</translation>
+    </message>
+    <message>
+        <source>Compare brightness and colours only within this volume.</source>
+        <translation>Vergleichen Sie Helligkeit und Farben nur innerhalb dieses Volumens.</translation>
+    </message>
+    <message>
+        <source>The preset names the opacity table &apos;{}&apos;, which is not in the file.</source>
+        <translation>Die Voreinstellung nennt die Deckkrafttabelle „{}“, die nicht in der Datei ist.</translation>
+    </message>
+    <message>
+        <source>The shading &apos;{}&apos; is not known; the default shading was taken.</source>
+        <translation>Die Schattierung „{}“ ist nicht bekannt; die übliche wurde genommen.</translation>
+    </message>
+    <message>
+        <source>a window within -1e9 to 1e9</source>
+        <translation>eine Fensterung von -1e9 bis 1e9</translation>
+    </message>
+    <message>
+        <source>groups of {} numbers</source>
+        <translation>Gruppen von {} Zahlen</translation>
+    </message>
+    <message>
+        <source>RGB, HSV, Lab, CIELAB, Diverging or Step</source>
+        <translation>RGB, HSV, Lab, CIELAB, Diverging oder Step</translation>
+    </message>
+    <message>
+        <source>a continuous colour map: categories cannot be drawn as one</source>
+        <translation>eine stetige Farbtabelle: Kategorien können nicht so gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>a linear scale</source>
+        <translation>eine lineare Skala</translation>
+    </message>
+    <message>
+        <source>colours at two values or more</source>
+        <translation>Farben bei zwei oder mehr Werten</translation>
+    </message>
+    <message>
+        <source>The preset names the colour table &apos;{}&apos;, which is not there.</source>
+        <translation>Die Voreinstellung nennt die Farbtabelle „{}“, die fehlt.</translation>
+    </message>
+    <message>
+        <source>The preset file is empty.</source>
+        <translation>Die Datei der Voreinstellung ist leer.</translation>
+    </message>
+    <message>
+        <source>The file is no preset of a known format.</source>
+        <translation>Die Datei ist keine Voreinstellung in einem bekannten Format.</translation>
+    </message>
+    <message>
+        <source>Add # and a name or its place, as in FILE#{}. There are: {}.</source>
+        <translation>Hängen Sie # und einen Namen oder die Stelle an, wie in DATEI#{}. Es gibt: {}.</translation>
+    </message>
+    <message>
+        <source>The file holds no preset &apos;{}&apos;.</source>
+        <translation>Die Datei enthält keine Voreinstellung „{}“.</translation>
+    </message>
+    <message>
+        <source>There are: {}.</source>
+        <translation>Es gibt: {}.</translation>
+    </message>
+    <message>
+        <source>The file does not say what its values are; Hounsfield units of CT were assumed.</source>
+        <translation>Die Datei sagt nicht, was ihre Werte sind; Hounsfield-Einheiten eines CT wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>holds &lt;{}&gt;, which no property list does</source>
+        <translation>enthält &lt;{}&gt;, was keine Property List tut</translation>
+    </message>
+    <message>
+        <source>The property list {}.</source>
+        <translation>Die Property List {}.</translation>
+    </message>
+    <message>
+        <source>the interpolation, 0 for nearest or 1 for linear</source>
+        <translation>die Interpolation, 0 für nächste oder 1 für linear</translation>
+    </message>
+    <message>
+        <source>whether it is shaded, 0 or 1</source>
+        <translation>ob schattiert wird, 0 oder 1</translation>
+    </message>
+    <message>
+        <source>the diffuse coefficient, 0 or above</source>
+        <translation>der diffuse Koeffizient, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the ambient coefficient, 0 or above</source>
+        <translation>der ambiente Koeffizient, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the specular coefficient, 0 or above</source>
+        <translation>der spiegelnde Koeffizient, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the specular power, 0 or above</source>
+        <translation>der spiegelnde Exponent, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>scalar opacity (line 7)</source>
+        <translation>Die Deckkraft (Zeile 7)</translation>
+    </message>
+    <message>
+        <source>gradient opacity (line 8)</source>
+        <translation>Die Gradienten-Deckkraft (Zeile 8)</translation>
+    </message>
+    <message>
+        <source>colour (line 9)</source>
+        <translation>Die Farbe (Zeile 9)</translation>
+    </message>
+    <message>
+        <source>The effective range cannot be read and was left out: &quot;{}&quot;.</source>
+        <translation>Der wirksame Bereich kann nicht gelesen werden und wurde weggelassen: „{}“.</translation>
+    </message>
+    <message>
+        <source>The interpolation of the preset {} is unknown.</source>
+        <translation>Die Interpolation der Voreinstellung {} ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>scalarOpacity of {}</source>
+        <translation>scalarOpacity von {}</translation>
+    </message>
+    <message>
+        <source>colorTransfer of {}</source>
+        <translation>colorTransfer von {}</translation>
+    </message>
+    <message>
+        <source>gradientOpacity of {}</source>
+        <translation>gradientOpacity von {}</translation>
+    </message>
+    <message>
+        <source>has something in it that is no usable number, or too many of them</source>
+        <translation>enthält etwas, das keine brauchbare Zahl ist, oder zu viele davon</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>should have {:g} numbers and has {:g}</source>
+        <translation>sollte {:g} Zahlen haben und hat {:g}</translation>
+    </message>
+    <message>
+        <source>has no points</source>
+        <translation>hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>is not made of groups of {}</source>
+        <translation>besteht nicht aus Gruppen von {}</translation>
+    </message>
+    <message>
+        <source>has a value that is too large</source>
+        <translation>hat einen zu großen Wert</translation>
+    </message>
+    <message>
+        <source>is not sorted: {:g} comes after {:g}</source>
+        <translation>ist nicht sortiert: {:g} kommt nach {:g}</translation>
+    </message>
+    <message>
+        <source>The XML file declares entities, which no preset needs.</source>
+        <translation>Die XML-Datei deklariert Entities, die keine Voreinstellung braucht.</translation>
+    </message>
+    <message>
+        <source>Remove the DOCTYPE from the file, or take another one.</source>
+        <translation>Entfernen Sie den DOCTYPE aus der Datei, oder nehmen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The file holds no XML element.</source>
+        <translation>Die Datei enthält kein XML-Element.</translation>
+    </message>
+    <message>
+        <source>The file is no valid XML around line {}.</source>
+        <translation>Die Datei ist um Zeile {} kein gültiges XML.</translation>
+    </message>
+    <message>
+        <source>Check that it is complete, and look for a missing bracket or quote there.</source>
+        <translation>Prüfen Sie, ob sie vollständig ist, und suchen Sie dort nach einer fehlenden Klammer oder einem Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>The XML file is nested too deeply.</source>
+        <translation>Die XML-Datei ist zu tief geschachtelt.</translation>
+    </message>
+    <message>
+        <source>One of the volumes has too few voxels to be registered.</source>
+        <translation>Eines der Volumen hat zu wenige Voxel für eine Registrierung.</translation>
+    </message>
+    <message>
+        <source>The volumes do not show enough of the same part of the body to be registered.</source>
+        <translation>Die Volumen zeigen für eine Registrierung zu wenig vom selben Teil des Körpers.</translation>
+    </message>
+    <message>
+        <source>A volume of fewer than three slices, rows or columns cannot be registered.</source>
+        <translation>Ein Volumen mit weniger als drei Schichten, Zeilen oder Spalten kann nicht registriert werden.</translation>
+    </message>
+    <message>
+        <source>One of the volumes has no values: there is nothing to register by.</source>
+        <translation>Eines der Volumen hat keine Werte: es gibt nichts, wonach registriert werden kann.</translation>
+    </message>
+    <message>
+        <source>One of the volumes has the same value everywhere: there is nothing to register by.</source>
+        <translation>Eines der Volumen hat überall denselben Wert: es gibt nichts, wonach registriert werden kann.</translation>
+    </message>
+    <message>
+        <source>0 for the first camera</source>
+        <translation>0 für die erste Kamera</translation>
+    </message>
+    <message>
+        <source>a later time than that of the camera before</source>
+        <translation>eine spätere Zeit als die der Kamera davor</translation>
+    </message>
+    <message>
+        <source>Camera [{}]: {}</source>
+        <translation>Kamera [{}]: {}</translation>
+    </message>
+    <message>
+        <source>The head is seen from the front and above, as the images say that it is one.</source>
+        <translation>Der Kopf wird von vorn und oben gesehen, da die Bilder sagen, dass es einer ist.</translation>
+    </message>
+    <message>
+        <source>It is seen from the front and above, as a head is: what was scanned is as large as one.</source>
+        <translation>Gesehen wird von vorn und oben, wie ein Kopf: das Aufgenommene ist so groß wie einer.</translation>
+    </message>
+    <message>
+        <source>The scan is seen obliquely from above: it is less than half as high as it is wide.</source>
+        <translation>Die Aufnahme wird schräg von oben gesehen: sie ist weniger als halb so hoch wie breit.</translation>
+    </message>
+    <message>
+        <source>The patient is seen from the front, slightly turned.</source>
+        <translation>Der Patient wird von vorn gesehen, leicht gedreht.</translation>
+    </message>
+    <message>
+        <source>Or give the path of a JSON file.</source>
+        <translation>Oder geben Sie den Pfad einer JSON-Datei an.</translation>
+    </message>
+    <message>
+        <source>There is no such clip.</source>
+        <translation>Diesen Beschnitt gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Or give the path of a JSON, HDR or EXR file.</source>
+        <translation>Oder geben Sie den Pfad einer JSON-, HDR- oder EXR-Datei an.</translation>
+    </message>
+    <message>
+        <source>Did you mean {}?</source>
+        <translation>Meinten Sie {}?</translation>
+    </message>
+    <message>
+        <source>Or give a number from macula presets, or the path of a preset file.</source>
+        <translation>Oder geben Sie eine Nummer aus macula presets oder den Pfad einer Voreinstellungsdatei an.</translation>
+    </message>
+    <message>
+        <source>There is no such quality.</source>
+        <translation>Diese Qualität gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The preset is made for other units than those of the series.</source>
+        <translation>Die Voreinstellung ist für andere Einheiten gemacht als die der Serie.</translation>
+    </message>
+    <message>
+        <source>Presets for it: {}.</source>
+        <translation>Voreinstellungen dafür: {}.</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>superior</source>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>The outline has fewer than three points.</source>
+        <translation>Der Umriss hat weniger als drei Punkte.</translation>
+    </message>
+    <message>
+        <source>The outline has too many points.</source>
+        <translation>Der Umriss hat zu viele Punkte.</translation>
+    </message>
+    <message>
+        <source>A point of the outline is no number.</source>
+        <translation>Ein Punkt des Umrisses ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The outline encloses nothing.</source>
+        <translation>Der Umriss umschließt nichts.</translation>
+    </message>
+    <message>
+        <source>cut with scissors</source>
+        <translation>mit der Schere geschnitten</translation>
+    </message>
+    <message>
+        <source>masked</source>
+        <translation>maskiert</translation>
+    </message>
+    <message>
+        <source>Nothing is visible in the picture. The series has values from {:g} to {:g}{}.</source>
+        <translation>Im Bild ist nichts zu sehen. Die Serie hat Werte von {:g} bis {:g}{}.</translation>
+    </message>
+    <message>
+        <source>Nothing is visible: every voxel of the series is padding.</source>
+        <translation>Nichts ist zu sehen: jedes Voxel der Serie ist Füllwert.</translation>
+    </message>
+    <message>
+        <source>No built-in preset would show any of them.</source>
+        <translation>Keine eingebaute Voreinstellung würde etwas davon zeigen.</translation>
+    </message>
+    <message>
+        <source>Presets that show some of them: {}.</source>
+        <translation>Voreinstellungen, die etwas davon zeigen: {}.</translation>
+    </message>
+    <message>
+        <source>Check the camera and the clip too.</source>
+        <translation>Prüfen Sie auch Kamera und Beschnitt.</translation>
+    </message>
+    <message>
+        <source>It is seen through the window {}: choose another one.</source>
+        <translation>Es wird durch die Fensterung {} gesehen: wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>table left out</source>
+        <translation>Tisch weggelassen</translation>
+    </message>
+    <message>
+        <source>A table was not looked for: {}</source>
+        <translation>Ein Tisch wurde nicht gesucht: {}</translation>
+    </message>
+    <message>
+        <source>The clip of the presentation state leaves nothing of this series.</source>
+        <translation>Der Beschnitt des Presentation State lässt von dieser Serie nichts übrig.</translation>
+    </message>
+    <message>
+        <source>The clip of the presentation state is of more planes than six.</source>
+        <translation>Der Beschnitt des Presentation State hat mehr als sechs Ebenen.</translation>
+    </message>
+    <message>
+        <source>The window is a curve; others get a straight one.</source>
+        <translation>Die Fensterung ist eine Kurve; andere Programme erhalten eine gerade.</translation>
+    </message>
+    <message>
+        <source>Others cannot show an average, and show the preset instead.</source>
+        <translation>Andere Programme können keinen Mittelwert zeigen und zeigen stattdessen die Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Opacities that depend on edges (gradients) are for Macula alone.</source>
+        <translation>Deckkräfte, die von Kanten (Gradienten) abhängen, gelten nur für Macula.</translation>
+    </message>
+    <message>
+        <source>Others know no steep matter: they show what is halfway between flat and steep.</source>
+        <translation>Andere Programme kennen keine steile Materie: sie zeigen, was in der Mitte zwischen flacher und steiler liegt.</translation>
+    </message>
+    <message>
+        <source>Others have no path tracing: of the lights they get the strongest, and how bright the rest is.</source>
+        <translation>Andere Programme haben keine Pfadverfolgung: von der Beleuchtung erhalten sie das stärkste Licht und wie hell der Rest ist.</translation>
+    </message>
+    <message>
+        <source>Others show the table, which is left out here.</source>
+        <translation>Andere Programme zeigen den Tisch, der hier weggelassen ist.</translation>
+    </message>
+    <message>
+        <source>Others show segments that are hidden here.</source>
+        <translation>Andere Programme zeigen Segmente, die hier ausgeblendet sind.</translation>
+    </message>
+    <message>
+        <source>Others show no colours of segments.</source>
+        <translation>Andere zeigen keine Farben von Segmenten.</translation>
+    </message>
+    <message>
+        <source>Others show the study without the second volume.</source>
+        <translation>Andere zeigen die Studie ohne das zweite Volumen.</translation>
+    </message>
+    <message>
+        <source>Others show what is cut off with scissors here.</source>
+        <translation>Andere Programme zeigen, was hier mit der Schere abgeschnitten ist.</translation>
+    </message>
+    <message>
+        <source>Others show boxes, corners and balls that are cut out here.</source>
+        <translation>Andere Programme zeigen Quader, Ecken und Kugeln, die hier herausgeschnitten sind.</translation>
+    </message>
+    <message>
+        <source>Grey faces and shadows of what is cut off are for Macula alone.</source>
+        <translation>Graue Flächen und Schatten des Abgeschnittenen gelten nur für Macula.</translation>
+    </message>
+    <message>
+        <source>Without patient and study, the second volume and segmentations are not found again.</source>
+        <translation>Ohne Patient und Studie werden das zweite Volumen und Segmentierungen nicht wiedergefunden.</translation>
+    </message>
+    <message>
+        <source>The view is too large to be kept as a whole: Macula too shows only what others show.</source>
+        <translation>Die Ansicht ist zu groß, um ganz bewahrt zu werden: auch Macula zeigt nur, was andere zeigen.</translation>
+    </message>
+    <message>
+        <source>It is of some of the images alone; the others are shown in the same way.</source>
+        <translation>Er gilt nur für einen Teil der Bilder; die anderen werden ebenso gezeigt.</translation>
+    </message>
+    <message>
+        <source>It has no window for its first image here.</source>
+        <translation>Er hat hier kein Fenster für sein erstes Bild.</translation>
+    </message>
+    <message>
+        <source>Its window is a table of values (VOI LUT), which is not shown.</source>
+        <translation>Sein Fenster ist eine Tabelle von Werten (VOI LUT), die nicht gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Its window is of other values than those of the volume, and is not shown.</source>
+        <translation>Sein Fenster ist von anderen Werten als denen des Volumens und wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>It has several windows; that of its first image is shown.</source>
+        <translation>Er hat mehrere Fenster; das seines ersten Bildes wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Where its images lie is not known: the slices stay where they are.</source>
+        <translation>Wo seine Bilder liegen, ist nicht bekannt: die Schichten bleiben, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>It turns or mirrors its images, which slices here never do: its part of the image is not shown.</source>
+        <translation>Er dreht oder spiegelt seine Bilder, was Schichten hier nie tun: sein Bildausschnitt wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>It asks for the true size on the screen, which is not shown: slices fit their pane.</source>
+        <translation>Er verlangt die wahre Größe auf dem Bildschirm, die nicht gezeigt wird: Schichten füllen ihr Feld.</translation>
+    </message>
+    <message>
+        <source>It asks for a fixed magnification, which is not shown: slices fit their pane.</source>
+        <translation>Er verlangt eine feste Vergrößerung, die nicht gezeigt wird: Schichten füllen ihr Feld.</translation>
+    </message>
+    <message>
+        <source>Its part of the image lies beside the volume, and is not shown.</source>
+        <translation>Sein Bildausschnitt liegt neben dem Volumen und wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>The colours of this projection are shown as greys.</source>
+        <translation>Die Farben dieser Projektion werden als Graustufen gezeigt.</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say of which thickness its opacities are; 1 mm is taken.</source>
+        <translation>Der Presentation State sagt nicht, für welche Dicke seine Deckkräfte gelten; 1 mm wird angenommen.</translation>
+    </message>
+    <message>
+        <source>Highlights are not drawn.</source>
+        <translation>Glanzlichter werden nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Surfaces are shaded from both sides.</source>
+        <translation>Flächen werden von beiden Seiten schattiert.</translation>
+    </message>
+    <message>
+        <source>Light comes from the viewer, and not from where the presentation state has it.</source>
+        <translation>Das Licht kommt vom Betrachter und nicht von dort, wo der Presentation State es hat.</translation>
+    </message>
+    <message>
+        <source>The picture is larger than that of the presentation state, whose middle is not where it looks at.</source>
+        <translation>Das Bild ist größer als das des Presentation State, dessen Mitte nicht sein Blickpunkt ist.</translation>
+    </message>
+    <message>
+        <source>with {}</source>
+        <translation>mit {}</translation>
+    </message>
+    <message>
+        <source>with a second volume</source>
+        <translation>mit einem zweiten Volumen</translation>
+    </message>
+    <message>
+        <source>registration doubtful</source>
+        <translation>Registrierung zweifelhaft</translation>
+    </message>
+    <message>
+        <source>of ANOTHER PATIENT</source>
+        <translation>von einem ANDEREN PATIENTEN</translation>
+    </message>
+    <message>
+        <source>perhaps of another patient</source>
+        <translation>vielleicht von einem anderen Patienten</translation>
+    </message>
+    <message>
+        <source>Second volume: {}</source>
+        <translation>Zweites Volumen: {}</translation>
+    </message>
+    <message>
+        <source>Nothing says that the positions of the second volume are the study&apos;s: not both have a frame of reference. Register both by --registration search.</source>
+        <translation>Nichts sagt, dass die Positionen des zweiten Volumens die der Studie sind: nicht beide haben ein Bezugssystem. Registrieren Sie beide mit --registration search.</translation>
+    </message>
+    <message>
+        <source>The second volume has another frame of reference than the study: its positions are not the study&apos;s. Register both by --registration search.</source>
+        <translation>Das zweite Volumen hat ein anderes Bezugssystem als die Studie: seine Positionen sind nicht die der Studie. Registrieren Sie beide mit --registration search.</translation>
+    </message>
+    <message>
+        <source>The second volume fits the study nearly as well {:.0f} mm from where it was registered, as a spine does one vertebra off.</source>
+        <translation>Das zweite Volumen passt {:.0f} mm neben der registrierten Stelle fast ebenso gut zur Studie, wie eine Wirbelsäule um einen Wirbel verschoben.</translation>
+    </message>
+    <message>
+        <source>The registration of the second volume is doubtful: look at both on slices before you rely on the picture.</source>
+        <translation>Die Registrierung des zweiten Volumens ist zweifelhaft: sehen Sie beide auf Schichten an, bevor Sie sich auf das Bild verlassen.</translation>
+    </message>
+    <message>
+        <source>The view was saved when the images of the study or of the second volume had other values or positions, or by an older Macula: where it lies there is not believed.</source>
+        <translation>Die Ansicht wurde gespeichert, als die Bilder der Studie oder des zweiten Volumens andere Werte oder Positionen hatten, oder von einem älteren Macula: der Lage darin wird nicht geglaubt.</translation>
+    </message>
+    <message>
+        <source>phantom</source>
+        <translation>Phantom</translation>
+    </message>
+    <message>
+        <source>images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>no study date</source>
+        <translation>kein Studiendatum</translation>
+    </message>
+    <message>
+        <source>series {}</source>
+        <translation>Serie {}</translation>
+    </message>
+    <message>
+        <source>volume {} of {}</source>
+        <translation>Volumen {} von {}</translation>
+    </message>
+    <message>
+        <source>one segment alone</source>
+        <translation>ein Segment allein</translation>
+    </message>
+    <message>
+        <source>some segments alone</source>
+        <translation>einige Segmente allein</translation>
+    </message>
+    <message>
+        <source>a segment left out</source>
+        <translation>ein Segment weggelassen</translation>
+    </message>
+    <message>
+        <source>some segments left out</source>
+        <translation>einige Segmente weggelassen</translation>
+    </message>
+    <message>
+        <source>Segmentation: {}</source>
+        <translation>Segmentierung: {}</translation>
+    </message>
+    <message>
+        <source>at most {} bytes</source>
+        <translation>höchstens {} Bytes</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>&quot;LINEAR&quot;, &quot;LINEAR_EXACT&quot; or &quot;SIGMOID&quot;</source>
+        <translation>„LINEAR“, „LINEAR_EXACT“ oder „SIGMOID“</translation>
+    </message>
+    <message>
+        <source>pairs of numbers</source>
+        <translation>Zahlenpaare</translation>
+    </message>
+    <message>
+        <source>a camera, and an outline that encloses something</source>
+        <translation>eine Kamera und ein Umriss, der etwas umschließt</translation>
+    </message>
+    <message>
+        <source>1 to {} bytes</source>
+        <translation>1 bis {} Bytes</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>eines von {}</translation>
+    </message>
+    <message>
+        <source>a rotation and a shift, row by row</source>
+        <translation>eine Drehung und eine Verschiebung, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>the digest of a series</source>
+        <translation>die Prüfsumme einer Serie</translation>
+    </message>
+    <message>
+        <source>the digest of a volume</source>
+        <translation>die Prüfsumme eines Volumens</translation>
+    </message>
+    <message>
+        <source>the digest of two volumes</source>
+        <translation>die Prüfsumme zweier Volumen</translation>
+    </message>
+    <message>
+        <source>64 hexadecimal digits</source>
+        <translation>64 hexadezimale Ziffern</translation>
+    </message>
+    <message>
+        <source>a direction perpendicular to &quot;right&quot;</source>
+        <translation>eine Richtung senkrecht zu „right“</translation>
+    </message>
+    <message>
+        <source>&quot;distance&quot;, &quot;angle&quot; or &quot;ellipse&quot;</source>
+        <translation>„distance“, „angle“ oder „ellipse“</translation>
+    </message>
+    <message>
+        <source>a colour as #rrggbb</source>
+        <translation>eine Farbe als #rrggbb</translation>
+    </message>
+    <message>
+        <source>1 part</source>
+        <translation>1 Teil</translation>
+    </message>
+    <message>
+        <source>{} parts</source>
+        <translation>{} Teile</translation>
+    </message>
+    <message>
+        <source>{:.0f} mL</source>
+        <translation>{:.0f} mL</translation>
+    </message>
+    <message>
+        <source>≈ {:.0f} mL, not calibrated</source>
+        <translation>≈ {:.0f} mL, nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>moderate</source>
+        <translation>mittel</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>Something of that name is there already.</source>
+        <translation>Etwas mit diesem Namen ist schon da.</translation>
+    </message>
+    <message>
+        <source>An export cannot be in the folder of the stored sessions itself.</source>
+        <translation>Ein Export kann nicht im Ordner der gespeicherten Sitzungen selbst liegen.</translation>
+    </message>
+    <message>
+        <source>Make the folder writable for you, or choose another one.</source>
+        <translation>Machen Sie den Ordner für sich beschreibbar, oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Free some space on that disk; what was stored before is unharmed.</source>
+        <translation>Schaffen Sie Platz auf dem Datenträger; früher Gespeichertes ist unversehrt.</translation>
+    </message>
+    <message>
+        <source>Choose a folder on a local disk, or have locks switched on for that network drive.</source>
+        <translation>Wählen Sie einen Ordner auf einem lokalen Datenträger, oder lassen Sie Sperren für das Netzlaufwerk einschalten.</translation>
+    </message>
+    <message>
+        <source>Wait a moment and try again, or close other windows of Macula.</source>
+        <translation>Warten Sie kurz und versuchen Sie es noch einmal, oder schließen Sie andere Fenster von Macula.</translation>
+    </message>
+    <message>
+        <source>Close all windows of Macula and start it again: it rescues what can be read, and keeps the file.</source>
+        <translation>Schließen Sie alle Fenster von Macula und starten Sie es neu: es rettet, was lesbar ist, und behält die Datei.</translation>
+    </message>
+    <message>
+        <source>Use that version, or choose another folder. Nothing was changed.</source>
+        <translation>Verwenden Sie diese Version, oder wählen Sie einen anderen Ordner. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder, or one that Macula made. Nothing was changed.</source>
+        <translation>Wählen Sie einen leeren Ordner oder einen von Macula. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Have the disk checked, or choose a folder on another one.</source>
+        <translation>Lassen Sie den Datenträger prüfen, oder wählen Sie einen Ordner auf einem anderen.</translation>
+    </message>
+    <message>
+        <source>Close other programs and try again.</source>
+        <translation>Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Nothing has to be done: the model is learnt anew.</source>
+        <translation>Es ist nichts zu tun: das Modell wird neu gelernt.</translation>
+    </message>
+    <message>
+        <source>Raise the limit for stored models.</source>
+        <translation>Erhöhen Sie die Grenze für gespeicherte Modelle.</translation>
+    </message>
+    <message>
+        <source>Make the setting once more.</source>
+        <translation>Machen Sie die Einstellung noch einmal.</translation>
+    </message>
+    <message>
+        <source>Check that it has a name of at most 200 bytes, and is a JSON object of at most 8 MB and 64 levels.</source>
+        <translation>Prüfen Sie, ob es einen Namen von höchstens 200 Bytes hat und ein JSON-Objekt von höchstens 8 MB und 64 Ebenen ist.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that the export of sessions made.</source>
+        <translation>Wählen Sie einen Ordner, den der Export von Sitzungen angelegt hat.</translation>
+    </message>
+    <message>
+        <source>Close other windows of Macula and delete the same once more.</source>
+        <translation>Schließen Sie andere Fenster von Macula, und löschen Sie dasselbe noch einmal.</translation>
+    </message>
+    <message>
+        <source>It does not lie on the voxels of the images it was drawn on: it is on a grid of its own.</source>
+        <translation>Sie liegt nicht auf den Voxeln der Bilder, auf denen sie gezeichnet wurde: sie ist auf einem eigenen Gitter.</translation>
+    </message>
+    <message>
+        <source>The images it was drawn on are not there: it is on a grid of its own.</source>
+        <translation>Die Bilder, auf denen sie gezeichnet wurde, fehlen: sie ist auf einem eigenen Gitter.</translation>
+    </message>
+    <message>
+        <source>1 image</source>
+        <translation>1 Bild</translation>
+    </message>
+    <message>
+        <source>{} images</source>
+        <translation>{} Bilder</translation>
+    </message>
+    <message>
+        <source>The images are no volume.</source>
+        <translation>Die Bilder sind kein Volumen.</translation>
+    </message>
+    <message>
+        <source>There are no images in this series.</source>
+        <translation>In dieser Serie sind keine Bilder.</translation>
+    </message>
+    <message>
+        <source>{:.3g} × {:.3g} × {:.3g} mm</source>
+        <translation>{:.3g} × {:.3g} × {:.3g} mm</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Patient {}</source>
+        <translation>Patient {}</translation>
+    </message>
+    <message>
+        <source>1 series</source>
+        <translation>1 Serie</translation>
+    </message>
+    <message>
+        <source>{} series</source>
+        <translation>{} Serien</translation>
+    </message>
+    <message>
+        <source>Series without a number</source>
+        <translation>Serie ohne Nummer</translation>
+    </message>
+    <message>
+        <source>Series {}: {}</source>
+        <translation>Serie {}: {}</translation>
+    </message>
+    <message>
+        <source>Series without a number: {}</source>
+        <translation>Serie ohne Nummer: {}</translation>
+    </message>
+    <message>
+        <source>no images</source>
+        <translation>keine Bilder</translation>
+    </message>
+    <message>
+        <source>{} so far</source>
+        <translation>bisher {}</translation>
+    </message>
+    <message>
+        <source>1 object</source>
+        <translation>1 Objekt</translation>
+    </message>
+    <message>
+        <source>{} objects</source>
+        <translation>{} Objekte</translation>
+    </message>
+    <message>
+        <source>1 volume</source>
+        <translation>1 Volumen</translation>
+    </message>
+    <message>
+        <source>{} volumes</source>
+        <translation>{} Volumen</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>View of slices</source>
+        <translation>Ansicht von Schichten</translation>
+    </message>
+    <message>
+        <source>Stack {}</source>
+        <translation>Stapel {}</translation>
+    </message>
+    <message>
+        <source>phase {} of {}</source>
+        <translation>Phase {} von {}</translation>
+    </message>
+    <message>
+        <source>1 file left out</source>
+        <translation>1 Datei weggelassen</translation>
+    </message>
+    <message>
+        <source>{} files left out</source>
+        <translation>{} Dateien weggelassen</translation>
+    </message>
+    <message>
+        <source>Modality unknown</source>
+        <translation>Modalität unbekannt</translation>
+    </message>
+    <message>
+        <source>series without a number</source>
+        <translation>Serie ohne Nummer</translation>
+    </message>
+    <message>
+        <source>no description</source>
+        <translation>keine Beschreibung</translation>
+    </message>
+    <message>
+        <source>series {}: {}</source>
+        <translation>Serie {}: {}</translation>
+    </message>
+    <message>
+        <source>series without a number: {}</source>
+        <translation>Serie ohne Nummer: {}</translation>
+    </message>
+    <message>
+        <source>The series that was asked for is not in this folder.</source>
+        <translation>Die verlangte Serie ist nicht in diesem Ordner.</translation>
+    </message>
+    <message>
+        <source>Several studies of this folder have the series that was asked for.</source>
+        <translation>Mehrere Studien dieses Ordners haben die verlangte Serie.</translation>
+    </message>
+    <message>
+        <source>The images of the file that was opened.</source>
+        <translation>Die Bilder der geöffneten Datei.</translation>
+    </message>
+    <message>
+        <source>{}: this is no image.</source>
+        <translation>{}: das ist kein Bild.</translation>
+    </message>
+    <message>
+        <source>No patient name</source>
+        <translation>Kein Patientenname</translation>
+    </message>
+    <message>
+        <source>No patient ID</source>
+        <translation>Keine Patienten-ID</translation>
+    </message>
+    <message>
+        <source>ID {}</source>
+        <translation>ID {}</translation>
+    </message>
+    <message>
+        <source>born {}</source>
+        <translation>geboren {}</translation>
+    </message>
+    <message>
+        <source>no patient ID</source>
+        <translation>keine Patienten-ID</translation>
+    </message>
+    <message>
+        <source>The series has 1 stack of images.</source>
+        <translation>Die Serie hat 1 Bildstapel.</translation>
+    </message>
+    <message>
+        <source>The series has {} stacks of images.</source>
+        <translation>Die Serie hat {} Bildstapel.</translation>
+    </message>
+    <message>
+        <source>This folder is of {}.</source>
+        <translation>Dieser Ordner ist von {}.</translation>
+    </message>
+    <message>
+        <source>Check that it is of the patient you mean; macula info lists all series.</source>
+        <translation>Prüfen Sie, ob es der gemeinte Patient ist; macula info zählt alle Serien auf.</translation>
+    </message>
+    <message>
+        <source>1 file was left out; macula info says why.</source>
+        <translation>1 Datei wurde weggelassen; macula info sagt, warum.</translation>
+    </message>
+    <message>
+        <source>{} files were left out; macula info says why.</source>
+        <translation>{} Dateien wurden weggelassen; macula info sagt, warum.</translation>
+    </message>
+    <message>
+        <source>Built-in phantom</source>
+        <translation>Eingebautes Phantom</translation>
+    </message>
+    <message>
+        <source>File {}</source>
+        <translation>Datei {}</translation>
+    </message>
+    <message>
+        <source>The volume that was chosen.</source>
+        <translation>Das gewählte Volumen.</translation>
+    </message>
+    <message>
+        <source>1 file was left out; the list of studies and `macula info` on the folder say why.</source>
+        <translation>1 Datei wurde weggelassen; die Liste der Studien und `macula info` zum Ordner sagen, warum.</translation>
+    </message>
+    <message>
+        <source>{} files were left out; the list of studies and `macula info` on the folder say why.</source>
+        <translation>{} Dateien wurden weggelassen; die Liste der Studien und `macula info` zum Ordner sagen, warum.</translation>
+    </message>
+    <message>
+        <source>Series {} ({} images) could not be opened: {}</source>
+        <translation>Serie {} ({} Bilder) konnte nicht geöffnet werden: {}</translation>
+    </message>
+    <message>
+        <source>A series without a number ({} images) could not be opened: {}</source>
+        <translation>Eine Serie ohne Nummer ({} Bilder) konnte nicht geöffnet werden: {}</translation>
+    </message>
+    <message>
+        <source>The best volume that can be opened.</source>
+        <translation>Das beste Volumen, das sich öffnen lässt.</translation>
+    </message>
+    <message>
+        <source>The best of the other volumes is shown instead.</source>
+        <translation>Stattdessen wird das beste der anderen Volumen gezeigt.</translation>
+    </message>
+    <message>
+        <source>The best of the other volumes is shown instead, which is of another patient.</source>
+        <translation>Stattdessen wird das beste der anderen Volumen gezeigt, das von einem anderen Patienten ist.</translation>
+    </message>
+    <message>
+        <source>open this study</source>
+        <translation>diese Studie zu öffnen</translation>
+    </message>
+    <message>
+        <source>{} more</source>
+        <translation>{} weitere</translation>
+    </message>
+    <message>
+        <source>patient {} has series {}</source>
+        <translation>Patient {} hat Serie {}</translation>
+    </message>
+    <message>
+        <source>The images that it is of are no volume.</source>
+        <translation>Die Bilder dazu sind kein Volumen.</translation>
+    </message>
+    <message>
+        <source>The series that it is of belongs to another patient.</source>
+        <translation>Die Serie dazu gehört zu einem anderen Patienten.</translation>
+    </message>
+    <message>
+        <source>The series that it is of is not in this folder.</source>
+        <translation>Die Serie dazu ist nicht in diesem Ordner.</translation>
+    </message>
+    <message>
+        <source>Macula does not show presentation states of this kind.</source>
+        <translation>Macula zeigt Presentation States dieser Art nicht.</translation>
+    </message>
+    <message>
+        <source>sagittal</source>
+        <translation>sagittal</translation>
+    </message>
+    <message>
+        <source>coronal</source>
+        <translation>koronar</translation>
+    </message>
+    <message>
+        <source>axial</source>
+        <translation>axial</translation>
+    </message>
+    <message>
+        <source>oblique sagittal</source>
+        <translation>schräg sagittal</translation>
+    </message>
+    <message>
+        <source>oblique coronal</source>
+        <translation>schräg koronar</translation>
+    </message>
+    <message>
+        <source>oblique axial</source>
+        <translation>schräg axial</translation>
+    </message>
+    <message>
+        <source>pixels {:.4g} × {:.4g} mm</source>
+        <translation>Pixel {:.4g} × {:.4g} mm</translation>
+    </message>
+    <message>
+        <source>at {}</source>
+        <translation>bei {}</translation>
+    </message>
+    <message>
+        <source>no localizer</source>
+        <translation>kein Localizer</translation>
+    </message>
+    <message>
+        <source>localizer</source>
+        <translation>Localizer</translation>
+    </message>
+    <message>
+        <source>no {}</source>
+        <translation>ohne Angabe: {}</translation>
+    </message>
+    <message>
+        <source>It is of another patient.</source>
+        <translation>Sie ist von einem anderen Patienten.</translation>
+    </message>
+    <message>
+        <source>It has no frames.</source>
+        <translation>Sie hat keine Einzelbilder.</translation>
+    </message>
+    <message>
+        <source>It lies in another coordinate system (frame of reference) than this volume.</source>
+        <translation>Sie liegt in einem anderen Koordinatensystem (Frame of Reference) als dieses Volumen.</translation>
+    </message>
+    <message>
+        <source>Nothing says that it lies in the coordinate system of this volume.</source>
+        <translation>Nichts sagt, dass sie im Koordinatensystem dieses Volumens liegt.</translation>
+    </message>
+    <message>
+        <source>It was drawn on another series of this coordinate system.</source>
+        <translation>Sie wurde auf einer anderen Serie dieses Koordinatensystems gezeichnet.</translation>
+    </message>
+    <message>
+        <source>read the segmentations</source>
+        <translation>die Segmentierungen zu lesen</translation>
+    </message>
+    <message>
+        <source>use controllers</source>
+        <translation>Controller verwenden</translation>
+    </message>
+    <message>
+        <source>follow the eyes</source>
+        <translation>den Augen folgen</translation>
+    </message>
+    <message>
+        <source>tell where hands are</source>
+        <translation>sagen, wo Hände sind</translation>
+    </message>
+    <message>
+        <source>tell where hands point</source>
+        <translation>sagen, wohin Hände zeigen</translation>
+    </message>
+    <message>
+        <source>tell what hands do</source>
+        <translation>sagen, was Hände tun</translation>
+    </message>
+    <message>
+        <source>be felt in a hand</source>
+        <translation>in der Hand zu spüren sein</translation>
+    </message>
+    <message>
+        <source>keep pictures of that size</source>
+        <translation>Bilder dieser Größe halten</translation>
+    </message>
+    <message>
+        <source>lend its pictures</source>
+        <translation>seine Bilder leihen</translation>
+    </message>
+    <message>
+        <source>lend a picture</source>
+        <translation>ein Bild leihen</translation>
+    </message>
+    <message>
+        <source>take a picture back</source>
+        <translation>ein Bild zurücknehmen</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>antworten</translation>
+    </message>
+    <message>
+        <source>tell what it offers</source>
+        <translation>sagen, was es kann</translation>
+    </message>
+    <message>
+        <source>be reached through its software</source>
+        <translation>über seine Software erreicht werden</translation>
+    </message>
+    <message>
+        <source>tell the name of its software</source>
+        <translation>den Namen seiner Software sagen</translation>
+    </message>
+    <message>
+        <source>be found</source>
+        <translation>gefunden werden</translation>
+    </message>
+    <message>
+        <source>tell its name</source>
+        <translation>seinen Namen sagen</translation>
+    </message>
+    <message>
+        <source>show a picture to each eye</source>
+        <translation>jedem Auge ein Bild zeigen</translation>
+    </message>
+    <message>
+        <source>tell how it shows pictures</source>
+        <translation>sagen, wie es Bilder zeigt</translation>
+    </message>
+    <message>
+        <source>name its controls</source>
+        <translation>seine Bedienelemente nennen</translation>
+    </message>
+    <message>
+        <source>tell which Vulkan it needs</source>
+        <translation>sagen, welches Vulkan es braucht</translation>
+    </message>
+    <message>
+        <source>tell which graphics device it is connected to</source>
+        <translation>sagen, an welche Grafikkarte es angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>open its graphics device</source>
+        <translation>seine Grafikkarte öffnen</translation>
+    </message>
+    <message>
+        <source>begin a session</source>
+        <translation>eine Sitzung beginnen</translation>
+    </message>
+    <message>
+        <source>tell which spaces it knows</source>
+        <translation>sagen, welche Räume es kennt</translation>
+    </message>
+    <message>
+        <source>find its place</source>
+        <translation>seinen Ort finden</translation>
+    </message>
+    <message>
+        <source>tell what it does</source>
+        <translation>sagen, was es tut</translation>
+    </message>
+    <message>
+        <source>go on</source>
+        <translation>weitermachen</translation>
+    </message>
+    <message>
+        <source>begin to show pictures</source>
+        <translation>beginnen, Bilder zu zeigen</translation>
+    </message>
+    <message>
+        <source>stop showing pictures</source>
+        <translation>aufhören, Bilder zu zeigen</translation>
+    </message>
+    <message>
+        <source>tell what its lenses show</source>
+        <translation>sagen, was seine Linsen zeigen</translation>
+    </message>
+    <message>
+        <source>end the session</source>
+        <translation>die Sitzung beenden</translation>
+    </message>
+    <message>
+        <source>tell when it shows a picture</source>
+        <translation>sagen, wann es ein Bild zeigt</translation>
+    </message>
+    <message>
+        <source>begin a picture</source>
+        <translation>ein Bild beginnen</translation>
+    </message>
+    <message>
+        <source>tell where the eyes are</source>
+        <translation>sagen, wo die Augen sind</translation>
+    </message>
+    <message>
+        <source>show a picture</source>
+        <translation>ein Bild zeigen</translation>
+    </message>
+    <message>
+        <source>{}: {} frames in {:.1f} s, {:.1f} a second; {} without pictures.</source>
+        <translation>{}: {} Bilder in {:.1f} s, {:.1f} in der Sekunde; {} davon leer.</translation>
+    </message>
+    <message>
+        <source>This headset cannot show the room behind the anatomy.</source>
+        <translation>Dieses Headset kann den Raum hinter der Anatomie nicht zeigen.</translation>
+    </message>
+    <message>
+        <source>{} It is begun again.</source>
+        <translation>{} Sie wird noch einmal begonnen.</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation>Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Pictures that were taken stay.</source>
+        <translation>Aufgenommene Bilder bleiben.</translation>
+    </message>
+    <message>
+        <source>tell which pictures it takes</source>
+        <translation>sagen, welche Bilder es nimmt</translation>
+    </message>
+    <message>
+        <source>tell whether it sees hands</source>
+        <translation>sagen, ob es Hände sieht</translation>
+    </message>
+    <message>
+        <source>follow hands</source>
+        <translation>Händen folgen</translation>
+    </message>
+    <message>
+        <source>Resting, drawn otherwise</source>
+        <translation>In Ruhe, anders gezeichnet</translation>
+    </message>
+    <message>
+        <source>Resting</source>
+        <translation>In Ruhe</translation>
+    </message>
+    <message>
+        <source>stack {}</source>
+        <translation>Stapel {}</translation>
+    </message>
+    <message>
+        <source>repetition {}</source>
+        <translation>Wiederholung {}</translation>
+    </message>
+    <message>
+        <source>copy {}</source>
+        <translation>Kopie {}</translation>
+    </message>
+    <message>
+        <source>acquisition {}</source>
+        <translation>Aufnahme {}</translation>
+    </message>
+    <message>
+        <source>contrast agent {}</source>
+        <translation>Kontrastmittel {}</translation>
+    </message>
+    <message>
+        <source>made by {}</source>
+        <translation>Hersteller {}</translation>
+    </message>
+    <message>
+        <source>kernel {}</source>
+        <translation>Kernel {}</translation>
+    </message>
+    <message>
+        <source>{} kV</source>
+        <translation>{} kV</translation>
+    </message>
+    <message>
+        <source>gantry tilted by {}°</source>
+        <translation>Gantry um {}° geneigt</translation>
+    </message>
+    <message>
+        <source>field of view {} mm</source>
+        <translation>FOV {} mm</translation>
+    </message>
+    <message>
+        <source>slices {} mm thick</source>
+        <translation>Schichtdicke {} mm</translation>
+    </message>
+    <message>
+        <source>TE {} ms</source>
+        <translation>TE {} ms</translation>
+    </message>
+    <message>
+        <source>echo {}</source>
+        <translation>Echo {}</translation>
+    </message>
+    <message>
+        <source>TR {} ms</source>
+        <translation>TR {} ms</translation>
+    </message>
+    <message>
+        <source>TI {} ms</source>
+        <translation>TI {} ms</translation>
+    </message>
+    <message>
+        <source>flip angle {}°</source>
+        <translation>Flipwinkel {}°</translation>
+    </message>
+    <message>
+        <source>b {} s/mm²</source>
+        <translation>b {} s/mm²</translation>
+    </message>
+    <message>
+        <source>sequence {}</source>
+        <translation>Sequenz {}</translation>
+    </message>
+    <message>
+        <source>trigger time {} ms</source>
+        <translation>Triggerzeit {} ms</translation>
+    </message>
+    <message>
+        <source>time point {}</source>
+        <translation>Zeitpunkt {}</translation>
+    </message>
+    <message>
+        <source>{} % of the heartbeat</source>
+        <translation>{} % des Herzschlags</translation>
+    </message>
+    <message>
+        <source>{} % of the breath</source>
+        <translation>{} % des Atemzugs</translation>
+    </message>
+    <message>
+        <source>frame at {} ms</source>
+        <translation>Frame bei {} ms</translation>
+    </message>
+    <message>
+        <source>bounces</source>
+        <translation>Streuungen</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>light rotation</source>
+        <translation>Drehung der Lichter</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>light strength</source>
+        <translation>Stärke der Lichter</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>surface gradient</source>
+        <translation>Gradient der Oberfläche</translation>
+    </message>
+    <message>
+        <source>per mm</source>
+        <translation>je mm</translation>
+    </message>
+    <message>
+        <source>roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>reflectance</source>
+        <translation>Reflexionsgrad</translation>
+    </message>
+    <message>
+        <source>anisotropy</source>
+        <translation>Anisotropie</translation>
+    </message>
+    <message>
+        <source>steep gradient</source>
+        <translation>Gradient des Steilen</translation>
+    </message>
+    <message>
+        <source>Part of the light that the steepest boundary scatters like a rough, wet surface</source>
+        <translation>Teil des Lichts, den die steilste Grenze wie eine raue, nasse Oberfläche streut</translation>
+    </message>
+    <message>
+        <source>Steepness of a boundary that is half a surface, in values per mm</source>
+        <translation>Steilheit einer Grenze, die halb Oberfläche ist, in Werten je mm</translation>
+    </message>
+    <message>
+        <source>Of surfaces: highlights are smaller and brighter where it is less</source>
+        <translation>Von Oberflächen: Je kleiner, desto kleiner und heller sind Glanzlichter</translation>
+    </message>
+    <message>
+        <source>Of surfaces: the part that they reflect of light which falls straight</source>
+        <translation>Von Oberflächen: der Teil senkrecht einfallenden Lichts, den sie spiegeln</translation>
+    </message>
+    <message>
+        <source>Of what scatters like a cloud: above 0 light goes on forwards, below 0 it comes back</source>
+        <translation>Von dem, was wie eine Wolke streut: Über 0 läuft Licht nach vorn weiter, unter 0 kommt es zurück</translation>
+    </message>
+    <message>
+        <source>Of presets with curves for steep matter: where half of the matter is steep, in values per mm</source>
+        <translation>Bei Voreinstellungen mit Kurven für steile Materie: ab wo die Hälfte der Materie steil ist, in Werten je mm</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::BackgroundMenu</name>
     <message>
         <source>Back&amp;ground</source>
@@ -785,216 +9071,6 @@
     <message>
         <source>Background</source>
         <translation>Hintergrund</translation>
-    </message>
-</context>
-<context>
-    <name>macula::viewer::SecondVolumeBar</name>
-    <message>
-        <source>Study alone</source>
-        <translation>Studie allein</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>Nebeneinander</translation>
-    </message>
-    <message>
-        <source>Second alone</source>
-        <translation>Zweites allein</translation>
-    </message>
-    <message>
-        <source>In colours over the study</source>
-        <translation>Farbig über der Studie</translation>
-    </message>
-    <message>
-        <source>Hot iron</source>
-        <translation>Glühendes Eisen</translation>
-    </message>
-    <message>
-        <source>Green</source>
-        <translation>Grün</translation>
-    </message>
-    <message>
-        <source>Grey</source>
-        <translation>Grau</translation>
-    </message>
-    <message>
-        <source>Second Volume</source>
-        <translation>Zweites Volumen</translation>
-    </message>
-    <message>
-        <source>The second volume</source>
-        <translation>Das zweite Volumen</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Close the second volume; the study stays</source>
-        <translation>Das zweite Volumen schließen; die Studie bleibt</translation>
-    </message>
-    <message>
-        <source>How the second volume is shown</source>
-        <translation>Wie das zweite Volumen gezeigt wird</translation>
-    </message>
-    <message>
-        <source>The second volume beside the study, in its place, or over it. J puts it in the place of the study, and back</source>
-        <translation>Das zweite Volumen neben der Studie, an ihrer Stelle oder darüber. J setzt es an die Stelle der Studie und zurück</translation>
-    </message>
-    <message>
-        <source>How the second volume is linked</source>
-        <translation>Wie das zweite Volumen gekoppelt ist</translation>
-    </message>
-    <message>
-        <source>What takes a place in the study to the same place in the second volume. By hand, the wheel over the second volume moves it alone</source>
-        <translation>Was einen Ort der Studie an denselben Ort im zweiten Volumen führt. Von Hand bewegt das Rad über dem zweiten Volumen nur dieses</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>Von Hand</translation>
-    </message>
-    <message>
-        <source>Same frame of reference</source>
-        <translation>Gleiches Koordinatensystem</translation>
-    </message>
-    <message>
-        <source>Registered</source>
-        <translation>Registriert</translation>
-    </message>
-    <message>
-        <source>Colours of the second volume</source>
-        <translation>Farben des zweiten Volumens</translation>
-    </message>
-    <message>
-        <source>Colours of the second volume where it lies over the study</source>
-        <translation>Farben des zweiten Volumens, wo es über der Studie liegt</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>Farben</translation>
-    </message>
-    <message>
-        <source>Opacity of the second volume in percent</source>
-        <translation>Deckkraft des zweiten Volumens in Prozent</translation>
-    </message>
-    <message>
-        <source>Opacity of the second volume over the study: %1 %</source>
-        <translation>Deckkraft des zweiten Volumens über der Studie: %1 %</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>Window of the second volume from</source>
-        <translation>Fensterung des zweiten Volumens von</translation>
-    </message>
-    <message>
-        <source>Window of the second volume up to</source>
-        <translation>Fensterung des zweiten Volumens bis</translation>
-    </message>
-    <message>
-        <source>Window of the second volume</source>
-        <translation>Fensterung des zweiten Volumens</translation>
-    </message>
-    <message>
-        <source>What is black and what is white of the second volume, in its own unit</source>
-        <translation>Was am zweiten Volumen schwarz und was weiß ist, in seiner eigenen Einheit</translation>
-    </message>
-    <message>
-        <source>Registering…</source>
-        <translation>Wird registriert…</translation>
-    </message>
-    <message>
-        <source>In 3D too</source>
-        <translation>Auch in 3D</translation>
-    </message>
-    <message>
-        <source>The second volume in the 3D picture</source>
-        <translation>Das zweite Volumen im 3D-Bild</translation>
-    </message>
-    <message>
-        <source>The second volume in one 3D picture with the study. It has to be of the same patient, and linked by more than hand; projections show the study alone</source>
-        <translation>Das zweite Volumen in einem 3D-Bild mit der Studie. Es muss vom selben Patienten und anders als von Hand verknüpft sein; Projektionen zeigen die Studie allein</translation>
-    </message>
-    <message>
-        <source>Second volume in 3D</source>
-        <translation>Zweites Volumen in 3D</translation>
-    </message>
-    <message>
-        <source>Preset of the second volume in 3D</source>
-        <translation>Voreinstellung des zweiten Volumens in 3D</translation>
-    </message>
-    <message>
-        <source>What the second volume is drawn with in 3D: window, colours and opacity from here, or a preset</source>
-        <translation>Womit das zweite Volumen in 3D gezeichnet wird: Fensterung, Farben und Deckkraft von hier, oder eine Voreinstellung</translation>
-    </message>
-    <message>
-        <source>Preset of the second volume</source>
-        <translation>Voreinstellung des zweiten Volumens</translation>
-    </message>
-    <message>
-        <source>As over slices</source>
-        <translation>Wie über Schichten</translation>
-    </message>
-    <message>
-        <source>One window</source>
-        <translation>Ein Fenster</translation>
-    </message>
-    <message>
-        <source>One window for the study and the second volume</source>
-        <translation>Ein Fenster für die Untersuchung und das zweite Volumen</translation>
-    </message>
-    <message>
-        <source>Slices of both through one window, as phases are compared. Both have to have one unit</source>
-        <translation>Schichten von beiden durch ein Fenster, wie Phasen verglichen werden. Beide müssen eine Einheit haben</translation>
-    </message>
-</context>
-<context>
-    <name>macula::viewer::SecondVolumeLoader</name>
-    <message>
-        <source>Registering the second volume</source>
-        <translation>Das zweite Volumen wird registriert</translation>
-    </message>
-    <message>
-        <source>Opening the second volume</source>
-        <translation>Das zweite Volumen wird geöffnet</translation>
-    </message>
-    <message>
-        <source>There is no study that a second volume could be beside.</source>
-        <translation>Es gibt keine Studie, neben der ein zweites Volumen stehen könnte.</translation>
-    </message>
-    <message>
-        <source>Open a study first.</source>
-        <translation>Öffnen Sie zuerst eine Studie.</translation>
-    </message>
-    <message>
-        <source>Second volume closed</source>
-        <translation>Zweites Volumen geschlossen</translation>
-    </message>
-    <message>
-        <source>This is the volume that is open already.</source>
-        <translation>Das ist das Volumen, das schon offen ist.</translation>
-    </message>
-    <message>
-        <source>Choose another series to stand beside it.</source>
-        <translation>Wählen Sie eine andere Serie, die daneben steht.</translation>
-    </message>
-    <message>
-        <source>Second volume</source>
-        <translation>Zweites Volumen</translation>
-    </message>
-    <message>
-        <source>Registration</source>
-        <translation>Registrierung</translation>
-    </message>
-    <message>
-        <source>Same frame of reference</source>
-        <translation>Gleiches Koordinatensystem</translation>
-    </message>
-    <message>
-        <source>Linked by hand</source>
-        <translation>Von Hand gekoppelt</translation>
     </message>
 </context>
 <context>
@@ -2559,8 +10635,8 @@
         <translation>Bild oder Volumen öffnen</translation>
     </message>
     <message>
-        <source> What is on screen is still of the study that was open before.</source>
-        <translation> Auf dem Bildschirm ist noch die Studie, die vorher offen war.</translation>
+        <source>What is on screen is still of the study that was open before.</source>
+        <translation>Auf dem Bildschirm ist noch die Studie, die vorher offen war.</translation>
     </message>
 </context>
 <context>
@@ -2966,49 +11042,6 @@
     </message>
 </context>
 <context>
-    <name>macula::viewer::PresetNaming</name>
-    <message>
-        <source>Another name for “%1”.</source>
-        <translation>Ein anderer Name für „%1“.</translation>
-    </message>
-    <message>
-        <source>Rename the preset</source>
-        <translation>Voreinstellung umbenennen</translation>
-    </message>
-    <message>
-        <source>A preset of your own, like “%1”.</source>
-        <translation>Eine eigene Voreinstellung, wie „%1“.</translation>
-    </message>
-    <message>
-        <source>Save as copy</source>
-        <translation>Als Kopie speichern</translation>
-    </message>
-    <message>
-        <source>%1, as seen</source>
-        <translation>%1, wie gezeigt</translation>
-    </message>
-    <message>
-        <source>Curve, look, lights, window, clip and camera, as a preset of your own. It is for all studies: clip and camera go with the size of the volume.</source>
-        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung. Sie gilt für alle Studien: Beschnitt und Kamera richten sich nach der Größe des Volumens.</translation>
-    </message>
-    <message>
-        <source>Keep all that is seen</source>
-        <translation>Alles Gezeigte behalten</translation>
-    </message>
-    <message>
-        <source>The transfer function that is shown, as a preset of your own.</source>
-        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung.</translation>
-    </message>
-    <message>
-        <source>Keep the curve</source>
-        <translation>Kurve behalten</translation>
-    </message>
-    <message>
-        <source>Preset</source>
-        <translation>Voreinstellung</translation>
-    </message>
-</context>
-<context>
     <name>macula::viewer::PresetGallery</name>
     <message>
         <source>Undo</source>
@@ -3247,6 +11280,49 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::PresetNaming</name>
+    <message>
+        <source>Another name for “%1”.</source>
+        <translation>Ein anderer Name für „%1“.</translation>
+    </message>
+    <message>
+        <source>Rename the preset</source>
+        <translation>Voreinstellung umbenennen</translation>
+    </message>
+    <message>
+        <source>A preset of your own, like “%1”.</source>
+        <translation>Eine eigene Voreinstellung, wie „%1“.</translation>
+    </message>
+    <message>
+        <source>Save as copy</source>
+        <translation>Als Kopie speichern</translation>
+    </message>
+    <message>
+        <source>%1, as seen</source>
+        <translation>%1, wie gezeigt</translation>
+    </message>
+    <message>
+        <source>Curve, look, lights, window, clip and camera, as a preset of your own. It is for all studies: clip and camera go with the size of the volume.</source>
+        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung. Sie gilt für alle Studien: Beschnitt und Kamera richten sich nach der Größe des Volumens.</translation>
+    </message>
+    <message>
+        <source>Keep all that is seen</source>
+        <translation>Alles Gezeigte behalten</translation>
+    </message>
+    <message>
+        <source>The transfer function that is shown, as a preset of your own.</source>
+        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Keep the curve</source>
+        <translation>Kurve behalten</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::PresetsController</name>
     <message>
         <source>Kept as presets of your own: %1.</source>
@@ -3463,6 +11539,169 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::SecondVolumeBar</name>
+    <message>
+        <source>Study alone</source>
+        <translation>Studie allein</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Second alone</source>
+        <translation>Zweites allein</translation>
+    </message>
+    <message>
+        <source>In colours over the study</source>
+        <translation>Farbig über der Studie</translation>
+    </message>
+    <message>
+        <source>Hot iron</source>
+        <translation>Glühendes Eisen</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Second Volume</source>
+        <translation>Zweites Volumen</translation>
+    </message>
+    <message>
+        <source>The second volume</source>
+        <translation>Das zweite Volumen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close the second volume; the study stays</source>
+        <translation>Das zweite Volumen schließen; die Studie bleibt</translation>
+    </message>
+    <message>
+        <source>How the second volume is shown</source>
+        <translation>Wie das zweite Volumen gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The second volume beside the study, in its place, or over it. J puts it in the place of the study, and back</source>
+        <translation>Das zweite Volumen neben der Studie, an ihrer Stelle oder darüber. J setzt es an die Stelle der Studie und zurück</translation>
+    </message>
+    <message>
+        <source>How the second volume is linked</source>
+        <translation>Wie das zweite Volumen gekoppelt ist</translation>
+    </message>
+    <message>
+        <source>What takes a place in the study to the same place in the second volume. By hand, the wheel over the second volume moves it alone</source>
+        <translation>Was einen Ort der Studie an denselben Ort im zweiten Volumen führt. Von Hand bewegt das Rad über dem zweiten Volumen nur dieses</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Same frame of reference</source>
+        <translation>Gleiches Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Registered</source>
+        <translation>Registriert</translation>
+    </message>
+    <message>
+        <source>Colours of the second volume</source>
+        <translation>Farben des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>Colours of the second volume where it lies over the study</source>
+        <translation>Farben des zweiten Volumens, wo es über der Studie liegt</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Opacity of the second volume in percent</source>
+        <translation>Deckkraft des zweiten Volumens in Prozent</translation>
+    </message>
+    <message>
+        <source>Opacity of the second volume over the study: %1 %</source>
+        <translation>Deckkraft des zweiten Volumens über der Studie: %1 %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Window of the second volume from</source>
+        <translation>Fensterung des zweiten Volumens von</translation>
+    </message>
+    <message>
+        <source>Window of the second volume up to</source>
+        <translation>Fensterung des zweiten Volumens bis</translation>
+    </message>
+    <message>
+        <source>Window of the second volume</source>
+        <translation>Fensterung des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>What is black and what is white of the second volume, in its own unit</source>
+        <translation>Was am zweiten Volumen schwarz und was weiß ist, in seiner eigenen Einheit</translation>
+    </message>
+    <message>
+        <source>Registering…</source>
+        <translation>Wird registriert…</translation>
+    </message>
+    <message>
+        <source>In 3D too</source>
+        <translation>Auch in 3D</translation>
+    </message>
+    <message>
+        <source>The second volume in the 3D picture</source>
+        <translation>Das zweite Volumen im 3D-Bild</translation>
+    </message>
+    <message>
+        <source>The second volume in one 3D picture with the study. It has to be of the same patient, and linked by more than hand; projections show the study alone</source>
+        <translation>Das zweite Volumen in einem 3D-Bild mit der Studie. Es muss vom selben Patienten und anders als von Hand verknüpft sein; Projektionen zeigen die Studie allein</translation>
+    </message>
+    <message>
+        <source>Second volume in 3D</source>
+        <translation>Zweites Volumen in 3D</translation>
+    </message>
+    <message>
+        <source>Preset of the second volume in 3D</source>
+        <translation>Voreinstellung des zweiten Volumens in 3D</translation>
+    </message>
+    <message>
+        <source>What the second volume is drawn with in 3D: window, colours and opacity from here, or a preset</source>
+        <translation>Womit das zweite Volumen in 3D gezeichnet wird: Fensterung, Farben und Deckkraft von hier, oder eine Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Preset of the second volume</source>
+        <translation>Voreinstellung des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>As over slices</source>
+        <translation>Wie über Schichten</translation>
+    </message>
+    <message>
+        <source>One window</source>
+        <translation>Ein Fenster</translation>
+    </message>
+    <message>
+        <source>One window for the study and the second volume</source>
+        <translation>Ein Fenster für die Untersuchung und das zweite Volumen</translation>
+    </message>
+    <message>
+        <source>Slices of both through one window, as phases are compared. Both have to have one unit</source>
+        <translation>Schichten von beiden durch ein Fenster, wie Phasen verglichen werden. Beide müssen eine Einheit haben</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SecondVolumeController</name>
     <message>
         <source>The second volume that was beside this study is not open; open it with Ctrl+B to see both as they were.</source>
@@ -3518,6 +11757,53 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::SecondVolumeLoader</name>
+    <message>
+        <source>Registering the second volume</source>
+        <translation>Das zweite Volumen wird registriert</translation>
+    </message>
+    <message>
+        <source>Opening the second volume</source>
+        <translation>Das zweite Volumen wird geöffnet</translation>
+    </message>
+    <message>
+        <source>There is no study that a second volume could be beside.</source>
+        <translation>Es gibt keine Studie, neben der ein zweites Volumen stehen könnte.</translation>
+    </message>
+    <message>
+        <source>Open a study first.</source>
+        <translation>Öffnen Sie zuerst eine Studie.</translation>
+    </message>
+    <message>
+        <source>Second volume closed</source>
+        <translation>Zweites Volumen geschlossen</translation>
+    </message>
+    <message>
+        <source>This is the volume that is open already.</source>
+        <translation>Das ist das Volumen, das schon offen ist.</translation>
+    </message>
+    <message>
+        <source>Choose another series to stand beside it.</source>
+        <translation>Wählen Sie eine andere Serie, die daneben steht.</translation>
+    </message>
+    <message>
+        <source>Second volume</source>
+        <translation>Zweites Volumen</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Registrierung</translation>
+    </message>
+    <message>
+        <source>Same frame of reference</source>
+        <translation>Gleiches Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Linked by hand</source>
+        <translation>Von Hand gekoppelt</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SegmentationKeeper</name>
     <message>
         <source>Segmentations</source>
@@ -3533,33 +11819,6 @@
             <numerusform>Es gibt eine Segmentierung dieses Volumens: F11.</numerusform>
             <numerusform>Es gibt %n Segmentierungen dieses Volumens: F11.</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>SegmentEdits</name>
-    <message>
-        <source>Cross-hair</source>
-        <translation>Fadenkreuz</translation>
-    </message>
-    <message>
-        <source>Segment in colour</source>
-        <translation>Segment farbig</translation>
-    </message>
-    <message>
-        <source>Segments in 3D</source>
-        <translation>Segmente in 3D</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Segmentations</source>
-        <translation>Segmentierungen</translation>
     </message>
 </context>
 <context>
@@ -3948,148 +12207,6 @@
     </message>
 </context>
 <context>
-    <name>PaneClip</name>
-    <message>
-        <source>Clip</source>
-        <translation>Beschnitt</translation>
-    </message>
-</context>
-<context>
-    <name>PaneMeasurements</name>
-    <message>
-        <source>%1 mm²</source>
-        <translation>%1 mm²</translation>
-    </message>
-    <message>
-        <source>Plane alone: %1</source>
-        <translation>Ebene allein: %1</translation>
-    </message>
-    <message>
-        <source>Measurement</source>
-        <translation>Messung</translation>
-    </message>
-    <message>
-        <source>Measurement removed</source>
-        <translation>Messung entfernt</translation>
-    </message>
-    <message>
-        <source>Measurement moved</source>
-        <translation>Messung verschoben</translation>
-    </message>
-</context>
-<context>
-    <name>PaneRequest</name>
-    <message>
-        <source>In colours: the size of pixels is not calibrated</source>
-        <translation>In Farben: Die Pixelgröße ist nicht kalibriert</translation>
-    </message>
-    <message>
-        <source>In colours: some slices are interpolated</source>
-        <translation>In Farbe: einige Schichten sind interpoliert</translation>
-    </message>
-    <message>
-        <source>In colours: %1</source>
-        <translation>In Farben: %1</translation>
-    </message>
-    <message>
-        <source>The size of its pixels is not calibrated</source>
-        <translation>Die Größe seiner Pixel ist nicht kalibriert</translation>
-    </message>
-    <message>
-        <source>Some of its slices are interpolated</source>
-        <translation>Einige seiner Schichten sind interpoliert</translation>
-    </message>
-    <message>
-        <source>In the plane of the study: %1</source>
-        <translation>In der Ebene der Studie: %1</translation>
-    </message>
-    <message>
-        <source>Not in a plane of the study</source>
-        <translation>Nicht in einer Ebene der Studie</translation>
-    </message>
-</context>
-<context>
-    <name>PictureTexts</name>
-    <message>
-        <source>In colours: %1</source>
-        <translation>In Farben: %1</translation>
-    </message>
-    <message>
-        <source>Middle of the slab: %1</source>
-        <translation>Mitte des Slabs: %1</translation>
-    </message>
-    <message>
-        <source>%1, in %2</source>
-        <translation>%1, in %2</translation>
-    </message>
-    <message>
-        <source>Measurements are of the study alone</source>
-        <translation>Messungen gelten nur für die Studie</translation>
-    </message>
-    <message>
-        <source>Segments: middle of the slab</source>
-        <translation>Segmente: Mitte des Slabs</translation>
-    </message>
-    <message>
-        <source>No memory for this picture: make the window smaller</source>
-        <translation>Kein Speicher für dieses Bild: machen Sie das Fenster kleiner</translation>
-    </message>
-    <message>
-        <source>Segments: fractions of half or more</source>
-        <translation>Segmente: Anteile ab der Hälfte</translation>
-    </message>
-    <message>
-        <source>Segments: nearest voxel of another grid</source>
-        <translation>Segmente: nächstes Voxel eines anderen Rasters</translation>
-    </message>
-    <message>
-        <source>Low values are white, as in the images</source>
-        <translation>Niedrige Werte sind weiß, wie in den Bildern</translation>
-    </message>
-    <message>
-        <source>Low values are white, as is custom for PET</source>
-        <translation>Niedrige Werte sind weiß, wie bei PET üblich</translation>
-    </message>
-    <message>
-        <source>Inverted</source>
-        <translation>Invertiert</translation>
-    </message>
-    <message>
-        <source>Interpolated between dashed lines: no image was taken there</source>
-        <translation>Zwischen gestrichelten Linien interpoliert: dort wurde kein Bild aufgenommen</translation>
-    </message>
-    <message>
-        <source>Some of these slices are interpolated</source>
-        <translation>Einige dieser Schichten sind interpoliert</translation>
-    </message>
-    <message>
-        <source>Some slices of the slab are interpolated</source>
-        <translation>Einige Schichten des Slabs sind interpoliert</translation>
-    </message>
-    <message>
-        <source>Interpolated: no image was taken here</source>
-        <translation>Interpoliert: hier wurde kein Bild aufgenommen</translation>
-    </message>
-</context>
-<context>
-    <name>SliceKeys</name>
-    <message>
-        <source>Inverted</source>
-        <translation>Invertiert</translation>
-    </message>
-</context>
-<context>
-    <name>SliceWindowing</name>
-    <message>
-        <source>Window</source>
-        <translation>Fensterung</translation>
-    </message>
-    <message>
-        <source>Window of the second volume</source>
-        <translation>Fensterung des zweiten Volumens</translation>
-    </message>
-</context>
-<context>
     <name>macula::viewer::SliceCine</name>
     <message>
         <source>Cine</source>
@@ -4116,13 +12233,6 @@
     <message>
         <source>Slice</source>
         <translation>Schicht</translation>
-    </message>
-</context>
-<context>
-    <name>SlicePainting</name>
-    <message>
-        <source>No study is open</source>
-        <translation>Keine Studie ist offen</translation>
     </message>
 </context>
 <context>
@@ -4683,21 +12793,6 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     </message>
 </context>
 <context>
-    <name>WindowContainer</name>
-    <message>
-        <source>Sides of the patient at the left, right, top and bottom: %1, %2, %3, %4</source>
-        <translation>Seiten des Patienten links, rechts, oben und unten: %1, %2, %3, %4</translation>
-    </message>
-    <message>
-        <source>Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm</source>
-        <translation>Links ziehen oder Pfeile gehen um den Patienten herum, das Rad geht näher; Größen sind in mm</translation>
-    </message>
-    <message>
-        <source>The volume in 3D</source>
-        <translation>Das Volumen in 3D</translation>
-    </message>
-</context>
-<context>
     <name>macula::viewer::ViewsController</name>
     <message>
         <source>Open &amp;View…</source>
@@ -4756,6 +12851,341 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <message>
         <source>Stop; what is shown now stays</source>
         <translation>Anhalten; was jetzt zu sehen ist, bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>titles</name>
+    <message>
+        <source>Cinematic</source>
+        <translation>Cinematic</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Klar</translation>
+    </message>
+    <message>
+        <source>Ray cast</source>
+        <translation>Volumen-Rendering</translation>
+    </message>
+    <message>
+        <source>Maximum (MIP)</source>
+        <translation>Maximum (MIP)</translation>
+    </message>
+    <message>
+        <source>Minimum (MinIP)</source>
+        <translation>Minimum (MinIP)</translation>
+    </message>
+    <message>
+        <source>Average (X-ray)</source>
+        <translation>Mittelwert (Röntgen)</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation>Mediastinum</translation>
+    </message>
+    <message>
+        <source>Angiography</source>
+        <translation>Angiographie</translation>
+    </message>
+    <message>
+        <source>SUV 0 to 5</source>
+        <translation>SUV 0 bis 5</translation>
+    </message>
+    <message>
+        <source>SUV 0 to 7</source>
+        <translation>SUV 0 bis 7</translation>
+    </message>
+    <message>
+        <source>SUV 0 to 15</source>
+        <translation>SUV 0 bis 15</translation>
+    </message>
+    <message>
+        <source>SUV 0 to 20</source>
+        <translation>SUV 0 bis 20</translation>
+    </message>
+    <message>
+        <source>Usual for PET</source>
+        <translation>Üblich für PET</translation>
+    </message>
+    <message>
+        <source>Of the series</source>
+        <translation>Der Serie</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alle Werte</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>superior</source>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Own clip</source>
+        <translation>Eigener Beschnitt</translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Benutzerdefiniert</translation>
+    </message>
+    <message>
+        <source>edited</source>
+        <translation>bearbeitet</translation>
+    </message>
+    <message>
+        <source>Daylight</source>
+        <translation>Tageslicht</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Headlight</source>
+        <translation>Stirnlicht</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>Gegenlicht</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>Theatre</source>
+        <translation>Operationssaal</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Only the front half</source>
+        <translation>Nur die vordere Hälfte</translation>
+    </message>
+    <message>
+        <source>Only a ball in the middle</source>
+        <translation>Nur eine Kugel in der Mitte</translation>
+    </message>
+    <message>
+        <source>Left upper front eighth taken out, with the slices on the cuts, air black</source>
+        <translation>Linkes oberes vorderes Achtel herausgenommen, mit den Schichten auf den Schnitten, Luft schwarz</translation>
+    </message>
+    <message>
+        <source>Left upper front eighth taken out, with the slices on the cuts</source>
+        <translation>Linkes oberes vorderes Achtel herausgenommen, mit den Schichten auf den Schnitten</translation>
+    </message>
+    <message>
+        <source>Opened from the front, with the slice on the cut, air black</source>
+        <translation>Von vorn geöffnet, mit der Schicht auf dem Schnitt, Luft schwarz</translation>
+    </message>
+    <message>
+        <source>Opened from the front, with the slice on the cut</source>
+        <translation>Von vorn geöffnet, mit der Schicht auf dem Schnitt</translation>
+    </message>
+    <message>
+        <source>Only the lower half</source>
+        <translation>Nur die untere Hälfte</translation>
+    </message>
+    <message>
+        <source>Only the patient&apos;s left half</source>
+        <translation>Nur die linke Hälfte des Patienten</translation>
+    </message>
+    <message>
+        <source>Only the back half</source>
+        <translation>Nur die hintere Hälfte</translation>
+    </message>
+    <message>
+        <source>Only the patient&apos;s right half</source>
+        <translation>Nur die rechte Hälfte des Patienten</translation>
+    </message>
+    <message>
+        <source>Only an axial slab through the middle, a tenth of the height</source>
+        <translation>Nur ein axialer Slab durch die Mitte, ein Zehntel der Höhe</translation>
+    </message>
+    <message>
+        <source>Only the upper half</source>
+        <translation>Nur die obere Hälfte</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>High</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Cinematic abdomen</source>
+        <translation>Cinematic Abdomen</translation>
+    </message>
+    <message>
+        <source>Cinematic airways</source>
+        <translation>Cinematic Atemwege</translation>
+    </message>
+    <message>
+        <source>Cinematic aorta</source>
+        <translation>Cinematic Aorta</translation>
+    </message>
+    <message>
+        <source>Cinematic bone</source>
+        <translation>Cinematic Knochen</translation>
+    </message>
+    <message>
+        <source>Cinematic bronchi</source>
+        <translation>Cinematic Bronchien</translation>
+    </message>
+    <message>
+        <source>Cinematic chest</source>
+        <translation>Cinematic Thorax</translation>
+    </message>
+    <message>
+        <source>Cinematic colon</source>
+        <translation>Cinematic Kolon</translation>
+    </message>
+    <message>
+        <source>Cinematic coronary arteries</source>
+        <translation>Cinematic Koronararterien</translation>
+    </message>
+    <message>
+        <source>Cinematic teeth</source>
+        <translation>Cinematic Zähne</translation>
+    </message>
+    <message>
+        <source>Cinematic fat</source>
+        <translation>Cinematic Fett</translation>
+    </message>
+    <message>
+        <source>Cinematic head</source>
+        <translation>Cinematic Kopf</translation>
+    </message>
+    <message>
+        <source>Cinematic heart</source>
+        <translation>Cinematic Herz</translation>
+    </message>
+    <message>
+        <source>Cinematic kidneys</source>
+        <translation>Cinematic Nieren</translation>
+    </message>
+    <message>
+        <source>Cinematic liver</source>
+        <translation>Cinematic Leber</translation>
+    </message>
+    <message>
+        <source>Cinematic lung</source>
+        <translation>Cinematic Lunge</translation>
+    </message>
+    <message>
+        <source>Cinematic metal</source>
+        <translation>Cinematic Metall</translation>
+    </message>
+    <message>
+        <source>Cinematic micro-CT</source>
+        <translation>Cinematic Mikro-CT</translation>
+    </message>
+    <message>
+        <source>Cinematic MR brain</source>
+        <translation>Cinematic MR Gehirn</translation>
+    </message>
+    <message>
+        <source>Cinematic MR knee</source>
+        <translation>Cinematic MR Knie</translation>
+    </message>
+    <message>
+        <source>Cinematic MR skin</source>
+        <translation>Cinematic MR Haut</translation>
+    </message>
+    <message>
+        <source>Cinematic MR vessels</source>
+        <translation>Cinematic MR Gefäße</translation>
+    </message>
+    <message>
+        <source>Cinematic MR</source>
+        <translation>Cinematic MR</translation>
+    </message>
+    <message>
+        <source>Cinematic muscle</source>
+        <translation>Cinematic Muskulatur</translation>
+    </message>
+    <message>
+        <source>Cinematic PET</source>
+        <translation>Cinematic PET</translation>
+    </message>
+    <message>
+        <source>Cinematic skeleton</source>
+        <translation>Cinematic Skelett</translation>
+    </message>
+    <message>
+        <source>Cinematic skin</source>
+        <translation>Cinematic Haut</translation>
+    </message>
+    <message>
+        <source>Cinematic soft tissue</source>
+        <translation>Cinematic Weichteile</translation>
+    </message>
+    <message>
+        <source>Cinematic tendons</source>
+        <translation>Cinematic Sehnen</translation>
+    </message>
+    <message>
+        <source>Cinematic vessels</source>
+        <translation>Cinematic Gefäße</translation>
     </message>
 </context>
 </TS>

@@ -8,7 +8,7 @@
 
 #include "viewer/editor/study_editor.h"
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/status/notifications.h"
 #include "viewer/status/status_widgets.h"
@@ -66,9 +66,9 @@ void OpeningController::openFound(std::shared_ptr<const study::FoundVolumes> fou
 void OpeningController::openDropped(const Dropped& what) {
     if (what.count == 1) return open(what.path.toStdString());
     showError({ErrorCode::usage,
-               tr("Only one folder or file can be opened at a time.").toStdString(),
+               Text::verbatim(tr("Only one folder or file can be opened at a time.").toStdString()),
                {},
-               tr("Drop one of them, or the folder that holds them all.").toStdString()});
+               Text::verbatim(tr("Drop one of them, or the folder that holds them all.").toStdString())});
 }
 
 void OpeningController::forgetNotes() {
@@ -114,8 +114,9 @@ void OpeningController::showError(const Error& error) {
 
 // Somebody who reads this looks at a picture, and must not take it for that of what could not be opened.
 Error OpeningController::told(Error error) const {
-    if (context_.session.hasStudy())
-        error.hint += tr(" What is on screen is still of the study that was open before.").toStdString();
+    if (!context_.session.hasStudy()) return error;
+    const QString still = tr("What is on screen is still of the study that was open before.");
+    error.hint = Text::joined({error.hint, Text::verbatim(still.toStdString())}, " ");
     return error;
 }
 

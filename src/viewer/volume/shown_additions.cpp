@@ -87,10 +87,11 @@ void ShownAdditions::join() {
         try {
             return scene::secondIn3d(state, in16Bits(volume));
         } catch (const std::bad_alloc&) {
-            return Error{ErrorCode::outOfMemory,
-                         tr("There is not enough memory for the second volume in 3D.").toStdString(),
-                         {},
-                         tr("Close other programs, or look at it on slices.").toStdString()};
+            return Error{
+                ErrorCode::outOfMemory,
+                Text::verbatim(tr("There is not enough memory for the second volume in 3D.").toStdString()),
+                {},
+                Text::verbatim(tr("Close other programs, or look at it on slices.").toStdString())};
         }
     });
 }
@@ -185,12 +186,13 @@ void ShownAdditions::showNoTints() {
 }
 
 void ShownAdditions::show() {
-    made_.remark.clear();
+    std::vector<Text> remarks;
     if (made_.second && second_)
-        made_.remark =
+        remarks.push_back(
             scene::secondRemark(*made_.second->volume, madeOf_,
-                                study::samePatient(session_.study().identity, second_->study.identity));
-    if (made_.tints) made_.remark += made_.remark.empty() ? "coloured segments" : ", coloured segments";
+                                study::samePatient(session_.study().identity, second_->study.identity)));
+    if (made_.tints) remarks.push_back(Text("coloured segments"));
+    made_.remark = Text::joined(std::move(remarks), ", ");
     // The same once more would begin the picture anew.
     if (made_.isNothing() ? additions_ == nullptr : additions_ && *additions_ == made_) return;
     additions_ = made_.isNothing() ? nullptr : std::make_shared<const Additions>(made_);

@@ -5,7 +5,7 @@
 
 #include "study/open/found_volumes.h"
 #include "viewer/jobs/newest_posted.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

@@ -4,7 +4,7 @@
 
 #include "scene/drawing/shown_clip.h"
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

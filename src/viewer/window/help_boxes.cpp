@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 
@@ -47,8 +47,7 @@ void showKeys(QWidget* parent) {
     QString rows;
     for (const KeyRow& row : kKeys)
         rows += QStringLiteral("<tr><td>%1</td><td>%2</td></tr>")
-                    .arg(chosenFor(row).toHtmlEscaped(),
-                         inWindowsLanguage(QString::fromUtf8(row.does)).toHtmlEscaped());
+                    .arg(chosenFor(row).toHtmlEscaped(), inWindowsLanguage(Text(row.does)).toHtmlEscaped());
     auto* box = new QDialog(parent);
     box->setObjectName(QStringLiteral("keys"));
     box->setWindowTitle(Words::tr("Keys and Mouse"));

@@ -11,7 +11,7 @@
 #include "viewer/clip/clips_controller.h"
 #include "viewer/clip/voxel_cutting.h"
 #include "viewer/keys/shortcuts.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/look/view3d_controller.h"
 #include "viewer/pick/pick_controller.h"
 #include "viewer/quality/quality_controller.h"
@@ -53,9 +53,8 @@ void MainWindow::showStudy(const study::OpenedStudy& study) {
     browser_->onStudyShown();
     status_->onStudyShown();
     QStringList notes = std::move(opening.notes);
-    for (const std::string& assumption : volume.provenance().assumptions)
-        notes << inWindowsLanguage(assumption);
-    for (const std::string& message : study.messages) notes << inWindowsLanguage(message);
+    notes += inWindowsLanguage(volume.provenance().assumptions);
+    notes += inWindowsLanguage(study.messages);
     notifications_->hide();
     notes_->set(NoteOn::study, notes);
     notes_->show();

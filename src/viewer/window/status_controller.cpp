@@ -11,7 +11,7 @@
 #include <variant>
 
 #include "viewer/editor/study_editor.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/panes_controller.h"
 #include "viewer/status/notifications.h"
