@@ -9029,6 +9029,10 @@
         <source>Of presets with curves for steep matter: where half of the matter is steep, in values per mm</source>
         <translation>Bei Voreinstellungen mit Kurven für steile Materie: ab wo die Hälfte der Materie steil ist, in Werten je mm</translation>
     </message>
+    <message>
+        <source>The graphics device stopped responding; the work begins anew on a new one.</source>
+        <translation>Das Grafikgerät antwortet nicht mehr; die Arbeit beginnt auf einem neuen von vorn.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::BackgroundMenu</name>
