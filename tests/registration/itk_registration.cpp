@@ -122,7 +122,8 @@ Result<ItkRegistration> registerByItk(const Volume& fixed, const Volume& moving)
                            .iterations = std::size_t(optimizer->GetCurrentIteration())};
 } catch (const itk::ExceptionObject& exception) {
     // Of made volumes: nothing in it names anybody.
-    return Error{ErrorCode::inputNotUsable, std::string("ITK: ") + exception.GetDescription(), {}, {}};
+    return Error{
+        ErrorCode::inputNotUsable, Text::verbatim(std::string("ITK: ") + exception.GetDescription()), {}, {}};
 }
 
 }  // namespace macula::registration::test
