@@ -98,7 +98,7 @@ TEST(Intensity, SlicesWithoutPaddingGetThatOfTheOthersAndSaySo) {
     slices[0].padding = RawRange{0, 0};
     const auto said = completePadding(slices);
     ASSERT_TRUE(said);
-    EXPECT_NE(said->find("2 of 3"), std::string::npos);
+    EXPECT_NE(said->english().find("2 of 3"), std::string::npos);
     EXPECT_EQ(slices[2].padding, (RawRange{0, 0}));
     EXPECT_FALSE(completePadding(slices));
     slices[1].padding = RawRange{5, 5};
