@@ -17,7 +17,7 @@ struct DenoisePush {
     float foveaRadius;
     float foveaMagnification;
     float parallelMm;  // as in TraceParams
-    int doubts;        // 1: light is taken for noisier than few samples tell
+    int doubts;        // 1: the variance that few samples show is inflated (doubtOf)
 };
 
 MACULA_SHARED_END

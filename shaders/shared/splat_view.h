@@ -20,7 +20,7 @@ struct SplatView {
     vec2 highestSlope;  // out, splats are projected as they would be there
     float nearMm;       // a splat whose centre is nearer along z is not drawn
     float lowPassPx2;   // added to the variance in the picture, along x and y, of what is thin
-    float lowPassLeastPx2;   // of what is not: at most lowPassPx2, see lib/splat_projection.glsl
+    float lowPassLeastPx2;   // of what is not thin: at most lowPassPx2, see lib/splat_projection.glsl
     int compensated;         // 1: opacity is lowered as the low-pass widens; 0: it is not
     int parallel;            // 1: parallel rays along `forward`, and focalPx is per mm; 0: rays from the eye
     float maxAlpha;          // no splat hides more of a pixel than this

@@ -19,7 +19,7 @@ struct LossPair {
     vec4 difference;
 };
 
-// What is not finite in either picture is taken to be equal, and black if it is in the target (not `known`).
+// A pixel that is not finite counts as equal in both; as black in both if it is the target's (not `known`).
 LossPair pairOf(vec4 render, vec4 truth, bool known, bool display) {
     if (!known) return LossPair(vec4(0.0), vec4(0.0));
     render = isFinite(render) ? render : truth;

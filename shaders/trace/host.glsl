@@ -27,7 +27,7 @@ layout(constant_id = 12) const int kPoolViewShift = 0;  // each but the last has
 #ifdef OF_SURFACE_POINTS
 layout(constant_id = 7) const bool kGreyFaces = false;
 #else
-const bool kGreyFaces = false;  // not asked for
+const bool kGreyFaces = false;  // only kernels of surface points ask for it
 #endif
 
 // Not a uniform block: lavapipe (Mesa 22.3) compiles a uniform that decides a branch into the shader, and so

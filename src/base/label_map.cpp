@@ -13,7 +13,7 @@ Result<LabelMap> LabelMap::create(glm::ivec3 size, const glm::dmat4& worldFromVo
         return Error{ErrorCode::inputNotUsable, std::move(message), {}, Text("Choose another segmentation.")};
     };
     if (size.x < 1 || size.y < 1 || size.z < 1) return fail(Text("The segmentation has no voxels."));
-    const auto slice = std::uint64_t(size.x) * std::uint64_t(size.y);  // of three, the product might not fit
+    const auto slice = std::uint64_t(size.x) * std::uint64_t(size.y);  // the product of three might overflow
     if (labels.size() / slice != std::uint64_t(size.z) || labels.size() % slice != 0)
         return fail(Text("The segmentation has not as many voxels as its size says."));
     if (!isInvertibleAffine(worldFromVoxel))

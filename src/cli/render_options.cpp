@@ -147,7 +147,7 @@ void addLights(CLI::App& command, pictures::RenderRequest& o) {
     command.add_option("--lights", o.lights,
                        "Name from macula presets, light rig JSON, or HDR or EXR panorama");
     for (const scene::Parameter& p : scene::parameters()) {
-        if (p.isWhole) continue;  // bounces, which a quality sets too
+        if (p.isWhole) continue;  // bounces are an option of effort: a quality sets them
         command
             .add_option_function<double>(
                 std::string(p.option), [&p, &o](double value) { o.state.numbers[p.id] = value; }, helpOf(p))

@@ -143,7 +143,7 @@ Result<void> measureSurface(const Bench& bench, Shape shape, const TransferFunct
     return keepPicture(bench, shape, "vtk", cast->converged);
 }
 
-// Emission of white light alone: what is seen goes with the values.
+// White everywhere, and denser with the value, so that brightness rises with the values.
 TransferFunction rampOver(double mostValue) {
     TransferFunction function;
     function.name = "ramp";

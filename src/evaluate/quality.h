@@ -52,7 +52,7 @@ struct QualityView {
     std::uint32_t samplesPerPixel = 0;  // MadeFrame
     double resolutionShare = 1.0;
     std::optional<image::SeamVisibility> seam;        // of the fovea's border; nothing without one
-    std::optional<image::EdgeVisibility> silhouette;  // of the truth's in the middle; nothing without one
+    std::optional<image::EdgeVisibility> silhouette;  // along the truth's silhouette in the middle, if any
     std::optional<hybrid::FoveaTimes> foveaTimes;     // MadeFrame
 };
 

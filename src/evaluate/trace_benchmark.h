@@ -18,7 +18,7 @@ inline constexpr int kBenchBounces = 4;
 
 struct TraceBenchmarkOptions {
     int bounces = kBenchBounces;
-    std::optional<trace::Filter> filter;  // nothing: both, one after the other
+    std::optional<trace::Filter> filter;  // nothing: trilinear, then stochastic
     std::uint32_t samplesPerPixel = 16;
     int repetitions = 5;  // those that are compared take turns, so that a busy neighbour hits all
 };

@@ -131,7 +131,7 @@ Result<nifti_1_header> headerFor(const RawImageLayout& image) {
         header.srow_y[column] = static_cast<float>(rows.m[1][column]);
         header.srow_z[column] = static_cast<float>(rows.m[2][column]);
     }
-    // What is the scanner's are DICOM's patient coordinates, with two axes turned around.
+    // The scanner's coordinates are DICOM's patient coordinates with two axes reversed.
     header.sform_code = NIFTI_XFORM_SCANNER_ANAT;
 
     std::array<double, 10> q{};

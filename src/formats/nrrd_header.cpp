@@ -92,8 +92,8 @@ Result<Parsed> parse(const fs::path& path) {
     return parsed;
 }
 
-// Of four axes, the last of which does not lie in space, makes three, and gives back how many volumes there
-// are: one for each point in time, or each of a list.
+// Drops the last of four axes if it does not lie in space, and returns how many volumes lie along it: one for
+// each point in time, or each of a list. Else returns 1.
 std::size_t takeVolumes(Fields& fields) {
     auto sizes = words(valueOf(fields, "sizes"));
     auto directions = words(valueOf(fields, "spacedirections"));

@@ -97,7 +97,7 @@ Result<std::vector<std::uint8_t>> drawSheet(const std::shared_ptr<gpu::Device>& 
                                     .width = request.tilePx,
                                     .height = request.tilePx}));
     MACULA_TRY(const LightsOfLooks lights, lightsOfLooks());
-    // Looks without lights want some all the same.
+    // Looks that use no lights need an environment all the same.
     MACULA_TRY_VOID(tracer.scene().setEnvironment(trace::Environment::constant(glm::vec3(0.0f))));
     progress.beginStage(Text("Drawing"), request.presets.size());
     for (std::size_t i = 0; i < request.presets.size(); ++i) {

@@ -9,8 +9,8 @@
 
 namespace macula::presets {
 
-// Counts of the stored values of a volume, over a share of its voxels: evenly taken, and enough for a
-// thousandth of them to be found. The volume must be stored16, and outlive it.
+// Counts the stored values of an evenly spaced sample of the voxels of a volume, large enough to find what a
+// thousandth of them hold. The volume must be stored16, and outlive this object.
 class SeenValues {
   public:
     explicit SeenValues(const Volume& volume);

@@ -5,8 +5,8 @@
 
 namespace macula::presets {
 
-// Every VolumeProperty. The modality comes from its name. An effective range that cannot be read is left out,
-// and said: the one of CT-X-ray has two points in a number. Fails with inputNotUsable.
+// Reads every VolumeProperty. The modality comes from its name. Leaves out an effective range that it cannot
+// read, and notes it: in that of CT-X-ray a number has two points. Fails with inputNotUsable.
 Result<ImportedPresets> presetsFromSlicerXml(const PresetText& file);
 
 }  // namespace macula::presets

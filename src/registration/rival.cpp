@@ -9,7 +9,7 @@ namespace macula::registration {
 
 namespace {
 
-constexpr double kStepMm = 5.0;  // a third of the distance of cervical vertebrae, the nearest of a spine
+constexpr double kStepMm = 5.0;  // a third of the spacing of cervical vertebrae, the closest in a spine
 constexpr int kStepsEachWay = 32;
 constexpr double kApartMm = 10.0;  // nearer than that it is the same answer
 constexpr std::size_t kMostPeaks = 3;

@@ -40,7 +40,7 @@ class LockFile {
     Result<void> acquire(off_t byte, Hold hold, std::chrono::milliseconds patience);
     void release(off_t byte);
 
-    // Locks the byte, shared and counted: it is released when each added mark is removed.
+    // Locks the byte, shared and counted: it is released once all added marks are removed.
     Result<void> addMark(off_t byte);
     void removeMark(off_t byte);
     // Whether this store or another has marked the byte; true if that cannot be determined.

@@ -94,7 +94,7 @@ Result<void> beginPurge(const StoreState& state) {
     return syncToDisk(state.folder);
 }
 
-// Nobody can tell of which study a damaged row is.
+// Nobody can tell to which study a damaged row belongs.
 void deleteDamagedRows(StoreState& state, PurgeReport& report) {
     for (const Table* table : {&kModels, &kDocuments}) {
         std::vector<std::string> damaged;

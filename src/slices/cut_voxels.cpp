@@ -166,7 +166,7 @@ void CutVoxels::forEach(const std::function<void(const glm::ivec3&)>& visit) con
 bool CutVoxels::counts(const glm::ivec3& voxel) const {
     const glm::dvec3 fromCentreMm = transformPoint(worldFromVoxel_, glm::dvec3(voxel)) - centreMm_;
     const glm::dvec2 middleMm(glm::dot(fromCentreMm, rightMm_), glm::dot(fromCentreMm, downMm_));
-    // Most voxels are all within, or all without.
+    // Most voxels lie wholly inside the ellipse, or wholly outside: only the others need their cut.
     const double middle = radiiFromCentre(middleMm, radiiMm_);
     const double reach = voxelRadiusMm_ / std::min(radiiMm_.x, radiiMm_.y);
     if (middle + reach <= 1.0) return true;

@@ -81,7 +81,7 @@ Span readLine(const VoxelGrid<Voxels>& grid, const Line& line, Filter filter, st
     return all;
 }
 
-// What a row of a slab has come to. `row` is NaN at first.
+// Projects the planes of a slab onto a row of pixels, plane by plane. `row` is NaN at first.
 class SlabRow {
   public:
     SlabRow(Projection projection, std::span<float> row) : projection_(projection), row_(row) {

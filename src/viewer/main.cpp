@@ -277,7 +277,7 @@ int main(int argc, char** argv) {
     // patients. Below a file that is no folder nothing can be written.
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QStringLiteral("/dev/null"));
     QApplication application(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");  // which Qt has set to that of the desktop: libraries write files
+    std::setlocale(LC_NUMERIC, "C");  // Qt set that of the desktop, and libraries write files with it
     const ReadSettings read = readSettingsFor(*line);
     const CommandLine wanted = withSettings(*line, read.settings);
     const bool isScript = wanted.script != CommandLine::Script::none;

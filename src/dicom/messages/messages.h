@@ -11,8 +11,8 @@
 namespace macula::dicom {
 
 using macula::Message;
-using macula::TextArgument;
 using macula::Severity;
+using macula::TextArgument;
 
 // The name of a severity for programs: "info", "warning", "blocks-3d", "blocks-loading".
 std::string_view nameOf(Severity severity);

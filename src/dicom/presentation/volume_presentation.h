@@ -102,7 +102,7 @@ enum class RenderingMethod { volumeRendered, maximum, minimum };
 struct VolumePresentation {
     std::string label = "VOLUME";  // at most 16 of A to Z, 0 to 9, blank and underscore
     std::string description;       // at most 64 characters; may contain a name
-    std::string creationDate;      // YYYYMMDD; empty when written: now
+    std::string creationDate;      // YYYYMMDD; if it is empty, the writer takes the present
     std::string creationTime;      // HHMMSS
     PresentedSeries series;
     RenderingMethod method = RenderingMethod::volumeRendered;

@@ -19,7 +19,7 @@ namespace macula::dicom {
 namespace {
 
 constexpr double kSmallBoxBytes = 1e7;
-constexpr double kMostVoxelsPerPixel = 64.0;  // of a box that two small frames far apart may span
+constexpr double kMostVoxelsPerPixel = 64.0;  // of a box: two small frames far apart could span a huge one
 
 Error notUsable(const Segmentation& segmentation, Text message, Text hint) {
     return {ErrorCode::inputNotUsable, std::move(message), segmentation.file.string(), std::move(hint)};

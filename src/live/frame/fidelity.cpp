@@ -1,6 +1,5 @@
 #include "live/frame/fidelity.h"
 
-
 namespace macula::live {
 
 namespace {

@@ -29,7 +29,7 @@ constexpr JsonRange kDiagonals{-1e6, 1e6};
 constexpr JsonRange kHeightInDiagonals{1e-12, 1e12};
 constexpr char32_t kNoLetter = 0xffffffff;
 
-// The next letter of a text in UTF-8, which gets shorter by it; kNoLetter where there is none.
+// Takes the first character off a UTF-8 text that is not empty; a malformed one stays, and gives kNoLetter.
 char32_t takeLetter(std::string_view& text) {
     const auto byte = [&](std::size_t i) { return char32_t(static_cast<unsigned char>(text[i])); };
     const char32_t first = byte(0);

@@ -1,4 +1,4 @@
-// The light of surface points, less noisy by that of their neighbours.
+// The light of surface points, which share their paths with neighbours and so have less noise.
 #pragma once
 
 #include <span>

@@ -32,7 +32,7 @@ bool sameView(const View& a, const View& b) {
            sameFovea(a.foveation, b.foveation, 0.0);
 }
 
-// The angle by which the camera's axes have turned, at most; nothing where a camera has none.
+// The larger of the turns of the forward and the up axis; nothing where a camera has no axes.
 std::optional<double> turnDeg(const Camera& from, const Camera& to) {
     const auto eyeFrom = basis(from);
     const auto eyeTo = basis(to);

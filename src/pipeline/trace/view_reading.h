@@ -14,8 +14,8 @@ namespace macula::trace {
 
 class SampledPicture;
 
-// The radiance and samples of a TracedImage, and the guides' coverage along the centre rays. A quarter of the
-// bytes of a TracedImage and its guides, and the host has little to do with them.
+// The radiance and samples of a TracedImage, and the guides' coverage along the centre rays: a quarter of the
+// bytes of a TracedImage and its guides, and little work for the host.
 struct TracedColours {
     int width = 0;
     int height = 0;

@@ -171,7 +171,7 @@ Camera cameraAt(const CameraPath& path, double atS) {
     if (t <= 0.0) return a;
     if (const auto smooth = smoothly(stops, std::size_t(std::prev(after) - stops.begin()), t)) return *smooth;
     const bool isParallelNow = isParallelBetween(a, b);
-    if (!isParallelNow) {  // an eye that sees as much
+    if (!isParallelNow) {  // parallel cameras become eyes that see as much
         a = inPerspective(a);
         b = inPerspective(b);
     }

@@ -48,8 +48,8 @@ struct MovedClip {
     OptionalClip clip;
     Cuts cuts;
 };
-// Moves the part of the handle through `mm`; for a ball its surface or its centre. Fails with usage as the
-// functions of edited_clip.h, and for a part that no longer exists.
+// Moves the handle's part to pass through the point `mm`: of a ball, its surface or its centre. Fails with
+// usage as the functions of edited_clip.h do, and for a part that no longer exists.
 Result<MovedClip> withHandleAt(const OptionalClip& clip, const Cuts& cuts, const ClipHandle& handle,
                                const glm::dvec3& mm, const Volume& volume);
 

@@ -38,7 +38,7 @@ TransferFunction withoutColourPoint(TransferFunction function, std::size_t index
 TransferFunction withSteepCurves(TransferFunction function);
 TransferFunction withoutSteepCurves(TransferFunction function);
 
-// Moves all curves by so much towards larger values, and the effective range with them, unless the preset is
+// Moves all curves by `by` towards larger values, and the effective range with them, unless the preset is
 // fitted by it. Stops at presets::kLargestValue.
 TransferFunction shifted(TransferFunction function, double by);
 // Maps value to about + factor * (value - about), and scales gradients too, as a fit does. The factor is

@@ -13,7 +13,7 @@ namespace macula::study {
 
 namespace {
 
-// Written by programs in different digits.
+// Rounds, because programs write the same direction with different numbers of digits.
 long long thousandths(double value) {
     return std::llround(1000.0 * value);
 }

@@ -93,7 +93,7 @@ Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& fou
         if (progress.cancelled())
             return Error{ErrorCode::cancelled, Text("Reading segmentations was cancelled."), {}, {}};
         FoundSegmentation each = read(found.scan(), candidate, volume);
-        if (digests.insert(each.digest).second) all.push_back(std::move(each));  // copies are one
+        if (digests.insert(each.digest).second) all.push_back(std::move(each));  // copies count once
         progress.advance();
     }
     std::stable_partition(all.begin(), all.end(), std::mem_fn(&FoundSegmentation::canBeShown));

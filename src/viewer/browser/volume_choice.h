@@ -8,8 +8,8 @@
 
 namespace macula::viewer {
 
-// Lists "1 of 3" and a name for each volume. Names the open volume: a choice changes that only once the other
-// is open.
+// Lists "1 of 3" and a name for each volume. Shows that of the open one: a choice changes it only once the
+// other volume is open.
 class VolumeChoice : public QComboBox {
     Q_OBJECT
 

@@ -23,7 +23,7 @@ class View3dController : public QObject {
     View3dController(const WindowContext& context, const TransferFunctionEditor& transfer);
 
     void redraw();                // after another choice, in the same study
-    void addCamera(QMenu& view);  // standard views, and what fits the picture
+    void addCamera(QMenu& view);  // standard views, and "Fit what is visible"
     void addMarks(QMenu& view);
     void addGaze(QMenu& view);
 

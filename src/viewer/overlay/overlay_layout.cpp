@@ -89,7 +89,7 @@ class Attempt {
     OverlayLayout layout_;
 };
 
-// Between the letters at both sides, where the row meets them.
+// The room between the letters at both sides, where the row meets them.
 Attempt::Row Attempt::roomAt(double top) const {
     Row room{kMarginPx, width_ - kMarginPx};
     const auto meets = [&](const std::optional<PlacedText>& letter) {

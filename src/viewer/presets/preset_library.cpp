@@ -39,7 +39,7 @@ PresetLibrary::PresetLibrary(StudyEditor& session, const std::shared_ptr<live::S
       import_(this, {.progressed = [](const ProgressUpdate&) {},
                      .ended = [this](const Result<presets::ImportedPresets>& read) { onImported(read); }}) {
     mailbox_->library = this;
-    // Before anybody who shows presets hears of the study.
+    // Connected before all that show presets, which ask what fits the new study.
     connect(&session_, &StudyEditor::studyShown, this, [this] {
         fitsVolume_.reset();
         if (session_.hasStudy()) fitsVolume_.emplace(*session_.study().volume);

@@ -122,7 +122,7 @@ void QualityControl::showStop() {
     setToolTip(tr("Quality of frames in motion. %1").arg(words));
 }
 
-// Error by error, time by time; and what the error was measured with, where the picture is made otherwise.
+// A frame's time and errors at this stop; and the bounces of their measurement, if the picture has others.
 QString QualityControl::wordsOf(const live::FrontPoint& stop) const {
     QString words;
     if (slowness_) {

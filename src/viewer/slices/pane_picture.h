@@ -36,7 +36,7 @@ class PanePicture : public QObject {
   private:
     void take(SlicePicture picture);
 
-    std::uint64_t study_ = 0;  // counts what was forgotten
+    std::uint64_t study_ = 0;  // counts forget(): pictures of an earlier count are dropped
     std::optional<SliceRequest> wanted_;
     std::optional<SlicePicture> shown_;
     std::unique_ptr<SliceSampler> sampler_;

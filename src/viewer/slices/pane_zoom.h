@@ -33,7 +33,7 @@ class PaneZoom : public QObject {
     void zoomAt(const QPointF& place, double factor, const glm::ivec2& sizePx);
     void panBy(const glm::dvec2& px);
 
-    // Call before a picture of this size is made: fits the view to it, and tells the view if it is new.
+    // Call before a picture of this size is made. Refits a fitted view, and emits settled() if it is new.
     void settle(const glm::ivec2& sizePx);
 
   Q_SIGNALS:

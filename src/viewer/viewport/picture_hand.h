@@ -33,7 +33,7 @@ class PictureHand : public QObject {
     };
     PictureHand(const Parts& parts, Picture picture);
 
-    bool isMoving() const { return isDragging_ || nudgeEnds_.isActive(); }  // so that frames must be fast
+    bool isMoving() const { return isDragging_ || nudgeEnds_.isActive(); }  // then frames must be fast
     void nudge() { nudgeEnds_.start(); }  // an input without an end event: a key, a wheel notch
     glm::dvec2 pointedAt() const { return pointedAt_; }  // as FrameInput::gaze
 

@@ -1,8 +1,8 @@
 // What a model looks like under another curve or clip, before anything of that is traced. Each splat stands
-// for the matter at its place: it becomes as dense and as coloured as that is now, and goes where nothing is
-// shown any more. What comes to light where the model has no splats gets coarse ones, in the light that the
-// model has learnt (matter_light.h); so do faces of a clip that show grey values. Where nothing was learnt
-// yet, all of it is of coarse splats in the light of the environment.
+// for the matter at its place: it gets the density and colour that this has now, and is removed if nothing is
+// shown there any more. Matter that appears where the model has no splats gets coarse ones, in the light that
+// the model has learnt (matter_light.h); so do clip faces that show grey values. Where nothing was learnt
+// yet, the estimate has only coarse splats, in the light of the environment.
 //
 // An estimate, not a model: it is right about what is hidden and what is shown, and nearly about its light.
 #pragma once

@@ -31,7 +31,7 @@ struct Layers {
 };
 
 struct Display {
-    glm::vec3 background{0.0f};  // in linear light, displayed as it is
+    glm::vec3 background{0.0f};  // in linear light, neither exposed nor tone-mapped
     float exposure = 1.0f;
     trace::ToneMap toneMap = trace::ToneMap::neutral;
     // The picture is premultiplied (as linear light) and has the coverage as alpha; there is no background.

@@ -27,8 +27,8 @@ class EyeDepths {
   public:
     static Result<EyeDepths> create(const std::shared_ptr<gpu::Device>& device);
 
-    // float32 for each pixel of `splats`, row 0 on top, and perhaps more behind that: of where splats cover
-    // more than half; 1 elsewhere. Valid until the next one of that eye. `splats` has depth sums.
+    // The depth of each pixel of `splats` that is more than half covered, else 1: float32, row 0 on top,
+    // perhaps more behind. Valid until the next one of that eye. `splats` has depth sums.
     // outOfMemory.
     Result<const gpu::Buffer*> make(std::size_t eye, const DrawnSplats& splats, const DepthRange& range);
 

@@ -25,7 +25,7 @@ struct CapturedPicture {
     splat::DevicePicture lights;  // linear, premultiplied: means of samples
     gpu::TexelBuffer depths;      // vec2: mm from the eye, negative where there is none; uncertainty, mm
     gpu::Buffer variances;        // float: TracedLight::variances
-    gpu::TexelBuffer trusts;      // float: in those lights, over splats (trust.h); 1 at first
+    gpu::TexelBuffer trusts;      // float: trust in `lights` over splats (trust.h); 1 at first
 };
 
 // Valid until the next picture is reprojected.

@@ -17,7 +17,7 @@ struct StoredModel {
         pending,   // it is looked for
         none,      // there is none
         damaged,   // there was one, which is no longer what was saved
-        warm,      // one of other lights: `splats` to begin with
+        warm,      // one under other lights, whose `splats` training begins with
         stale,     // one of another trainer or tracer: likewise
         drawable,  // `splats` are what was shown when it was saved, and can be shown; the state is read
         whole,     // and here is the state too

@@ -1,4 +1,4 @@
-// Names and numbers of the glTF files of splats, for who writes and who reads them (glb.h).
+// Names and numbers of the glTF files of splats, which the writer and the reader share (glb.h).
 #pragma once
 
 #include <fmt/format.h>
