@@ -190,6 +190,9 @@ TEST(Architecture, RulesFire) {
     EXPECT_NE(whyForbidden("src/viewer/a.cpp", "#include <OpenImageIO/imageio.h>"), "");
     EXPECT_NE(whyForbidden("src/viewer/a.cpp", "#include \"cli/report.h\""), "");
     EXPECT_NE(whyForbidden("src/cli/a.cpp", "#include \"viewer/viewport/viewport.h\""), "");
+    EXPECT_NE(whyForbidden("src/viewer/window/a.cpp", "#include \"viewer/driven/driven_hand.h\""), "");
+    EXPECT_EQ(whyForbidden("src/viewer/driven/a.cpp", "#include \"viewer/window/main_window.h\""), "");
+    EXPECT_EQ(whyForbidden("src/viewer/driven/a.cpp", "#include <QWindow>"), "");
     EXPECT_NE(whyForbidden("src/live/a.cpp", "#include \"evaluate/tradeoff.h\""), "");
     EXPECT_NE(whyForbidden("src/cli/a.cpp", "#include \"evaluate/tradeoff.h\""), "");
     EXPECT_NE(whyForbidden("src/cli/shared/a.cpp", "#include \"evaluate/tradeoff.h\""), "");

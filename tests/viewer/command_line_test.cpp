@@ -1,4 +1,4 @@
-#include "viewer/command_line.h"
+#include "viewer/program/command_line.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,6 @@ TEST(CommandLine, WithoutArgumentsItIsThePhantom) {
     ASSERT_TRUE(line.ok());
     EXPECT_FALSE(line->folder.has_value());
     EXPECT_EQ(line->samples, 512u);
-    EXPECT_EQ(line->script, CommandLine::Script::none);
     EXPECT_TRUE(line->usesModel);
 }
 
@@ -27,80 +26,31 @@ TEST(CommandLine, MeasuresTheMachineAlone) {
 }
 
 TEST(CommandLine, ReadsAllOptions) {
-    const auto line = parse({"/some/folder",
-                             "--preset",
-                             "ct-bone",
-                             "--lights",
-                             "rim",
-                             "--view",
-                             "superior",
-                             "--size",
-                             "800x600",
-                             "--spp",
-                             "7",
-                             "--script",
-                             "orbit",
-                             "--screenshots",
-                             "out",
-                             "--seconds",
-                             "2.5",
-                             "--wait",
-                             "3",
-                             "--rest",
-                             "40",
-                             "--no-model",
-                             "--device",
-                             "llvmpipe",
-                             "--turn",
-                             "30",
-                             "--layout",
-                             "coronal",
-                             "--high-contrast",
-                             "--font-scale",
-                             "1.5"});
+    const auto line = parse({"/some/folder", "--preset", "ct-bone", "--lights", "rim", "--view", "superior",
+                             "--size", "800x600", "--spp", "7", "--no-model", "--device", "llvmpipe",
+                             "--layout", "coronal", "--high-contrast", "--font-scale", "1.5"});
     ASSERT_TRUE(line.ok()) << line.error().message;
     EXPECT_EQ(line->folder, QStringLiteral("/some/folder"));
     EXPECT_EQ(line->view, ViewDirection::superior);
     EXPECT_EQ(line->size, QSize(800, 600));
     EXPECT_EQ(line->samples, 7u);
-    EXPECT_EQ(line->script, CommandLine::Script::orbit);
-    EXPECT_EQ(line->waitSeconds, 3.0);
-    EXPECT_EQ(line->turnSeconds, 30.0);
-    EXPECT_EQ(line->restSeconds, 40.0);
     EXPECT_FALSE(line->usesModel);
     EXPECT_EQ(line->layout, scene::Layout::coronal);
     EXPECT_TRUE(line->highContrast);
     EXPECT_EQ(line->fontScale, 1.5);
-    EXPECT_EQ(line->seconds, 2.5);
     EXPECT_EQ(line->device, QStringLiteral("llvmpipe"));
 }
 
-// What a script is told of sizes is of the volume's picture.
-TEST(CommandLine, APersonSeesFourPanesAndAScriptTheVolume) {
+TEST(CommandLine, APersonSeesFourPanes) {
     EXPECT_EQ(parse({})->layout, scene::Layout::fourPanes);
-    EXPECT_EQ(parse({"--script", "orbit"})->layout, scene::Layout::volume);
-    EXPECT_EQ(parse({"--script", "orbit", "--layout", "fourPanes"})->layout, scene::Layout::fourPanes);
-    // These are of the window as a person has it.
-    for (const char* name : {"session", "opening"})
-        EXPECT_EQ(parse({"--script", name})->layout, scene::Layout::fourPanes) << name;
-    const auto stations = parse({"--script", "stations", "--screenshots", "x"});
-    ASSERT_TRUE(stations.ok());
-    EXPECT_EQ(stations->script, CommandLine::Script::stations);
-    EXPECT_FALSE(stations->namesPatient);
-    EXPECT_FALSE(parse({"--script", "stations"}).ok()) << "there is no folder for them";
-    EXPECT_FALSE(parse({"--script", "session", "--screenshots", "x"}).ok());
-    EXPECT_FALSE(parse({"--until", "open"}).ok());
-    EXPECT_EQ(parse({"--script", "stations", "--screenshots", "x", "--until", "open"})->lastStation,
-              QStringLiteral("open"));
+    EXPECT_FALSE(parse({})->choosesLayout);
 }
 
-// A script measures: what was learnt before would be in its figures.
-TEST(CommandLine, SessionsAreKeptUnlessAScriptOrAPersonSaysNo) {
+TEST(CommandLine, SessionsAreKeptUnlessAPersonSaysNo) {
     EXPECT_TRUE(parse({})->keepsStudies);
     EXPECT_EQ(parse({})->sessions, std::nullopt);
     EXPECT_FALSE(parse({"--no-session"})->keepsStudies);
-    EXPECT_FALSE(parse({"--script", "orbit"})->keepsStudies);
-    const auto told = parse({"--script", "orbit", "--sessions", "x"});
+    const auto told = parse({"--sessions", "x"});
     EXPECT_TRUE(told->keepsStudies);
     EXPECT_EQ(told->sessions, QStringLiteral("x"));
     EXPECT_FALSE(parse({})->choosesView);
@@ -116,7 +66,6 @@ TEST(CommandLine, NothingIsDeletedByItselfUnlessDaysAreTold) {
     EXPECT_EQ(parse({})->keepDays, 30);
     EXPECT_EQ(parse({"--keep-days", "90"})->keepDays, 90) << "the option counts more";
     EXPECT_EQ(parse({"--no-session"})->keepDays, std::nullopt);
-    EXPECT_EQ(parse({"--script", "orbit"})->keepDays, std::nullopt);
     qputenv("MACULA_KEEP_DAYS", "a month");
     const auto wrong = parse({});
     ASSERT_FALSE(wrong.ok());
@@ -126,18 +75,15 @@ TEST(CommandLine, NothingIsDeletedByItselfUnlessDaysAreTold) {
     for (const char* days : {"0", "-1", "36501", "1.5", "nan", "", "99999999999"})
         EXPECT_FALSE(parse({"--keep-days", days}).ok()) << days;
     EXPECT_FALSE(parse({"--keep-days", "9", "--no-session"}).ok());
-    EXPECT_FALSE(parse({"--keep-days", "9", "--script", "orbit"}).ok());
-    EXPECT_EQ(parse({"--keep-days", "9", "--script", "orbit", "--sessions", "x"})->keepDays, 9);
 }
 
 TEST(CommandLine, RefusesWhatDoesNotExist) {
     for (const QStringList& wrong :
          {QStringList{"--view", "sideways"}, QStringList{"--size", "800"}, QStringList{"--size", "8x6"},
           QStringList{"--size", "99999x600"}, QStringList{"--spp", "0"}, QStringList{"--spp", "many"},
-          QStringList{"--seconds", "nan"}, QStringList{"--wait", "-1"}, QStringList{"--rest", "0"},
-          QStringList{"--script", "changes", "--screenshots", "x"}, QStringList{"--seconds", "-1"},
-          QStringList{"--layout", "five"}, QStringList{"--font-scale", "3"}, QStringList{"--script", "dance"},
-          QStringList{"--screenshots", "x"}, QStringList{"--unknown"}, QStringList{"a", "b"}}) {
+          QStringList{"--layout", "five"}, QStringList{"--font-scale", "3"}, QStringList{"--language", "xx"},
+          QStringList{"--screenshots", "x"}, QStringList{"--until", "open"}, QStringList{"--unknown"},
+          QStringList{"a", "b"}}) {
         const auto line = parse(wrong);
         ASSERT_FALSE(line.ok()) << wrong.join(' ').toStdString();
         EXPECT_EQ(line.error().code, ErrorCode::usage);
@@ -146,17 +92,22 @@ TEST(CommandLine, RefusesWhatDoesNotExist) {
     }
 }
 
-TEST(CommandLine, ScreenshotsNameNobodyUnlessThatIsAskedFor) {
-    EXPECT_TRUE(parse({})->namesPatient);
-    EXPECT_TRUE(parse({"--script", "orbit"})->namesPatient);
-    EXPECT_FALSE(parse({"--script", "orbit", "--screenshots", "x"})->namesPatient);
-    EXPECT_TRUE(parse({"--script", "orbit", "--screenshots", "x", "--with-patient"})->namesPatient);
+TEST(CommandLine, ScriptsAreOfAnotherProgram) {
+    const auto line = parse({"--script", "orbit", "--seconds", "2"});
+    ASSERT_FALSE(line.ok());
+    EXPECT_EQ(line.error().code, ErrorCode::usage);
+    EXPECT_NE(line.error().message.english().find("script"), std::string::npos);
+    EXPECT_NE(line.error().hint.english().find("macula-viewer-bench"), std::string::npos);
+    EXPECT_EQ(parse({"--unknown"}).error().hint.english(), "Run macula-viewer --help.");
 }
 
 TEST(CommandLine, HelpNeedsNoDisplay) {
     const auto line = parse({"--help"});
     ASSERT_TRUE(line.ok());
-    EXPECT_TRUE(line->print.value_or(QString()).contains(QStringLiteral("--preset")));
+    const QString text = line->print.value_or(QString());
+    EXPECT_TRUE(text.contains(QStringLiteral("--preset")));
+    EXPECT_TRUE(text.contains(QStringLiteral(" [options] [FOLDER]\n")));
+    EXPECT_FALSE(text.contains(QStringLiteral("--script")));
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <QPushButton>
 #include <cstdlib>
 
-#include "viewer/command_line.h"
 #include "viewer/headset/headset_mirror.h"
 #include "viewer/headset/headset_show.h"
 #include "viewer/offscreen.h"
+#include "viewer/program/command_line.h"
 
 namespace macula::viewer {
 namespace {

@@ -1,5 +1,5 @@
 // A program that is asked to end from outside.
-#include "viewer/quit_signals.h"
+#include "viewer/program/quit_signals.h"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include <fstream>
 
 #include "base/atomic_file.h"
-#include "viewer/command_line.h"
 #include "viewer/offscreen.h"
+#include "viewer/program/command_line.h"
 #include "viewer/settings/settings_dialog.h"
 
 namespace macula::viewer {

@@ -1,4 +1,4 @@
-// The program itself, as a user starts it.
+// The programs themselves, as a user starts them.
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
@@ -25,7 +25,7 @@ struct Outcome {
     QByteArray errors;
 };
 
-Outcome runViewer(const QStringList& arguments, const QStringList& environment = {}) {
+Outcome run(const QString& program, const QStringList& arguments, const QStringList& environment) {
     QProcess process;
     QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
     for (const QString& entry : environment) {
@@ -37,7 +37,7 @@ Outcome runViewer(const QStringList& arguments, const QStringList& environment =
         }
     }
     process.setProcessEnvironment(all);
-    process.start(QStringLiteral(MACULA_VIEWER_PROGRAM), arguments);
+    process.start(program, arguments);
     if (!process.waitForFinished(250'000)) {
         process.kill();
         process.waitForFinished();
@@ -47,6 +47,14 @@ Outcome runViewer(const QStringList& arguments, const QStringList& environment =
             process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
+Outcome runViewer(const QStringList& arguments, const QStringList& environment = {}) {
+    return run(QStringLiteral(MACULA_VIEWER_PROGRAM), arguments, environment);
+}
+
+Outcome runBench(const QStringList& arguments, const QStringList& environment = {}) {
+    return run(QStringLiteral(MACULA_VIEWER_BENCH_PROGRAM), arguments, environment);
+}
+
 class ViewerProgram : public testing::Test {
   protected:
     void SetUp() override {
@@ -54,10 +62,12 @@ class ViewerProgram : public testing::Test {
     }
 };
 
-TEST_F(ViewerProgram, OrbitsThePhantomTakesScreenshotsAndMeasuresItself) {
+using ViewerBenchProgram = ViewerProgram;
+
+TEST_F(ViewerBenchProgram, OrbitsThePhantomTakesScreenshotsAndMeasuresItself) {
     QTemporaryDir folder;
-    const Outcome outcome = runViewer({"--script", "orbit", "--seconds", "2", "--spp", "2", "--size",
-                                       "520x300", "--screenshots", folder.path()});
+    const Outcome outcome = runBench(
+        {"orbit", "--seconds", "2", "--spp", "2", "--size", "520x300", "--screenshots", folder.path()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
 
     const QJsonObject json = QJsonDocument::fromJson(outcome.output).object();
@@ -87,9 +97,8 @@ TEST_F(ViewerProgram, OrbitsThePhantomTakesScreenshotsAndMeasuresItself) {
     }
 }
 
-TEST_F(ViewerProgram, OpensTheStudyAndSaysHowSoon) {
-    const Outcome outcome =
-        runViewer({"--script", "opening", "--no-model", "--spp", "2", "--size", "520x300"});
+TEST_F(ViewerBenchProgram, OpensTheStudyAndSaysHowSoon) {
+    const Outcome outcome = runBench({"opening", "--no-model", "--spp", "2", "--size", "520x300"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
     const QJsonObject json = QJsonDocument::fromJson(outcome.output).object();
     const QJsonObject opening = json["opening"].toObject();
@@ -100,10 +109,10 @@ TEST_F(ViewerProgram, OpensTheStudyAndSaysHowSoon) {
     EXPECT_FALSE(json.contains("orbit"));
 }
 
-TEST_F(ViewerProgram, TakesPicturesOfStations) {
+TEST_F(ViewerBenchProgram, TakesPicturesOfStations) {
     QTemporaryDir folder;
-    const Outcome outcome = runViewer({"--script", "stations", "--until", "studies", "--wait", "1",
-                                       "--no-model", "--spp", "2", "--screenshots", folder.path()});
+    const Outcome outcome = runBench({"stations", "--until", "studies", "--wait", "1", "--no-model", "--spp",
+                                      "2", "--screenshots", folder.path()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
     const QImage open(folder.filePath("open.png"));
     const QImage studies(folder.filePath("studies.png"));
@@ -112,28 +121,44 @@ TEST_F(ViewerProgram, TakesPicturesOfStations) {
     EXPECT_EQ(open.size(), studies.size());
     EXPECT_NE(open, studies) << "a panel is shown";
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 2);
-    EXPECT_EQ(
-        runViewer({"--script", "stations", "--until", "nowhere", "--screenshots", folder.path()}).exitCode,
-        2);
+    EXPECT_EQ(runBench({"stations", "--until", "nowhere", "--screenshots", folder.path()}).exitCode, 2);
+}
+
+void expectSentence(const Outcome& outcome, int code) {
+    EXPECT_EQ(outcome.exitCode, code) << outcome.errors.toStdString();
+    EXPECT_GT(outcome.errors.size(), 20);
 }
 
 TEST_F(ViewerProgram, ExitCodesTellWhatWasWrong) {
-    const auto expectSentence = [](const Outcome& outcome, int code) {
-        EXPECT_EQ(outcome.exitCode, code) << outcome.errors.toStdString();
-        EXPECT_GT(outcome.errors.size(), 20);
-    };
     expectSentence(runViewer({"--view", "sideways"}), 2);
     expectSentence(runViewer({"--preset", "no-such-preset"}), 2);
-    expectSentence(runViewer({"/no/such/folder", "--script", "orbit"}), 3);
-    expectSentence(runViewer({"--device", "no-such-device", "--script", "orbit"}), 2);
-    expectSentence(
-        runViewer({"--script", "orbit"}, {"VK_ICD_FILENAMES=/nowhere.json", "VK_DRIVER_FILES=/nowhere.json"}),
-        4);
     expectSentence(runViewer({}, {"DISPLAY=", "WAYLAND_DISPLAY=", "QT_QPA_PLATFORM="}), 4);
     // A display that was there once; asked for by name, too.
     expectSentence(runViewer({}, {"DISPLAY=:4711", "WAYLAND_DISPLAY=", "QT_QPA_PLATFORM="}), 4);
     expectSentence(runViewer({}, {"DISPLAY=:4711", "WAYLAND_DISPLAY=", "QT_QPA_PLATFORM=xcb"}), 4);
     EXPECT_EQ(runViewer({"--version"}, {"DISPLAY="}).exitCode, 0);
+}
+
+TEST_F(ViewerProgram, RefusesAScriptAndSaysWhoHasIt) {
+    const Outcome outcome = runViewer({"--script", "orbit"}, {"DISPLAY="});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_TRUE(outcome.errors.startsWith("macula-viewer: ")) << outcome.errors.toStdString();
+    EXPECT_TRUE(outcome.errors.contains("macula-viewer-bench")) << outcome.errors.toStdString();
+}
+
+TEST_F(ViewerBenchProgram, ExitCodesTellWhatWasWrong) {
+    const auto expectTold = [](const Outcome& outcome, int code) {
+        expectSentence(outcome, code);
+        EXPECT_TRUE(outcome.errors.contains("macula-viewer-bench: ")) << outcome.errors.toStdString();
+    };
+    expectTold(runBench({}), 2);
+    expectTold(runBench({"dance"}), 2);
+    expectTold(runBench({"orbit", "--preset", "no-such-preset"}), 2);
+    expectTold(runBench({"orbit", "/no/such/folder"}), 3);
+    expectTold(runBench({"orbit", "--device", "no-such-device"}), 2);
+    expectTold(runBench({"orbit"}, {"VK_ICD_FILENAMES=/nowhere.json", "VK_DRIVER_FILES=/nowhere.json"}), 4);
+    expectTold(runBench({"orbit"}, {"DISPLAY=", "WAYLAND_DISPLAY=", "QT_QPA_PLATFORM="}), 4);
+    EXPECT_EQ(runBench({"--version"}, {"DISPLAY="}).exitCode, 0);
 }
 
 // As a virtual display may: one that starts anew with its last client is away for a moment, this one for

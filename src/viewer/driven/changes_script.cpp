@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/exit_codes.h"
+#include "viewer/program/startup.h"
 
 namespace macula::viewer {
 
@@ -59,14 +60,11 @@ ChangesScript::ChangesScript(MainWindow& window, ChangesScriptOptions options, Q
     silence_.setSingleShot(true);
     silence_.setInterval(kSilenceMs);
     connect(&silence_, &QTimer::timeout, this, [this] {
-        std::fputs("No picture came for a minute.\n", stderr);
+        tellError(QStringLiteral("No picture came for a minute."));
         finish(exitCodeOf(ErrorCode::deviceNotUsable));
     });
     connect(&window_, &MainWindow::frameShown, this, &ChangesScript::onFrame);
-    connect(&window_, &MainWindow::failed, this, [this](const Error& error) {
-        std::fprintf(stderr, "%s %s\n", error.message.english().c_str(), error.hint.english().c_str());
-        finish(exitCodeOf(error.code));
-    });
+    connect(&window_, &MainWindow::failed, this, [this](const Error& error) { finish(tellError(error)); });
 }
 
 void ChangesScript::start() {

@@ -18,6 +18,7 @@
 #include <variant>
 
 #include "base/exit_codes.h"
+#include "viewer/program/startup.h"
 
 namespace macula::viewer {
 
@@ -55,10 +56,9 @@ OrbitScript::OrbitScript(MainWindow& window, OrbitScriptOptions options, QObject
     deadline_.setInterval(int(options_.timeoutSeconds * 1000));
     connect(&deadline_, &QTimer::timeout, this, [this] {
         if (phase_ == Phase::resting) return endRest();  // what was measured in motion counts
-        std::fprintf(
-            stderr, "%s within %.0f s.\n",
-            phase_ == Phase::orbiting ? "The picture did not follow the hand" : "No finished picture",
-            options_.timeoutSeconds);
+        const QString what = phase_ == Phase::orbiting ? QStringLiteral("The picture did not follow the hand")
+                                                       : QStringLiteral("No finished picture");
+        tellError(QStringLiteral("%1 within %2 s.").arg(what).arg(options_.timeoutSeconds));
         finish(exitCodeOf(ErrorCode::deviceNotUsable));
     });
     connect(&window_, &MainWindow::frameShown, this, &OrbitScript::onFrame);
@@ -266,8 +266,7 @@ void OrbitScript::report() {
 }
 
 void OrbitScript::fail(const Error& error) {
-    std::fprintf(stderr, "%s %s\n", error.message.english().c_str(), error.hint.english().c_str());
-    finish(exitCodeOf(error.code));
+    finish(tellError(error));
 }
 
 void OrbitScript::finish(int exitCode) {

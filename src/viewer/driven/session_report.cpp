@@ -10,6 +10,7 @@
 
 #include "base/exit_codes.h"
 #include "viewer/driven/workday_script.h"
+#include "viewer/program/startup.h"
 
 namespace macula::viewer {
 
@@ -136,7 +137,7 @@ int reportSession(int code, const QJsonObject& session, const QStringList& argum
         resumed = QJsonDocument::fromJson(again.readAllStandardOutput()).object();
         if (!ended || again.exitStatus() != QProcess::NormalExit || again.exitCode() != 0 ||
             resumed.isEmpty()) {
-            std::fputs("The study could not be opened again.\n", stderr);
+            tellError(QStringLiteral("The study could not be opened again."));
             code = exitCodeOf(ErrorCode::deviceNotUsable);
         }
     }

@@ -18,6 +18,7 @@
 #include "study/open/found_volumes.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/driven/session_steps.h"
+#include "viewer/program/startup.h"
 #include "viewer/second/second_volume_loader.h"
 #include "viewer/slices/slice_view.h"
 
@@ -40,10 +41,7 @@ StationsScript::StationsScript(MainWindow& window, StationsScriptOptions options
         isConverged_ = frame.stage == live::Stage::converged;
     });
     connect(&window_.viewport(), &Viewport::otherPictureWanted, this, [this] { isConverged_ = false; });
-    connect(&window_, &MainWindow::failed, this, [this](const Error& error) {
-        std::fprintf(stderr, "%s %s\n", error.message.english().c_str(), error.hint.english().c_str());
-        finish(exitCodeOf(error.code));
-    });
+    connect(&window_, &MainWindow::failed, this, [this](const Error& error) { finish(tellError(error)); });
 }
 
 bool StationsScript::isAtRest() const {
@@ -190,7 +188,7 @@ void StationsScript::closeDialogs() {
 
 void StationsScript::start() {
     if (!QDir().mkpath(options_.folder)) {
-        std::fputs("The folder for the pictures cannot be made.\n", stderr);
+        tellError(QStringLiteral("The folder for the pictures cannot be made."));
         QTimer::singleShot(0, this, [this] { finish(exitCodeOf(ErrorCode::outputNotWritable)); });
         return;
     }
@@ -198,7 +196,7 @@ void StationsScript::start() {
     if (!options_.until.isEmpty()) {
         const auto last = std::ranges::find(all, options_.until, &DrivenStep::name);
         if (last == all.end()) {
-            std::fprintf(stderr, "There is no station '%s'.\n", options_.until.toUtf8().constData());
+            tellError(QStringLiteral("There is no station '%1'.").arg(options_.until));
             QTimer::singleShot(0, this, [this] { finish(kExitUsage); });
             return;
         }
@@ -213,7 +211,7 @@ void StationsScript::start() {
 
 void StationsScript::onEnded(const MeasuredStep& step) {
     if (step.name == QLatin1String("-opening") && !step.isDone) {
-        std::fputs("No picture came in time.\n", stderr);
+        tellError(QStringLiteral("No picture came in time."));
         return finish(exitCodeOf(ErrorCode::deviceNotUsable));
     }
     const bool isOfSecond = step.name == QLatin1String("beside") || step.name == QLatin1String("fusion");
@@ -235,8 +233,7 @@ void StationsScript::end() {
     QThreadPool::globalInstance()->waitForDone();
     std::fputs(QJsonDocument(names_).toJson(QJsonDocument::Indented).constData(), stdout);
     std::fflush(stdout);
-    for (const QString& name : hand_.missing())
-        std::fprintf(stderr, "Not there: %s.\n", name.toUtf8().constData());
+    for (const QString& name : hand_.missing()) tellError(QStringLiteral("Not there: %1.").arg(name));
     if (failedPictures > 0) return finish(exitCodeOf(ErrorCode::outputNotWritable));
     finish(hand_.missing().isEmpty() ? kExitDone : kExitFault);
 }

@@ -2,10 +2,10 @@
 
 #include <QJsonArray>
 #include <cmath>
-#include <cstdio>
 #include <variant>
 
 #include "base/exit_codes.h"
+#include "viewer/program/startup.h"
 
 namespace macula::viewer {
 
@@ -67,7 +67,7 @@ void WorkdayScript::start() {
     steps_ = std::make_unique<DrivenSteps>(steps());
     connect(steps_.get(), &DrivenSteps::ended, this, [this](const MeasuredStep& step) {
         if (step.name == QLatin1String("opening") && !step.isDone) {
-            std::fputs("No picture came in time.\n", stderr);
+            tellError(QStringLiteral("No picture came in time."));
             finish(exitCodeOf(ErrorCode::deviceNotUsable));
         }
     });
@@ -76,11 +76,10 @@ void WorkdayScript::start() {
         for (const MeasuredStep& step : steps_->measured()) {
             // Looks without a model have none.
             if (step.isDone || step.name == QLatin1String("model")) continue;
-            std::fprintf(stderr, "Not done: %s.\n", step.name.toUtf8().constData());
+            tellError(QStringLiteral("Not done: %1.").arg(step.name));
             isWhole = false;
         }
-        for (const QString& name : hand_.missing())
-            std::fprintf(stderr, "Not there: %s.\n", name.toUtf8().constData());
+        for (const QString& name : hand_.missing()) tellError(QStringLiteral("Not there: %1.").arg(name));
         finish(isWhole ? kExitDone : kExitFault);
     });
     opening_.start();
@@ -101,8 +100,7 @@ QJsonObject WorkdayScript::report() const {
 }
 
 void WorkdayScript::fail(const Error& error) {
-    std::fprintf(stderr, "%s %s\n", error.message.english().c_str(), error.hint.english().c_str());
-    finish(exitCodeOf(error.code));
+    finish(tellError(error));
 }
 
 void WorkdayScript::finish(int exitCode) {

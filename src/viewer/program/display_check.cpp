@@ -1,4 +1,4 @@
-#include "viewer/display_check.h"
+#include "viewer/program/display_check.h"
 
 #ifdef __linux__
 #include <dlfcn.h>

@@ -1,4 +1,4 @@
-#include "viewer/quit_signals.h"
+#include "viewer/program/quit_signals.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -35,16 +35,7 @@ struct CommandLine {
     bool calibrates = false;          // only measures this machine's speed and prints it
     bool showsInHeadset = false;      // the study, once it is open
     bool choosesView = false;         // an option says how the study is shown
-    // `session` itself starts `opening`.
-    enum class Script { none, orbit, changes, session, opening, stations } script = Script::none;
-    QString screenshots;
-    QString lastStation;       // of the script `stations`; empty: all
-    bool namesPatient = true;  // on screen; in screenshots only on request
-    double waitSeconds = 0.0;
-    double turnSeconds = 8.0;
-    double seconds = 8.0;
-    double restSeconds = 300.0;
-    std::optional<QString> print;  // the help or version text to print before exiting
+    std::optional<QString> print;     // the help or version text to print before exiting
 };
 
 // `arguments` begins with the program's name. Without --keep-days, MACULA_KEEP_DAYS of the environment
