@@ -153,9 +153,7 @@ Result<void> splatRender(const SplatRenderOptions& options) {
     std::vector<std::string> empty;
     const auto stopped = [&] {
         return Error{ErrorCode::cancelled,
-                     Text("Stopped; {} of {} pictures were written.", done, shots.size()),
-                     {},
-                     {}};
+                     Text("Stopped; {} of {} pictures were written.", done, shots.size())};
     };
     const auto drawRest = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
         MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(on, splats));

@@ -51,7 +51,7 @@ Result<std::unique_ptr<QApplication>> openApplication(int& argc, char** argv) {
     // patients. Below a file that is no folder nothing can be written.
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QStringLiteral("/dev/null"));
     auto application = std::make_unique<QApplication>(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");  // which Qt has set to that of the desktop: libraries write files
+    std::setlocale(LC_NUMERIC, "C");  // Qt set that of the desktop, and libraries write files with it
     return application;
 }
 
