@@ -23,11 +23,11 @@ class EstimatedModel {
   public:
     explicit EstimatedModel(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
-    // Makes estimates from the voxels alone, lit as the drawing: no model of the volume exists yet. Does
-    // nothing if canTell() already accepts the drawing, or would not accept it afterwards.
+    // From now on estimates are made from the voxels alone, in the light of the drawing: the volume has no
+    // model yet. Does nothing if canTell() already accepts the drawing, or would not accept it afterwards.
     void begin(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing);
-    // From now on estimates are made from this model. It was learnt from that drawing of the volume, and its
-    // light is `gain` times that of traced pictures.
+    // From now on estimates are made from this model, which was learnt from that drawing of the volume. Its
+    // light times `gain` is as bright as traced pictures (LiveModel::gain).
     void learnt(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing,
                 std::shared_ptr<const splat::Splats> model, double gain);
     // Whether an estimate of that drawing is possible: another curve, clip or both, of the same volume under

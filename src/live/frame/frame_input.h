@@ -44,7 +44,7 @@ struct FrameInput {
     std::shared_ptr<const PictureText> marks{};
     glm::vec3 background{scene::kWindowBackground};  // as displayed, in linear light: backgroundInWindow
     std::uint32_t sampleLimit = 512;                 // per pixel; then the picture counts as converged
-    double noiseTarget = kUnseenNoise;               // below it the picture counts as converged; above 0
+    double noiseTarget = kUnseenNoise;               // above 0; with less noise the picture has converged
     bool convergesNow = false;                       // no training at rest: all time is for tracing
     bool interacting = false;                        // the user is moving something: stay fast
     glm::dvec2 gaze{0.0};   // where the user looks in the picture, -1 to 1; x right, y up

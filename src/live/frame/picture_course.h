@@ -100,7 +100,7 @@ class PictureCourse {
 
     Step next(TimePoint now) const;
 
-    // What was done.
+    // Reports what was done.
     void showedModel();
     void showedEstimate();
     void showedPreview(std::uint64_t samples, TimePoint now);  // the full-size picture is lost

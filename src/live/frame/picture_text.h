@@ -10,7 +10,7 @@ namespace macula::live {
 
 // Each line and each mark has its own box, so that little of the picture is covered. A native window can have
 // no widgets on top, so the code that shows the picture copies the boxes into it: a picture and its text
-// always appear together. Never changed after it was made.
+// always appear together. Never changes once made.
 struct PictureText {
     VkExtent2D size{};                    // of the image that holds all boxes
     std::vector<std::byte> rgba;          // 8 bits each, opaque; row by row

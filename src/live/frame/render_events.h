@@ -27,7 +27,7 @@ struct DeviceReady {
     bool isFirstStart = false;  // gpu::Device::isFirstStart: first pictures take seconds longer
 };
 
-// The device stopped responding. The renderer starts another one, and makes the picture anew.
+// The device stopped responding. The renderer starts another one, and makes the picture again.
 struct DeviceRestarting {};
 
 // The renderer prepares something that may take seconds, such as a volume for the device.
@@ -56,7 +56,7 @@ struct ModelSnapshot {
     std::optional<Error> error{};                            // set: reading failed, and the rest is empty
 };
 
-// The outline of the visible matter, computed anew after each change of volume, preset or clip.
+// The outline of the visible matter, computed after each change of volume, preset or clip.
 struct OutlineFound {
     std::uint64_t study = 0;
     std::shared_ptr<const std::vector<glm::dvec3>> pointsMm;  // see trace::PathTracer::outlineMm
@@ -99,7 +99,7 @@ struct PictureRemoved {};
 // the device could not clear the window, and the owner of the window hides it.
 struct RenderFailure {
     Error error;
-    std::uint64_t inputSequence = 0;  // of the newest input then
+    std::uint64_t inputSequence = 0;  // of the newest input at that time
     bool pictureRemains = false;
 };
 

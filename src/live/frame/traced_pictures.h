@@ -19,7 +19,7 @@
 namespace macula::live {
 
 // Used by one thread at a time: the one that uses the device. Only one picture exists at a time: beginning a
-// small one loses the full one, and the reverse.
+// small one loses the full one, and vice versa.
 class TracedPictures {
   public:
     static Result<TracedPictures> create(const std::shared_ptr<gpu::Device>& device);
@@ -54,7 +54,7 @@ class TracedPictures {
 
     // The current picture, small or full, ready for display. It is on the device, see PathTracer::display.
     Result<const gpu::Image*> display(const glm::vec3& background);
-    // Whether the picture may still be noisier than splats, and is to be mixed with them; light() is the
+    // Whether the picture may still be noisier than splats, and so should be mixed with them; light() is the
     // light to mix. It is on the device, see PathTracer::noisyLight.
     bool isNoisy() const { return !isLast_ && course_.isNoisy(); }
     Result<trace::TracedLight> light() { return isNoisy() ? tracer_.noisyLight() : tracer_.light(); }

@@ -1,4 +1,4 @@
-// What a program with its own Vulkan device lends to Macula, without a Vulkan header: for src/c.
+// What a program with its own Vulkan device lends to Macula. Includes no Vulkan header, for src/c.
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,7 @@ nlohmann::ordered_json toJson(const TrainingRecord& record, const Trained& train
 
 // A sentence on how a training with a budget spent its time, and how many of `views` were traced.
 std::string howTimeWasSpent(const Trained& trained, std::size_t views);
-// Sentences on a training that stopped before all of its `steps`, and whose model went to `path`.
+// Sentences on a training that stopped before all of its `steps`; its model was written to `path`.
 std::string whatIsWritten(const Trained& trained, std::uint64_t steps, const std::filesystem::path& path);
 
 }  // namespace macula::live

@@ -21,7 +21,7 @@ struct FrontPoint {
         bool operator==(const Fovea&) const = default;
     };
     std::optional<Fovea> fovea = {};  // nothing: splats alone
-    double ms = 0.0;                  // of a frame, with its share of the fovea, where measured
+    double ms = 0.0;                  // of a frame with its share of a fovea, on the machine measured
     double flip = 0.0;                // FLIP error of the whole frame
     double fovealFlip = 0.0;          // FLIP error of the 20 degrees around the gaze
 
@@ -34,7 +34,7 @@ struct QualityFront {
     glm::ivec2 sizePx{0};
     double verticalFovDeg = 0.0;
     int bounces = 0;             // of all points
-    double calibrationMs = 0.0;  // of the trace of calibration.h, where measured
+    double calibrationMs = 0.0;  // of the trace of calibration.h, on the machine measured
     struct Drawn {
         double pixels = 0.0;
         double ms = 0.0;

@@ -36,7 +36,8 @@ class KeptModels {
     // See StudyKeeper::keep.
     void keep(std::shared_ptr<const hybrid::PeripheralState> state);
 
-    // There is no store: from now on nothing is found, and what nobody will save is not held on to.
+    // There is no store: from now on finds nothing, and holds on to no models, because nobody would save
+    // them.
     void doWithoutStore();
 
   private:

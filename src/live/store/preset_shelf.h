@@ -28,7 +28,7 @@ struct UsedPreset {
     bool operator==(const UsedPreset&) const = default;
 };
 
-// What the store holds of these.
+// The user's presets as the store holds them.
 struct StoredPresets {
     std::vector<OwnPreset> own;
     std::vector<PresetRef> favourites;
