@@ -55,7 +55,7 @@ class PictureDrawer {
     PictureDrawer(std::shared_ptr<gpu::Device> device, PictureRequest request, trace::PathTracer tracer)
         : device_(std::move(device)), request_(std::move(request)), tracer_(std::move(tracer)) {}
     Result<double> meter(const Camera& camera, const Progress& progress);  // with the clip that is set
-    // To a request with the same volume and memory limits.
+    // Changes to a request with the same volume and memory limits.
     Result<void> change(const PictureRequest& request, const Progress& progress);
 
     std::shared_ptr<gpu::Device> device_;

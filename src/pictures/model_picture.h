@@ -22,8 +22,8 @@ struct ModelToDraw {
     std::vector<Text> notes;  // unexpected properties, for the user
 };
 
-// `lowPass` is how the model was trained, for files that do not say; ignored for Macula's (adaptive). Fails
-// as splat::readModel with BadSplats::repairOrNone.
+// `lowPass` is the filter that the model was trained with, for files that do not say; Macula's own say it
+// (adaptive). Fails as splat::readModel with BadSplats::repairOrNone.
 Result<ModelToDraw> readModelToDraw(const std::filesystem::path& path, std::optional<splat::LowPass> lowPass);
 
 struct ModelPicture {

@@ -33,7 +33,8 @@ Result<void> check(const PictureEffects& effects);
 Result<std::optional<double>> parseFocus(const std::string& typed);
 
 // Focus distance in mm from the camera: the median depth along its axis in a disc at the middle, of radius
-// height / 20. usage when it shows nothing, or the camera stands inside. `guides` covers all pixels.
+// height / 20. usage if the disc shows nothing, or the camera stands inside the matter. `guides` has all
+// pixels.
 Result<double> focusOfMiddle(std::span<const trace::GuidePixel> guides, glm::ivec2 sizePx,
                              const Camera& camera);
 
@@ -44,7 +45,7 @@ std::vector<float> matterMm(std::span<const trace::GuidePixel> guides);
 
 // Multiplies premultiplied radiance and coverage by exp(-d / fogMm), so that the background shows through; d
 // is the distance behind the nearest matter, which stays unchanged (exponential fog, as in OpenGL and
-// Akenine-Möller et al. 2018, "Real-Time Rendering", 14.5). Both spans have one size.
+// Akenine-Möller et al. 2018, "Real-Time Rendering", 14.5). Both spans have the same size.
 void addFog(std::span<glm::vec4> radiance, std::span<const float> distancesMm, double fogMm);
 
 }  // namespace macula::pictures

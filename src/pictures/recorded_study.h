@@ -32,7 +32,7 @@ struct RecordingRequest {
 };
 
 // Writes frames.jsonl with one line per shown frame, times.json (timesOf), and frame-0001.png and so on for
-// kept frames. `warn` receives notes that change what is seen, `note` the others.
+// kept frames. `warn` receives notes that affect what is seen, `note` the others.
 using Hears = std::function<void(const Text&)>;
 Result<live::LiveRecording> recordStudy(const RecordingRequest& request, const Hears& note, const Hears& warn,
                                         Progress& progress);

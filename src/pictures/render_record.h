@@ -22,7 +22,7 @@ struct RenderRecord {
     std::string preset;
     std::string lights;
     std::string clip;
-    bool tableRemoved = false;   // a table, or other things beside the patient, were found and removed
+    bool tableRemoved = false;   // the table, or other things next to the patient, were found and removed
     std::string masked = {};     // Mask::remark in English: the parts of the volume that voxel masks removed
     std::string additions = {};  // Additions::remark, likewise: a second volume, coloured segments
     std::string device;
