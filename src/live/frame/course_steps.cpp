@@ -131,8 +131,7 @@ Result<bool> CourseSteps::showEstimate(const Interrupts& interrupts) {
     if (!isEstimated) return false;
     course_.want(false);
     MACULA_TRY_VOID(showModel());
-    // Only the first estimate of a drawing counts: inputs that keep the drawing, as in orbiting, may never
-    // end.
+    // Counts from the first estimate of the drawing: inputs that keep it, as in orbiting, may never end.
     const bool isFirst = !editShownAt_;
     if (isFirst) editShownAt_ = Clock::now();
     const auto rests = [&] { return Clock::now() - *editShownAt_ >= kHandRests; };

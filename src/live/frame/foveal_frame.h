@@ -33,8 +33,7 @@ class FovealFrame {
     // Whether to trace another fovea. At rest: a small one at once, then larger ones, unless all pixels
     // together take less time than a large fovea (kRestFoveaBudgetMs).
     bool wantsFovea(const FrameInput& input) const;
-    // Whether the fovea has enough time to be large enough: a very small one is not worth delaying frames
-    // for.
+    // Whether there is time for a fovea large enough to be worth the frames that it delays.
     bool hasTimeForFovea(const FrameInput& input) const;
     // Traces for a time slice, and then on until a new input comes. Returns whether a new fovea is finished.
     Result<bool> traceFovea(const FrameInput& input, const Interrupts& interrupts);

@@ -82,8 +82,7 @@ void FrameRenderer::accept(FrameInput input) {
     giveModelIfAsked();
 }
 
-// After such a change the free memory of the device is unknown, so work that lacked memory may be tried
-// again.
+// After such a change the free memory is unknown, so work that lacked memory may be tried again.
 void FrameRenderer::noteOtherRoom(const FrameInput& next) {
     if (!device_.traced()) return;
     if (next.volume == input_.volume && next.drawing.transferFunction == input_.drawing.transferFunction &&
@@ -220,8 +219,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     const TimelineStage stage("set scene");
     // The model of the previous scene is put on the shelf first, to free its memory on the device.
     if (scene_.hasOtherMatter(input_)) models_.hide();
-    // Can stop between two parts, so that whoever waits for the surface or has changed the input waits for
-    // one part.
+    // Whoever waits for the surface, or has changed the input, waits for one part at most.
     return scene_.apply(input_, *device_.traced(), [&] { return interrupts.any(); });
 }
 

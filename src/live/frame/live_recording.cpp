@@ -89,8 +89,7 @@ class Tape {
         if (!failure_) failure_ = error;
     }
 
-    // Thread that moves the camera: called before each input is published. Inputs are numbered from 1,
-    // without gaps.
+    // Thread that moves the camera: before each input is published. Inputs are numbered from 1, without gaps.
     void sends(RecordingPhase phase, const Camera& camera) {
         const std::lock_guard lock(mutex_);
         if (!inputs_.empty() && inputs_.back().phase != phase) endPhase();

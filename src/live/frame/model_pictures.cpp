@@ -167,8 +167,7 @@ Result<void> ModelPictures::workWithin(double leftMs, const std::function<bool()
     return guarded([&] { return model_.live()->workWithin(leftMs, keepGoing); });
 }
 
-// Once the picture is not denoised any more its guides may be gone: then the earlier fovea stays, with fewer
-// samples.
+// Once the picture is not denoised any more its guides may be gone: then the earlier fovea has to do.
 Result<void> ModelPictures::keepForMotion(const FrameInput& input) {
     const TimelineStage stage("keep for motion");
     // A parallel camera shows splats alone: reprojection and learning need a perspective one.

@@ -13,8 +13,7 @@ constexpr std::chrono::milliseconds kRateWindow{2000};
 
 }  // namespace
 
-// Whether the picture on screen is that of the input's marks, but shows others: marks were hidden or switched
-// on.
+// Whether the input's marks fit the picture on screen, but are not there: they were just hidden or shown.
 bool PictureOnScreen::hasOtherMarks(const FrameInput& input) const {
     return screen_ && kept_ == View{input.camera, input.width, input.height} &&
            screen_->marks() != input.marks;

@@ -13,8 +13,7 @@ namespace macula::live {
 
 namespace {
 
-// A release that takes longer is logged: a dispatch takes far less time, and nearly always so does bringing a
-// part of a scene to the device.
+// A release that takes longer is logged. A dispatch takes far less time, and so does nearly every scene part.
 constexpr std::chrono::milliseconds kReleaseIsSlow{5000};
 
 }  // namespace
