@@ -64,7 +64,7 @@ Result<macula_picture> checked(const macula_picture* given) {
 
 struct Scene {
     pictures::PictureRequest request;
-    pictures::RenderRecord record;  // of the view, with its notes
+    pictures::RenderRecord record;  // record of the view, with its notes
 };
 
 Result<trace::Environment> lightsOf(const macula_view& view, const scene::StudyState& state) {

@@ -15,7 +15,7 @@ namespace macula::c {
 
 // Everything that was chosen, as one state, except lights by name. Fails as pictures::stateOf.
 Result<scene::StudyState> stateOf(const macula_view& view);
-// The lights that were chosen by name, or else those for the look.
+// The lights that were chosen by name, otherwise those for the look.
 std::string lightsNamed(const macula_view& view, const scene::StudyState& state);
 
 struct SeenView {

@@ -35,7 +35,7 @@ struct ResolvedAdditions {
     std::vector<scene::SegmentRequest> segments;
     std::vector<scene::SegmentationSettings> ofView;
     scene::SecondVolumeRequest second;
-    std::optional<scene::SecondVolumeState> secondVolume;  // of the view
+    std::optional<scene::SecondVolumeState> secondVolume;  // the second volume of the view
 
     bool needsSegmentations() const;
 };

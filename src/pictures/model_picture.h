@@ -42,7 +42,7 @@ Result<ModelPicture> drawModel(splat::ModelPainter& painter, const splat::Raster
 image::Metadata metadata(const splat::Splats& splats, const splat::DisplayOptions& display,
                          const std::string& device);
 
-// Writes each file whole or not at all; no EXR where `exr` is empty.
+// Writes each file whole or not at all; no EXR if `exr` is empty.
 Result<void> writeModelPicture(const ModelPicture& picture, const glm::ivec2& sizePx,
                                const std::filesystem::path& png, const std::filesystem::path& exr,
                                const image::Metadata& metadata);

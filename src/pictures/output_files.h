@@ -37,14 +37,14 @@ class OutputFiles {
     std::set<std::filesystem::path> tidied_;              // folders cleared of abandoned drafts
 };
 
-// Makes the folder and its parents where they are missing. Error: outputNotWritable.
+// Makes the folder and its parents if they are missing. Error: outputNotWritable.
 Result<void> makePictureFolder(const std::filesystem::path& folder);
 
 // The path for an unfinished result: `wanted`, or if that file exists a name next to it, so that a finished
 // result is never replaced ("model-unfinished.ply" next to "model.ply").
 std::filesystem::path placeOfUnfinished(const std::filesystem::path& wanted);
 
-// Whether both paths are the same file, also where it does not exist yet; false for an empty path.
+// Whether both paths are the same file, even if it does not exist yet; false for an empty path.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace macula::pictures

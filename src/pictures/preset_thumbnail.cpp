@@ -18,7 +18,7 @@ namespace {
 using Fit = TransferFunction::Fit;
 
 constexpr int kMostVoxelsPerSide = 4;   // whose mean a cell has
-constexpr std::size_t kEntries = 4096;  // of the lookup table of the curves
+constexpr std::size_t kEntries = 4096;  // entries of the lookup table of the curves
 constexpr double kStepCells = 0.5;
 constexpr double kFovDeg = 30.0;
 constexpr double kOpaque = 1.0 / 255.0;  // transmittance below this ends a ray

@@ -19,7 +19,7 @@ namespace macula::pictures {
 // Empty fields: not given.
 struct RecordingRequest {
     std::filesystem::path path;
-    std::filesystem::path folder;  // created if it is missing; else it must be empty
+    std::filesystem::path folder;  // created if it is missing; otherwise it must be empty
     std::string series;
     StateRequest state;  // its camera is the start of the motion
     std::string lights;  // a built-in name
@@ -52,7 +52,7 @@ struct MotionFigures {
     std::size_t beforeModel = 0;
 };
 MotionFigures motionFigures(const live::LiveRecording& recording);
-// One line for the user; with advice where the model came too late for any fovea.
+// One line for the user; with advice if the model came too late for any fovea.
 std::string textOf(const MotionFigures& figures);
 
 }  // namespace macula::pictures

@@ -37,8 +37,8 @@ struct RenderRecord {
     // By id: the values of matterParameters() of the preset, before its fit to the volume.
     std::vector<std::pair<std::string_view, double>> matter = {};
     bool presetFitted = false;            // its curves were stretched to the volume
-    std::optional<DisplayWindow> window;  // of projections only
-    std::string unit = {};                // of the values: unitSymbol, never text of a file
+    std::optional<DisplayWindow> window;  // for projections only
+    std::string unit = {};                // unit of the values: unitSymbol, never text of a file
     trace::Statistics statistics;
     double loadSeconds = 0.0;
     double traceSeconds = 0.0;

@@ -55,8 +55,8 @@ class EstimatedModel {
     scene::Drawing learntOf_;
     std::shared_ptr<const splat::Splats> model_;  // without splats: none was learnt
     double gain_ = 1.0;
-    std::shared_ptr<const hybrid::CoarseMatter> matter_;  // of volume_; made when first needed
-    std::optional<hybrid::SplatEstimate> estimate_;       // of model_; made when first needed
+    std::shared_ptr<const hybrid::CoarseMatter> matter_;  // matter of volume_; made when first needed
+    std::optional<hybrid::SplatEstimate> estimate_;       // changes model_; made when first needed
     Mask masked_;                                         // the mask of bits_
     std::shared_ptr<const MaskBits> bits_;
     scene::Drawing shown_;  // the drawing of splats_

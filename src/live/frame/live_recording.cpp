@@ -154,11 +154,11 @@ class Tape {
     std::vector<RecordedInput> inputs_;
     std::vector<RecordedFrame> frames_;
     std::vector<RecordedNotice> notices_;
-    std::vector<RecordedTimes> times_;     // of phases that have ended
+    std::vector<RecordedTimes> times_;     // for phases that have ended
     std::vector<StageTimes> spent_;        // since the start
     std::vector<StageTimes> spentBefore_;  // when this phase began
     double phaseBeganAtS_ = 0.0;
-    std::vector<glm::u8vec4> pixels_;  // of the picture whose frame comes next
+    std::vector<glm::u8vec4> pixels_;  // pixels of the picture whose FrameShown comes next
     glm::ivec2 sizePx_{0};
     std::optional<Clock::time_point> lastKept_;
     std::uint64_t kept_ = 0;

@@ -54,7 +54,7 @@ struct RecordedFrame {
     RecordingPhase phase = RecordingPhase::opening;
     Camera camera;
     FrameShown shown;
-    glm::ivec2 sizePx{0};           // of `rgba`; a window would scale it
+    glm::ivec2 sizePx{0};           // size of `rgba`; a window would scale it
     std::vector<glm::u8vec4> rgba;  // row 0 on top; empty: not kept
 };
 

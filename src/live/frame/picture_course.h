@@ -1,4 +1,4 @@
-// Decides what the window shows next, and what work is done meanwhile. Holds the rules alone: no window, no
+// Decides what the window shows next, and what work is done meanwhile. Holds only the rules: no window, no
 // device, no clock.
 //
 // While a hand moves, the screen shows the peripheral model at once with all pixels, and over it the fovea,

@@ -51,7 +51,7 @@ class PictureOnScreen {
     struct Put {
         bool isVisible = false;
         Clock::time_point at{};
-        double framesPerSecond = 0.0;  // of recent pictures of this kind; 0 if there was only one
+        double framesPerSecond = 0.0;  // rate of recent pictures of this kind; 0 if there was only one
     };
     // Shows the picture with the marks of the input. The caller reports it with report().
     Result<Put> put(const gpu::Image& picture, const FrameInput& input, OnScreen kind);

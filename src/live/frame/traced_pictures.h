@@ -41,9 +41,9 @@ class TracedPictures {
 
     // Expected time until a full-size picture is worth showing, from the times of small ones.
     double expectedFullMs(const FrameInput& input);
-    // Whether the full picture is of exactly `input`, and has become worth showing.
+    // Whether the full picture shows exactly `input`, and has become worth showing.
     bool hasFull(const FrameInput& input) const;
-    // Begins the full picture; does nothing if it is of `input` already, worth showing or not.
+    // Begins the full picture; does nothing if it already shows `input`, worth showing or not.
     Result<void> beginFull(const FrameInput& input);
     struct Progress {
         bool isNews = false;  // the full picture is worth showing, or showing again
@@ -90,7 +90,7 @@ class TracedPictures {
     std::uint64_t previewSamples_ = 0;
     double previewMs_ = 0.0;
     bool isFirstPreview_ = false;  // the small picture is the first of its view
-    int warmWidth_ = 0;            // of the small picture before this one
+    int warmWidth_ = 0;            // width of the previous small picture
     std::optional<trace::Look> warmLook_;
     std::uint32_t previewNumber_ = 0;
 
@@ -99,7 +99,7 @@ class TracedPictures {
     bool isLast_ = false;
     FilterCourse course_;
     double samples_ = 0.0;
-    double developMs_ = 0.0;  // so far, of the development under way
+    double developMs_ = 0.0;  // time that the development under way has taken so far
 };
 
 // Whether both inputs give the same picture, pixel for pixel; the noise target does not count.

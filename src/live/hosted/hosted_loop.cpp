@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kLeastMs = 15.0;  // a frame makes some progress, however little time it has
 constexpr double kUsualFovDeg = 30.0;
-constexpr int kTrainingSidePx = 256;  // of the picture drawn during training, which nobody sees
+constexpr int kTrainingSidePx = 256;  // a picture is drawn during training, but nobody sees it
 constexpr std::size_t kTrainingTicks = 1000;
 
 double millisecondsSince(Clock::time_point start) {
@@ -337,7 +337,7 @@ Result<void> HostedLoop::save(Progress& progress) {
                      Text("The model has learnt nothing yet that could be kept."),
                      {},
                      Text("Train it first.")};
-    for (const Error& error : troubles_->take()) note(error);  // from before this call
+    for (const Error& error : troubles_->take()) note(error);  // errors from before this call
     const std::int64_t begunMs = nowMs();
     keeper_->keep(taken.state);
     MACULA_TRY_VOID(waitForStore(progress, Text("Saving the model")));

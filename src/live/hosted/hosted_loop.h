@@ -127,9 +127,9 @@ class HostedLoop {
     Progress* progress_ = nullptr;  // while goOn() runs
     bool knowsModel_ = false;       // model() describes the current scene, not the previous one
     std::string device_;
-    std::shared_ptr<const std::vector<glm::dvec3>> outlineMm_;  // of the scene
+    std::shared_ptr<const std::vector<glm::dvec3>> outlineMm_;  // outline of the scene
     std::optional<FrameShown> shown_;
-    std::optional<Error> failure_;  // of the input
+    std::optional<Error> failure_;  // failure of the current input
     std::optional<ModelSnapshot> taken_;
     std::vector<Text> notes_;
 };

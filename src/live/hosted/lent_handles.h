@@ -10,7 +10,7 @@
 
 namespace macula::live {
 
-// How to open a device, any number of times: each has its own instance, or shares what is lent.
+// How to open a device, any number of times: each opening makes its own instance, or shares the lent one.
 struct DeviceWay {
     gpu::InstanceOptions instance;
     gpu::DeviceOptions device;

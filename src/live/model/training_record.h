@@ -22,7 +22,7 @@ struct TrainingRecord {
     // The options of a training that began here; a saved training does not record all of them.
     std::optional<hybrid::FirstModelOptions> begun;
     double budgetSeconds = 0.0;     // 0: none
-    std::uint64_t stepsBefore = 0;  // of the training that it resumed
+    std::uint64_t stepsBefore = 0;  // steps of the training that was resumed
 };
 
 nlohmann::ordered_json toJson(const TrainingRecord& record, const Trained& trained);

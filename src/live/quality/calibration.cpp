@@ -29,7 +29,7 @@ constexpr int kSidePx = 128;
 constexpr int kBounces = 16;
 constexpr int kTimes = 5;
 constexpr double kFovDeg = 30.0;
-constexpr const char* kName = "live frame";  // of the document
+constexpr const char* kName = "live frame";  // name of the document
 constexpr std::int64_t kVersion = 1;
 
 std::string nameOf(const gpu::DeviceInfo& device) {

@@ -69,12 +69,12 @@ class KeptModels {
     std::mutex mutex_;
     bool isWithoutStore_ = false;
     std::map<std::string, Scene> scenes_;  // by name
-    std::list<std::string> names_;         // of scenes; the last one passed to willShow() comes last
+    std::list<std::string> names_;         // names of scenes; the last one passed to willShow() comes last
     std::map<std::string, std::shared_ptr<const hybrid::PeripheralState>> toKeep_;  // the newest, by name
 
     // Used by the keeper's thread alone.
     std::optional<session::OpenMark> open_;  // keeps the shown model from eviction
-    splat::PackedPictures packed_;           // of the last saved model; only jobs that can wait use it
+    splat::PackedPictures packed_;           // those of the last saved model; only jobs that can wait use it
 };
 
 }  // namespace macula::live

@@ -23,7 +23,7 @@ using PresetRef = std::string;
 
 struct UsedPreset {
     PresetRef preset;
-    std::string modality;  // of the volume; may be empty
+    std::string modality;  // modality of the volume; may be empty
 
     bool operator==(const UsedPreset&) const = default;
 };

@@ -18,7 +18,7 @@ struct PurgeRequest {
     std::string study;  // the first digits of its identity
     bool all = false;
     std::optional<int> unusedDays;                                 // everything not opened for so many days
-    session::Store::Clock clock = session::Store::Clock::checked;  // for unusedDays
+    session::Store::Clock clock = session::Store::Clock::checked;  // whether unusedDays doubts the clock
     session::DamagedFiles damaged = session::DamagedFiles::keep;
 };
 
@@ -27,7 +27,7 @@ struct PurgeRequest {
 struct PurgePlan {
     PurgeRequest request;
     std::vector<session::StudyEntry> studies;
-    ModelSum models;  // of volumes that no remaining study has
+    ModelSum models;  // models of volumes that no remaining study has
     std::size_t documents = 0;
     session::ClockDoubt clock = session::ClockDoubt::none;  // with a doubt the purge deletes less
 };

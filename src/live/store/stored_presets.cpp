@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 using session::DocumentKind;
 
 constexpr std::int64_t kVersion = 1;
-constexpr std::string_view kOwnPrefix = "own-";  // of OwnPreset::id
+constexpr std::string_view kOwnPrefix = "own-";  // prefix of OwnPreset::id
 constexpr std::string_view kFavouritePrefix = "preset ";
 
 // All keys that this version writes: any that a new document lacks are removed from the stored one.

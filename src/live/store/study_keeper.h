@@ -84,7 +84,7 @@ class StudyKeeper final : public SceneKeeper {
 
   private:
     KeeperMessages messages_;
-    PartDigests digests_;  // of parts in memory
+    PartDigests digests_;  // digests of parts in memory
     // Joined before anything here is destroyed. The store closes after models_ has closed its mark of the
     // open model, because that comes later here.
     StoreThread thread_;
