@@ -18,7 +18,7 @@ Result<Camera> cameraOf(const macula_camera& given) {
                   .up = vectorOf(given.up),
                   .parallelHeightMm = given.parallel_height_mm};
     if (given.vertical_fov_deg != 0.0) camera.verticalFovDeg = given.vertical_fov_deg;
-    // A negative height is a mistake, and no eye.
+    // A negative height is a mistake, not a camera in perspective.
     if (!(camera.parallelHeightMm >= 0.0))
         return badArgument(Text("The height of a picture with parallel rays is not usable."),
                            Text("Give millimetres above 0, or 0 for a camera with an eye."));

@@ -8,7 +8,7 @@
 
 namespace macula::c {
 
-// usage for what is no camera.
+// usage if the numbers do not make a camera.
 Result<Camera> cameraOf(const macula_camera& given);
 macula_camera toldOf(const Camera& camera);
 

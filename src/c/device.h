@@ -12,9 +12,9 @@
 #include "pipeline/gpu/recovery.h"
 
 struct macula_device {
-    macula::live::DeviceWay way;  // in which it was opened, for who opens it once more
+    macula::live::DeviceWay way;  // how it was opened, for a live picture that opens it again
     macula::gpu::LastingDevice lasting;
-    // Of devices that were lost and replaced since the last picture was begun.
+    // Sentences on devices that were lost and replaced since the last picture was begun.
     std::shared_ptr<std::vector<std::string>> told;
-    macula::c::LastScene lastScene = {};  // last: it is on the device
+    macula::c::LastScene lastScene = {};  // last, because it uses the device
 };

@@ -51,7 +51,7 @@ pictures::PictureEffects effectsOf(const macula_picture& picture) {
     return effects;
 }
 
-// With row_bytes as it is meant.
+// Also puts in the row_bytes that 0 stands for.
 Result<macula_picture> checked(const macula_picture* given) {
     if (given == nullptr) return nullHandle();
     MACULA_TRY(macula_picture picture, taken(given));
@@ -64,7 +64,7 @@ Result<macula_picture> checked(const macula_picture* given) {
 
 struct Scene {
     pictures::PictureRequest request;
-    pictures::RenderRecord record;  // of the view; with its notes
+    pictures::RenderRecord record;  // record of the view, with its notes
 };
 
 Result<trace::Environment> lightsOf(const macula_view& view, const scene::StudyState& state) {
@@ -72,7 +72,7 @@ Result<trace::Environment> lightsOf(const macula_view& view, const scene::StudyS
     return scene::chooseLights(lightsNamed(view, state));
 }
 
-// All that the view and the picture come to.
+// The scene that the view and the picture ask for.
 Result<Scene> sceneOf(const macula_view& view, const macula_picture& picture, Progress& progress) {
     MACULA_TRY(scene::StudyState state, stateOf(view));
     MACULA_TRY(const pictures::EffortRequest asked, effortRequestOf(picture));
@@ -115,8 +115,8 @@ void copyRows(const std::vector<std::uint8_t>& rgba, const macula_picture& pictu
         std::memcpy(picture.rgba + y * picture.row_bytes, rgba.data() + y * row, row);
 }
 
-// Draws with the scene that the last picture has left on the device, as far as it is the same. Nothing is
-// left after a failure, nor after an exception: what is half changed must not be drawn.
+// Draws with the scene that the last picture left on the device, as far as it is the same. After a failure or
+// an exception nothing is left, because a scene that is half changed must not be drawn.
 Result<pictures::DrawnPicture> drawOn(const std::shared_ptr<gpu::Device>& device,
                                       std::optional<pictures::PictureDrawer>& left,
                                       const pictures::PictureRequest& request, Progress& progress) {

@@ -1,5 +1,5 @@
-// Which handles are open, and who uses them. What is closed, of another kind, or in use elsewhere is refused
-// and never followed: a host's mistake must be no crash, and no wrong picture.
+// Which handles are open, and who uses them. A pointer that is closed, of another kind, or in use elsewhere
+// is refused and never followed: a mistake of the host must not cause a crash or a wrong picture.
 #pragma once
 
 #include <macula.h>
@@ -43,8 +43,8 @@ struct OpenHandle {
     InUse use;
 };
 
-// A handle in use: `const` while others may read it too. What it is lives until then, also where another
-// thread closes it meanwhile.
+// A handle in use; `const` if others may read it too. Its object lives as long as this, even if another
+// thread closes the handle meanwhile.
 template <class Handle>
 class Held {
     using Open = OpenHandle<std::remove_const_t<Handle>>;
@@ -68,11 +68,11 @@ class Held {
     std::shared_ptr<Open> open_;
 };
 
-// Of one kind, in this process.
+// The open handles of one kind in this process.
 template <class Handle>
 class OpenHandles {
   public:
-    // Never destroyed: what a host leaves open must not be closed after the driver that it uses.
+    // Never destroyed: a handle that a host leaves open must not be closed after the driver that it uses.
     static OpenHandles& all() {
         static OpenHandles& handles = *new OpenHandles;
         return handles;
@@ -93,7 +93,7 @@ class OpenHandles {
         return found == open_.end() ? nullptr : found->second;
     }
     void close(const Handle* handle) {
-        std::shared_ptr<OpenHandle<Handle>> closed;  // outlives the lock: closing may take a while
+        std::shared_ptr<OpenHandle<Handle>> closed;  // destroyed after the lock, as it may take long
         const std::scoped_lock lock(mutex_);
         const auto found = open_.find(handle);
         if (found == open_.end()) return;
@@ -120,8 +120,8 @@ inline Error handleInUse() {
              "while it tells progress."));
 }
 
-// Marks the handle as read until Held goes. MACULA_USAGE when it is null, closed, of another kind, or when
-// another call changes it.
+// Marks the handle as read until Held is destroyed. MACULA_USAGE if it is null, closed, of another kind, or
+// if another call changes it.
 template <class Handle>
 Result<Held<const Handle>> reading(const Handle* handle) {
     if (handle == nullptr) return nullHandle();
@@ -131,7 +131,7 @@ Result<Held<const Handle>> reading(const Handle* handle) {
     return Held<const Handle>(std::move(open));
 }
 
-// Marks the handle as changed until Held goes. MACULA_USAGE as above, and when another call reads it.
+// Marks the handle as changed until Held is destroyed. MACULA_USAGE as above, and if another call reads it.
 template <class Handle>
 Result<Held<Handle>> changing(Handle* handle) {
     static_assert(!std::is_const_v<Handle>);
@@ -147,13 +147,13 @@ Handle* opened(std::unique_ptr<Handle> handle) {
     return OpenHandles<Handle>::all().add(std::move(handle));
 }
 
-// Nothing when it is null or closed. What is in use ends with the call that uses it.
+// Does nothing if it is null or closed. A handle in use lives until the call that uses it ends.
 template <class Handle>
 void close(Handle* handle) noexcept {
     if (handle != nullptr) OpenHandles<Handle>::all().close(handle);
 }
 
-// A text of `of`, by index; null where there is none, and for what reading() refuses.
+// A text by its index; null if there is none, or if reading() refuses the handle.
 template <class Handle, class TextsOf>
 const char* textAt(const Handle* handle, std::uint32_t index, const TextsOf& textsOf) noexcept {
     const char* text = nullptr;

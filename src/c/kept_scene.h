@@ -1,5 +1,5 @@
 // The scene of a view's last picture, which stays on the device for the next one: to draw the same volume
-// again, a device is brought only what has changed.
+// again, only what has changed is brought to the device.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace macula::c {
 
-// A view has one. It ends with the view.
+// Each view has one, which ends with the view.
 class KeptScene {
   public:
-    // Calls use(std::optional<pictures::PictureDrawer>&) with what the last picture has left on that device,
-    // nothing where it was drawn on another. By the one who has the device and the view for itself.
+    // Calls use(std::optional<pictures::PictureDrawer>&) with what the last picture left on that device:
+    // nothing if it was drawn on another. Only for a call that has both the device and the view to itself.
     template <class Use>
     auto use(const void* device, const Use& use) {
         {
@@ -24,7 +24,7 @@ class KeptScene {
         }
         return use(drawer_);
     }
-    // By the one who has that device for itself: nobody uses what is on it.
+    // Only for a call that has that device to itself, so that nobody uses what is on it.
     void dropFrom(const void* device) {
         const std::scoped_lock lock(mutex_);
         if (device_ == device) drawer_.reset();

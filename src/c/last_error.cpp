@@ -11,7 +11,7 @@ namespace {
 
 struct Kept {
     macula_status status = MACULA_DONE;
-    // Either these, or `fixed`, which need no memory.
+    // Either these, or the fixed texts, which need no memory.
     std::string message;
     std::string advice;
     std::string place;
@@ -89,7 +89,7 @@ extern "C" macula_status macula_last_error(macula_error* error) {
     told.message = isFixed ? kept.fixed : kept.message.c_str();
     told.advice = isFixed ? kept.fixedAdvice : kept.advice.c_str();
     told.place = isFixed ? "" : kept.place.c_str();
-    // Not guarded(): a refusal must not take the place of the error that was asked for.
+    // Not guarded(): a refusal must not replace the error that was asked for.
     return give(told, error) ? MACULA_DONE : MACULA_USAGE;
 }
 

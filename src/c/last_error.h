@@ -1,4 +1,4 @@
-// From a Result, or an exception, to a macula_status and macula_last_error.
+// Turns a Result, or an exception, into a macula_status and the text of macula_last_error.
 #pragma once
 
 #include <macula.h>
@@ -14,14 +14,14 @@
 
 namespace macula::c {
 
-// Keeps the error for macula_last_error of this thread; its status. Throws nothing: without memory for the
-// texts, the error is that there is none.
+// Keeps the error for macula_last_error of this thread, and returns its status. Throws nothing: without
+// memory for the texts it keeps MACULA_MEMORY instead.
 macula_status keep(const Error& error) noexcept;
 macula_status keepFault() noexcept;
-macula_status keepFault(const CheckFailure& failure) noexcept;  // with its words
+macula_status keepFault(const CheckFailure& failure) noexcept;  // with the text of the check
 macula_status keepOutOfMemory() noexcept;
 
-// What is wrong with an argument: usage.
+// The error of a wrong argument: usage.
 inline Error badArgument(Text message, Text advice) {
     return {ErrorCode::usage, std::move(message), {}, std::move(advice)};
 }
@@ -31,7 +31,7 @@ inline Error nullHandle() {
                        Text("See macula.h for what the function needs."));
 }
 
-// Gives the log to nobody, until macula_log_to or where a person asks for it; stderr is the host's.
+// Turns the log off, because stderr is the host's: until macula_log_to, or unless MACULA_LOG asks for it.
 void silenceLog() noexcept;
 
 // Runs `body`, which returns a Result<void>. No exception gets out, and no check aborts.
@@ -45,7 +45,7 @@ macula_status guarded(const Body& body) noexcept {
     } catch (const std::bad_alloc&) {
         return keepOutOfMemory();
     } catch (const std::system_error& error) {
-        // The system gives no more threads. All else of that kind is foreseen where it comes from.
+        // The system has no more threads. Other errors of the system are handled where they occur.
         return error.code() == std::errc::resource_unavailable_try_again ? keepOutOfMemory() : keepFault();
     } catch (const CheckFailure& failure) {
         return keepFault(failure);

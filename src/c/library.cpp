@@ -1,4 +1,4 @@
-// What is of the library itself: its version, its names, its log, and handles that cancel.
+// What belongs to the library itself: its version, its names, its log, and handles that cancel.
 #include <macula.h>
 
 #include <array>
@@ -65,7 +65,7 @@ void silenceLog() noexcept {
     static std::once_flag once;
     try {
         std::call_once(once, [] {
-            // A host in C++ may have the log already.
+            // A host in C++ may have a sink of its own already.
             if (std::getenv("MACULA_LOG") == nullptr && !log::hasSink()) log::setSink(toNobody);
         });
     } catch (const std::exception&) {

@@ -39,8 +39,8 @@ struct macula_live {
     std::string fidelity;
     std::string device;
     std::string times;
-    bool isLent = false;    // the device, so that images on it can be drawn to
-    bool isBroken = false;  // a check failed while it worked: nobody knows what it holds
+    bool isLent = false;    // the device is lent, so images on it can be drawn to
+    bool isBroken = false;  // a check failed during a call: its state is unknown
 };
 
 namespace macula::c {
@@ -52,7 +52,7 @@ Error broken() {
                        Text("Close it and open it again."));
 }
 
-// body(live), which returns a Result<void>.
+// Calls body(live), which returns a Result<void>; refuses a live picture that is broken.
 template <class Body>
 macula_status with(macula_live* live, const Body& body) noexcept {
     std::optional<Held<macula_live>> of;
@@ -190,7 +190,7 @@ macula_shown shownOf(const macula_live& live, const live::HostedFrame& frame,
     return told;
 }
 
-// The pixels first: nothing is told of a picture that did not arrive.
+// Before anything is reported, so that no report describes a picture that did not arrive.
 Result<void> deliver(const macula_live& live, const AskedFrame& asked) {
     live::HostPicture& picture = live.loop->picture();
     if (asked.given.rgba != nullptr)
@@ -357,7 +357,7 @@ macula_status macula_live_write_model(macula_live* live, const char* path, std::
         if (const Result<void> may = files.write(path); !may) {
             Error error = may.error();
             std::error_code unknown;
-            // The option of the command is no advice for who calls this.
+            // The hint of OutputFiles names an option of the command, which a caller of this does not have.
             if (overwrite == 0 && std::filesystem::exists(path, unknown))
                 error.hint = Text("Have it overwritten, or choose another name.");
             return error;

@@ -15,7 +15,7 @@ Result<void> checkSize(std::int32_t width, std::int32_t height) {
 Result<std::uint64_t> rowBytesOf(const Pixels& pixels, std::int32_t width, std::int32_t height) {
     const std::uint64_t row = 4 * std::uint64_t(width);
     const std::uint64_t rowBytes = pixels.rowBytes == 0 ? row : pixels.rowBytes;
-    // The last row may end at its last pixel. By division: a product of what the caller gave may overflow.
+    // The last row may end at its last pixel. Divides, as a product of the caller's numbers may overflow.
     const bool hasRoom = pixels.rgba != nullptr && rowBytes >= row && pixels.bytes >= row &&
                          (pixels.bytes - row) / rowBytes >= std::uint64_t(height) - 1;
     if (!hasRoom)

@@ -16,7 +16,7 @@ struct Pixels {
     std::uint64_t rowBytes = 0;  // 0: 4 * width
 };
 
-// How far rows of a size that was checked are apart; usage when there is no room for them.
+// The bytes from row to row, for a size that checkSize accepts; usage if the memory is too small.
 Result<std::uint64_t> rowBytesOf(const Pixels& pixels, std::int32_t width, std::int32_t height);
 
 }  // namespace macula::c

@@ -20,7 +20,7 @@ Result<SeenView> seenBy(const macula_view& view, scene::StudyState state, Progre
     study::LoadedStudy study = view.study;
     SeenView seen;
     MACULA_TRY(seen.preset, pictures::completeState(state, view.request, study));
-    // That of a preset must not take its place.
+    // The window of a preset must not replace it.
     if (view.window) state.windows.at(std::size_t(state.settings.look)) = view.window;
     MACULA_TRY(seen.shown, scene::shownClip(state, *study.volume, progress));
     seen.state = std::move(state);

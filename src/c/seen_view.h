@@ -1,4 +1,4 @@
-// What of a volume a view comes to.
+// What a view shows of its volume.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@
 
 namespace macula::c {
 
-// All that was chosen as one state, but for lights by name. Fails as pictures::stateOf.
+// Everything that was chosen, as one state, except lights by name. Fails as pictures::stateOf.
 Result<scene::StudyState> stateOf(const macula_view& view);
-// The lights that were chosen by name, or else those for the look.
+// The lights that were chosen by name, otherwise those for the look.
 std::string lightsNamed(const macula_view& view, const scene::StudyState& state);
 
 struct SeenView {

@@ -23,7 +23,7 @@ gpu::SharedMemoryHandles optionsOf(const macula_shared_memory& given) {
     options.offsetBytes = given.offset;
     options.memoryType = given.memory_type;
     options.isDedicated = given.is_dedicated != 0;
-    // What is below 0 becomes more than there can be, and is refused.
+    // Numbers below 0 become impossibly large, and are refused.
     options.width = std::uint32_t(given.width);
     options.height = std::uint32_t(given.height);
     options.format = std::uint32_t(given.format);

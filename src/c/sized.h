@@ -1,4 +1,4 @@
-// Structs of macula.h, whose first member is their size: what an older or newer header calls by that name.
+// Structs of macula.h, whose first member is their size: it tells older and newer headers apart.
 #pragma once
 
 #include <macula.h>
@@ -13,7 +13,7 @@
 
 namespace macula::c {
 
-// What Macula calls T: its size is how one struct is told from another in an error.
+// The error for a struct of a wrong size. It names both sizes, by which a reader can find the struct.
 template <class T>
 Error wrongSize(const T* given) {
     if (given == nullptr)
@@ -36,8 +36,8 @@ inline Error newerStruct() {
         Text("Leave the members 0 that are newer than Macula {}, or install a newer one.", macula_version())};
 }
 
-// Reads what the caller knows of T; the rest is 0. usage when the size is none, or of a newer header whose
-// members are in use. `given` may be null: then all is 0.
+// Reads the members of T that the caller's header has; the others are 0. usage if the size is not possible,
+// or if members of a newer header are in use. `given` may be null: then all is 0.
 template <class T>
 Result<T> taken(const T* given) {
     static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
@@ -55,14 +55,14 @@ Result<T> taken(const T* given) {
     return mine;
 }
 
-// Whether `out` says a size that a T can have.
+// Whether `out` has a size that a T can have.
 template <class T>
 bool isSized(const T* out) {
     return out != nullptr && out->size >= 2 * sizeof(std::uint32_t) && out->size <= 65536;
 }
 
-// Writes as much of `mine` as the caller has room for; the caller's size stays, and what is newer than this
-// is 0. False when there is no room.
+// Writes as much of `mine` as the caller has room for. The caller's size stays, and members that are newer
+// than T become 0. False if the size is not possible.
 template <class T>
 bool give(const T& mine, T* out) {
     static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kMostReasons = 8;  // the rest is in macula_study_found
 
-// Why files of the folder were left out; what is said of several, once.
+// Why files of the folder were left out: each reason once, with the number of its files.
 std::vector<std::string> reasonsOf(const dicom::Scan& scan) {
     std::vector<std::pair<std::string, std::size_t>> files;
     for (const dicom::SkippedFile& file : scan.skipped) {
@@ -43,15 +43,15 @@ std::vector<std::string> reasonsOf(const dicom::Scan& scan) {
     return reasons;
 }
 
-// Which volume was taken where nobody chose one: who is shown must not be a matter of luck. The reason tells
-// of several patients.
+// Why this volume was loaded although nobody chose it: which patient is shown must not be a matter of luck.
+// The reason says if there are several patients.
 std::string choiceOf(const study::OpenedStudy& study) {
     const int patients = study.found == nullptr ? 1 : study.found->scan().patients;
     if (patients > 1) return study.whyThisSeries.english() + " Check that it is of the patient you mean.";
     return study.volumeTitles.size() > 1 ? study.whyThisSeries.english() : std::string();
 }
 
-// What loading assumed, and what there is to say of the study; nothing twice.
+// The messages about the study, and what loading assumed; nothing twice.
 std::vector<std::string> notesOf(const study::OpenedStudy& study) {
     std::vector<std::string> notes = inEnglish(study.messages);
     if (study.found != nullptr) {
@@ -74,7 +74,7 @@ Result<std::unique_ptr<macula_study>> studyOf(study::OpenedStudy opened) {
             {},
             Text("Ask who knows the images; if they are one series, open them with macula_open::join.")};
     auto study = std::make_unique<macula_study>();
-    // A file's name may be anything.
+    // File names need not be UTF-8.
     for (const auto& title : opened.volumeTitles)
         study->titles.push_back(utf8Of(Text("{}", title).english()));
     if (study->titles.empty()) study->titles = {utf8Of(opened.description.english())};
@@ -127,7 +127,7 @@ Result<formats::RawImage> imageOf(const macula_voxels& voxels) {
             "No unit was given: values are taken as they are. Presets for Hounsfield units do not fit.");
     image.slope = voxels.slope == 0.0 ? 1.0 : voxels.slope;
     image.intercept = voxels.intercept;
-    // Only then are sides so small that their product is a number of bytes.
+    // Before bytes(): only this makes sure that the product of the sides does not overflow.
     MACULA_TRY_VOID(formats::checkLayout(image, std::numeric_limits<std::uint64_t>::max(), false));
     if (voxels.data == nullptr || voxels.bytes != image.bytes())
         return badArgument(
@@ -175,7 +175,7 @@ macula_volume described(const macula_study& study) {
     return told;
 }
 
-// A handle of `make(progress)`, which returns a Result of a unique_ptr.
+// Opens a handle for the result of `make(progress)`, which returns a Result of a unique_ptr.
 template <class Handle, class Make>
 macula_status made(const macula_progress* progress, Handle** out, const Make& make) {
     if (out != nullptr) *out = nullptr;

@@ -15,5 +15,5 @@ struct macula_study {
     std::vector<std::string> notes;
     std::string unitName;
 
-    std::string found;  // JSON that was asked for
+    std::string found;  // the JSON of macula_study_found
 };

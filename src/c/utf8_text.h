@@ -1,4 +1,4 @@
-// Text that leaves for a host is UTF-8, whatever a path or an argument held.
+// Text for a host is UTF-8, whatever a path or an argument held.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace macula::c {
 
-// The same, with U+FFFD for each byte that belongs to no letter.
+// The same text, with U+FFFD for each byte that is not part of a character.
 std::string utf8Of(std::string_view text);
 
-// In English, which is what a host is told.
+// In English, the language of the C interface.
 std::vector<std::string> inEnglish(const std::vector<Text>& texts);
 
 }  // namespace macula::c

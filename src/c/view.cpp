@@ -24,7 +24,7 @@ std::string textOf(const char* text) {
     return text == nullptr ? std::string() : std::string(text);
 }
 
-// As a clip in fractions of the volume's box.
+// The box as a clip, in fractions of the volume's box.
 Result<ClipPreset> boxOf(const Volume& volume, const double* low, const double* high) {
     const Box all = volume.worldBox();
     OrientedBox box;
@@ -43,7 +43,7 @@ Result<ClipPreset> boxOf(const Volume& volume, const double* low, const double* 
     return preset;
 }
 
-// change(view), which returns a Result<void>.
+// Calls change(view), which returns a Result<void>.
 template <class Change>
 macula_status changed(macula_view* view, const Change& change) {
     return guarded([&]() -> Result<void> {
@@ -108,7 +108,7 @@ macula_status macula_view_set_lights(macula_view* view, const char* lights) {
 
 macula_status macula_view_set_window(macula_view* view, double centre, double width) {
     return changed(view, [&](macula_view& of) -> Result<void> {
-        // As states have it: what can be set can be kept and set again.
+        // The limits of states: what can be set can be kept and set again.
         constexpr double kMost = 1e9;
         constexpr double kNarrowest = 1e-9;
         const bool isUsable =

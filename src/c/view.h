@@ -1,4 +1,4 @@
-// What a macula_view is: a volume, and all that was chosen of how it is drawn.
+// What a macula_view is: a volume, and everything that was chosen about how it is drawn.
 #pragma once
 
 #include <macula.h>
@@ -17,7 +17,7 @@
 
 namespace macula::c {
 
-// Unlike the viewer, a picture shades no ray cast by itself: as `macula render`.
+// Unlike the viewer, and like `macula render`, a picture does not shade ray casts unless a state asks for it.
 inline scene::StudyState usualState() {
     scene::StudyState state;
     state.settings = {};
@@ -28,13 +28,13 @@ inline scene::StudyState usualState() {
 
 struct macula_view {
     macula::study::LoadedStudy study;  // 16 bits; without notes
-    // What was chosen by a state, and by what is no name. What was chosen by name counts more.
+    // What was chosen by a state, and what has no name, such as a camera. Names below override it.
     macula::scene::StudyState chosen = macula::c::usualState();
-    macula::pictures::StateRequest request;  // preset, look, table and direction
+    macula::pictures::StateRequest request;  // preset, look and direction
     std::string lights;                      // by name or file; empty: those of the state, or for the look
-    std::optional<macula::DisplayWindow> window;  // of the look that it is drawn in
+    std::optional<macula::DisplayWindow> window;  // for the look that it is drawn in
 
-    std::string state;  // that was asked for
+    std::string state;  // the JSON of macula_view_state
 
     // Of the last picture.
     std::vector<std::string> notes;

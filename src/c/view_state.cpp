@@ -1,4 +1,4 @@
-// All that was chosen for a view, as the text of a state.
+// Everything that was chosen for a view, as the text of a state.
 #include <memory>
 #include <string>
 #include <utility>

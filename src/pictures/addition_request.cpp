@@ -16,7 +16,7 @@ namespace macula::pictures {
 
 namespace {
 
-// What a view and the request leave of the volume, and in which colours.
+// The segments that the view and the options hide, and those that they colour.
 Result<scene::SegmentsToDraw> segmentsOf(const ResolvedAdditions& choice, const study::ReadStudy& study,
                                          Progress& progress) {
     if (!choice.needsSegmentations()) return scene::SegmentsToDraw();
@@ -33,7 +33,7 @@ Result<scene::SegmentsToDraw> segmentsOf(const ResolvedAdditions& choice, const 
                                  progress);
 }
 
-// Puts both masks into the clip.
+// Combines the mask of the clip with `mask`.
 Result<void> addMask(Clip& clip, const std::optional<Mask>& mask, const Volume& volume, Progress& progress) {
     std::vector<Mask> masks;
     for (const std::optional<Mask>& each : {clip.mask, mask})

@@ -23,7 +23,7 @@ namespace macula::pictures {
 // Empty fields: not given.
 struct AdditionRequest {
     std::vector<std::string> segments = {};  // each as segmentRequestFrom takes it
-    scene::SecondVolumeRequest second = {};  // drawn in the same picture; scanned as the study is
+    scene::SecondVolumeRequest second = {};  // in the same picture; read with the study's options
     bool secondLinkIsGiven = false;
 };
 
@@ -35,7 +35,7 @@ struct ResolvedAdditions {
     std::vector<scene::SegmentRequest> segments;
     std::vector<scene::SegmentationSettings> ofView;
     scene::SecondVolumeRequest second;
-    std::optional<scene::SecondVolumeState> secondVolume;  // of the view
+    std::optional<scene::SecondVolumeState> secondVolume;  // the second volume of the view
 
     bool needsSegmentations() const;
 };
@@ -48,7 +48,7 @@ Result<ResolvedAdditions> resolveAdditions(const AdditionRequest& request, const
 struct DrawnAdditions {
     Additions additions;
     std::vector<Text> notes;     // sentences, without patient data
-    std::vector<Text> warnings;  // those notes that change what is seen
+    std::vector<Text> warnings;  // those of the notes that affect what is seen
 };
 
 // Makes the additions that `look` draws: for a projection it does not read the second volume. The volume of

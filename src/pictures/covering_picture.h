@@ -7,10 +7,10 @@
 
 namespace macula::pictures {
 
-// Both have 4 bytes a pixel, display-encoded, and a background mixed in as linear light behind the tone map:
-// light over white and not over black is background (triangulation: Smith and Blinn, "Blue Screen Matting",
-// 1996). Colours are straight, as in PNG; pixels without coverage are clear black. The channel with the least
-// coverage decides: one that is white in both says nothing.
+// Both pictures have 4 bytes a pixel, display-encoded; their background was mixed in as linear light, after
+// the tone map. So the light in which they differ is background (triangulation: Smith and Blinn, "Blue Screen
+// Matting", 1996). Colours are straight, as in PNG; pixels without coverage are clear black. The channel with
+// the least coverage decides, because one that is white in both pictures says nothing.
 std::vector<std::uint8_t> coveringPicture(std::span<const std::uint8_t> overBlack,
                                           std::span<const std::uint8_t> overWhite);
 

@@ -24,7 +24,7 @@ const glm::vec3 kWhite(1.0f);
 
 using Rgba = std::vector<std::uint8_t>;
 
-// What is displayed, as the request wants it; `over` shows it over a background.
+// The display values that the request wants; `over` draws the picture over a background.
 Result<Rgba> rgbaOf(const PictureRequest& request,
                     const std::function<Result<Rgba>(const glm::vec3&)>& over) {
     if (!request.isTransparent) return over(scene::lightOf(request.background));
@@ -33,7 +33,7 @@ Result<Rgba> rgbaOf(const PictureRequest& request,
     return coveringPicture(overBlack, overWhite);
 }
 
-// A picture of the same shape whose longer side has at most so many pixels.
+// The size of a picture of the same shape whose longer side has at most so many pixels.
 glm::ivec2 smallSize(const glm::dvec2& size, double longerSidePx) {
     return glm::max(glm::ivec2(glm::round(size * std::min(1.0, longerSidePx / std::max(size.x, size.y)))),
                     glm::ivec2(1));
@@ -49,8 +49,8 @@ Result<Camera> cameraOf(const PictureRequest& request, const trace::PathTracer& 
 }
 
 Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
-    // One pass has all samples: the tracer asks between its dispatches, and lanes wait less for one another
-    // in a long pass.
+    // One pass has all samples: the tracer calls `tell` between its dispatches, and lanes wait less for one
+    // another in a long pass.
     progress.beginStage(Text("Tracing"), samplesPerPixel);
     std::size_t told = 0;
     const auto tell = [&] {
@@ -63,8 +63,8 @@ Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, 
     return {};
 }
 
-// Traces as many samples as convergence takes, where they are needed. Who stops it may want the picture as it
-// is then.
+// Traces until the picture has converged, with more samples where there is more noise. A picture that is
+// stopped is kept if the request says so.
 Result<void> traceUntilConverged(trace::PathTracer& tracer, const PictureRequest& request,
                                  Progress& progress) {
     constexpr double kPortionMs = 200.0;
@@ -136,7 +136,8 @@ Result<void> PictureDrawer::adapt(std::optional<PictureDrawer>& kept,
             kept.reset();
             return changed;
         }
-        // Where not all has room, what was shown before may have left another part of it.
+        // If the device lacks memory for all voxels, those of the previous picture may keep it from the
+        // others.
         if (kept->tracer_.messages().empty()) return {};
     }
     kept.reset();  // first: the device may have no room for both
@@ -166,7 +167,7 @@ Result<DrawnPicture> PictureDrawer::draw(const std::optional<Camera>& camera, Pr
     tracer_.forgetViews();
     MACULA_TRY_VOID(tracer_.setView(
         {.camera = drawn.camera, .width = request_.sizePx.x, .height = request_.sizePx.y, .lens = lens}));
-    // First: reading guides may bring voxels, and with them the picture would begin anew.
+    // Before tracing, because reading guides may upload voxels, which restarts the picture.
     std::vector<float> distancesMm;
     if (request_.effects.fogMm > 0.0 && !trace::isProjection(request_.settings.look)) {
         MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer_.readGuides());
@@ -237,7 +238,7 @@ Result<double> PictureDrawer::meter(const Camera& camera, const Progress& progre
     trace::Settings settings = request_.settings;
     settings.exposure = 1.0;
     settings.errorThreshold = 0.0;
-    settings.denoising = trace::Denoising::on;  // noise would be metered for light
+    settings.denoising = trace::Denoising::on;  // noise would count as light
     MACULA_TRY_VOID(tracer_.setSettings(settings));
     tracer_.forgetViews();
     const glm::ivec2 small = smallSize(request_.sizePx, kLongerSidePx);
@@ -253,7 +254,7 @@ Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, con
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(device, request, progress));
     MACULA_TRY(DrawnPicture drawn, drawer.draw(request.camera, progress));
-    drawn.seconds = secondsSince(start);  // with what was brought to the device
+    drawn.seconds = secondsSince(start);  // includes the uploads
     return drawn;
 }
 
@@ -278,7 +279,7 @@ std::vector<PictureNote> notesOf(const DrawnPicture& drawn, const PictureRequest
     if (request.settings.errorThreshold > 0.0 && !statistics.converged)
         notes.push_back({Text("The picture is noisier than its limit of noise.")});
     if (isEmpty(drawn, request)) {
-        // A projection knows no preset: what is black there is below its window.
+        // A projection has no preset: it is black where values lie below its window.
         const auto& window = request.settings.window;
         const bool isSeenThroughWindow = trace::isProjection(request.settings.look) && window.has_value();
         notes.push_back({.sentence = isSeenThroughWindow

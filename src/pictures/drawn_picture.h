@@ -20,7 +20,7 @@ struct DrawnPicture {
     Camera camera;  // as requested or fitted; a parallel one moved by standingBefore
     double seconds = 0.0;
     double exposure = 1.0;  // as requested, or metered
-    double focusMm = 0.0;   // of the lens, from `camera`: as requested or found; 0 without one
+    double focusMm = 0.0;   // focus distance from `camera`, as requested or found; 0 without a lens
     trace::Statistics statistics;
     // Row 0 on top. Either `rgba`, display-encoded over the background, or straight colours with coverage as
     // alpha for a transparent request, 4 bytes a pixel; or `traced`, linear.
@@ -38,24 +38,24 @@ class PictureDrawer {
     static Result<PictureDrawer> create(const std::shared_ptr<gpu::Device>& device,
                                         const PictureRequest& request, const Progress& progress);
     // Changes `kept` to that device and request, and uploads only the parts of the scene that differ. Resets
-    // `kept` where it fails, as create does.
+    // `kept` if it fails, as create does.
     static Result<void> adapt(std::optional<PictureDrawer>& kept, const std::shared_ptr<gpu::Device>& device,
                               const PictureRequest& request, const Progress& progress);
     // As drawPicture. Without a camera, fits one to what is visible (fittedCamera).
     Result<DrawnPicture> draw(const std::optional<Camera>& camera, Progress& progress);
-    // Measures the exposure for PictureRequest::metersExposure with that camera; 1 where nothing is visible.
+    // Measures the exposure for PictureRequest::metersExposure with that camera; 1 if nothing is visible.
     // Ignores grey cut faces, because exposure does not change them.
     Result<double> meterExposure(const Camera& camera, const Progress& progress);
 
   private:
     // The lens of the effects. `standing` is `asked`, moved back if it is parallel.
     Result<trace::Lens> lensFor(const Camera& asked, const Camera& standing);
-    // Reads the picture back as requested; adds fog where `distancesMm`, one per pixel, is not empty.
+    // Reads the picture back as requested; adds fog if `distancesMm`, one per pixel, is not empty.
     Result<void> read(DrawnPicture& drawn, const std::vector<float>& distancesMm);
     PictureDrawer(std::shared_ptr<gpu::Device> device, PictureRequest request, trace::PathTracer tracer)
         : device_(std::move(device)), request_(std::move(request)), tracer_(std::move(tracer)) {}
-    Result<double> meter(const Camera& camera, const Progress& progress);  // with the clip that is set
-    // To a request with the same volume and memory limits.
+    Result<double> meter(const Camera& camera, const Progress& progress);  // with the clip of the tracer
+    // Changes to a request with the same volume and memory limits.
     Result<void> change(const PictureRequest& request, const Progress& progress);
 
     std::shared_ptr<gpu::Device> device_;

@@ -21,8 +21,8 @@ struct FittedView {
     double aspectWidthOverHeight = 1.0;
 };
 
-// `outlineMm` as from trace::PathTracer::outlineMm. Fits the whole volume for projections, and where nothing
-// is visible.
+// `outlineMm` as from trace::PathTracer::outlineMm. Fits the whole volume for projections, and if nothing is
+// visible.
 Camera fittedCamera(std::vector<glm::dvec3> outlineMm, trace::Look look, const Volume& volume,
                     const FittedView& view);
 

@@ -22,8 +22,8 @@ struct ModelToDraw {
     std::vector<Text> notes;  // unexpected properties, for the user
 };
 
-// `lowPass` is how the model was trained, for files that do not say; ignored for Macula's (adaptive). Fails
-// as splat::readModel with BadSplats::repairOrNone.
+// `lowPass` is the filter that the model was trained with, for files that do not say; Macula's own say it
+// (adaptive). Fails as splat::readModel with BadSplats::repairOrNone.
 Result<ModelToDraw> readModelToDraw(const std::filesystem::path& path, std::optional<splat::LowPass> lowPass);
 
 struct ModelPicture {
@@ -42,7 +42,7 @@ Result<ModelPicture> drawModel(splat::ModelPainter& painter, const splat::Raster
 image::Metadata metadata(const splat::Splats& splats, const splat::DisplayOptions& display,
                          const std::string& device);
 
-// Writes each file whole or not at all; no EXR where `exr` is empty.
+// Writes each file whole or not at all; no EXR if `exr` is empty.
 Result<void> writeModelPicture(const ModelPicture& picture, const glm::ivec2& sizePx,
                                const std::filesystem::path& png, const std::filesystem::path& exr,
                                const image::Metadata& metadata);

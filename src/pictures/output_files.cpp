@@ -31,7 +31,7 @@ bool isAmong(const fs::path& file, const std::vector<fs::path>& files) {
     });
 }
 
-// A file is of a folder when it stands there, and, if it is a symbolic link, when its target stands there.
+// Whether the file lies in the folder or is a symbolic link to a file there.
 bool isFileOf(const fs::path& file, const fs::path& folder) {
     return dicom::liesInside(wholePath(file), folder) ||
            dicom::liesInside(wholePath(folderOf(file)) / file.filename(), folder);
@@ -68,7 +68,7 @@ void OutputFiles::read(const fs::path& path) {
         return;
     }
     files_.push_back(wholePath(found));
-    // Reading the list of a disc reads the disc.
+    // A DICOMDIR names files of its folder, which are read too.
     if (found.filename().string().starts_with("DICOMDIR")) folders_.push_back(wholePath(folderOf(found)));
     if (const auto values = formats::valuesFileOf(found)) files_.push_back(wholePath(*values));
 }

@@ -15,13 +15,13 @@ class OutputFiles {
   public:
     explicit OutputFiles(bool overwrite) : overwrite_(overwrite) {}
 
-    // Registers a file or folder that the call reads. Ignores names that are no path ("phantom:", a built-in
-    // preset, empty). FILE#NAME is FILE.
+    // Registers a file or folder that the call reads. Ignores names that are not paths ("phantom:", a
+    // built-in preset, empty). For FILE#NAME it registers FILE.
     void read(const std::filesystem::path& path);
 
-    // Checks an output before work begins; call it after every read(). usage for another output of this call;
-    // outputNotWritable where nothing can be written, or by the rule. Accepts an empty path and "-", standard
-    // output, without a check.
+    // Checks an output before work begins; call it after every read(). usage if another output of this call
+    // has that path; outputNotWritable if nothing can be written there, or the rule forbids it. Accepts an
+    // empty path and "-", standard output, without a check.
     Result<void> write(const std::filesystem::path& path);
 
     // The same for a training that resumes from that file: it may replace the file.
@@ -37,14 +37,14 @@ class OutputFiles {
     std::set<std::filesystem::path> tidied_;              // folders cleared of abandoned drafts
 };
 
-// Makes the folder and its parents where they are missing. Error: outputNotWritable.
+// Makes the folder and its parents if they are missing. Error: outputNotWritable.
 Result<void> makePictureFolder(const std::filesystem::path& folder);
 
-// The path for an unfinished result: `wanted`, or a name beside it where that file exists, so that it never
-// replaces a finished one ("model-unfinished.ply" beside "model.ply").
+// The path for an unfinished result: `wanted`, or if that file exists a name next to it, so that a finished
+// result is never replaced ("model-unfinished.ply" next to "model.ply").
 std::filesystem::path placeOfUnfinished(const std::filesystem::path& wanted);
 
-// Whether both paths are the same file, also where it does not exist yet; false for an empty path.
+// Whether both paths are the same file, even if it does not exist yet; false for an empty path.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace macula::pictures

@@ -29,22 +29,22 @@ inline constexpr double kMostFogMm = 1e6;
 // usage for a number that is out of range.
 Result<void> check(const PictureEffects& effects);
 
-// "auto" gives nothing; else a number in mm. usage for other text.
+// "auto" gives nothing, other text a number in mm. usage for text that is neither.
 Result<std::optional<double>> parseFocus(const std::string& typed);
 
 // Focus distance in mm from the camera: the median depth along its axis in a disc at the middle, of radius
-// height / 20. usage when it shows nothing, or the camera stands inside. `guides` covers all pixels.
+// height / 20. usage if the disc shows nothing, or the camera stands in the matter. `guides` has all pixels.
 Result<double> focusOfMiddle(std::span<const trace::GuidePixel> guides, glm::ivec2 sizePx,
                              const Camera& camera);
 
-// Distance of the matter in each pixel from the camera, in mm: depthMm of the guide; for matter too thin for
-// one, beforeMm, the middle of what it adds; +infinity for an empty pixel. The guides must come from a view
-// without one before it (PathTracer::forgetViews).
+// Distance in mm from the camera to the matter in each pixel: depthMm of the guide, or beforeMm if the matter
+// is too thin for a depth; +infinity for an empty pixel. beforeMm belongs to the eye of the previous view, so
+// the guides must come from a view without one (PathTracer::forgetViews).
 std::vector<float> matterMm(std::span<const trace::GuidePixel> guides);
 
 // Multiplies premultiplied radiance and coverage by exp(-d / fogMm), so that the background shows through; d
 // is the distance behind the nearest matter, which stays unchanged (exponential fog, as in OpenGL and
-// Akenine-Möller et al. 2018, "Real-Time Rendering", 14.5). Both spans have one size.
+// Akenine-Möller et al. 2018, "Real-Time Rendering", 14.5). Both spans have the same size.
 void addFog(std::span<glm::vec4> radiance, std::span<const float> distancesMm, double fogMm);
 
 }  // namespace macula::pictures

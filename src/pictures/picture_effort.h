@@ -23,7 +23,7 @@ struct EffortRequest {
 };
 
 struct Effort {
-    std::uint32_t samplesPerPixel = 64;  // with Settings::errorThreshold, the most
+    std::uint32_t samplesPerPixel = 64;  // at most so many with Settings::errorThreshold
     trace::Settings settings;
 };
 

@@ -14,8 +14,8 @@ Result<void> checkPictureName(const std::filesystem::path& path);
 bool isExr(const std::filesystem::path& path);
 bool isDicom(const std::filesystem::path& path);  // .dcm
 
-// Writes the file whole or not at all: a linear picture as EXR with depth in channel Z, else PNG, whatever
-// the extension.
+// Writes the file whole or not at all: a linear picture as EXR with depth in channel Z, any other as PNG,
+// whatever the extension.
 Result<void> writePicture(const std::filesystem::path& path, const DrawnPicture& picture,
                           const glm::ivec2& sizePx, const image::Metadata& metadata);
 

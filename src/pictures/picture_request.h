@@ -23,13 +23,12 @@ struct PictureRequest {
     bool isParallel = false;  // for a camera that is fitted here
     glm::ivec2 sizePx{768};   // each from 1 to trace::kMaxPictureSide
     trace::Settings settings;
-    bool metersExposure =
-        false;  // settings.exposure is metered for the picture (light_meter.h); not of projections
+    bool metersExposure = false;  // meters settings.exposure (light_meter.h); not for projections
     // The number of samples; with Settings::errorThreshold, about the limit of their mean over all pixels.
     std::uint32_t samplesPerPixel = 64;
     bool keepUnfinished = false;  // with an errorThreshold: stopping keeps the picture as it is then
     bool isLinear = false;        // returns linear radiance and depth instead of display values
-    scene::BackgroundColour background = scene::kBlackBackground;  // of display values
+    scene::BackgroundColour background = scene::kBlackBackground;  // behind display values
     bool isTransparent = false;  // returns an alpha channel instead of the background
     PictureEffects effects = {};
     trace::MemoryLimits memory;

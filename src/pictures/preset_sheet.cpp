@@ -40,7 +40,7 @@ struct Sheet {
     }
 };
 
-// Of each of trace::kLooks that has lights: the same for every preset, and made once.
+// One for each of trace::kLooks that has lights; all presets share them.
 using LightsOfLooks = std::vector<std::optional<trace::Environment>>;
 
 Result<LightsOfLooks> lightsOfLooks() {

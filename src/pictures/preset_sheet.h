@@ -22,7 +22,7 @@ struct SheetRequest {
     ViewDirection view = ViewDirection::anterior;
     int tilePx = 160;
     int panels = 3;                      // side by side; each holds a share of the presets
-    std::uint32_t samplesPerPixel = 24;  // of path-traced looks
+    std::uint32_t samplesPerPixel = 24;  // for path-traced looks
 };
 
 // Each preset has a row of one panel, with a tile for each of trace::kLooks.

@@ -17,12 +17,12 @@ namespace {
 
 using Fit = TransferFunction::Fit;
 
-constexpr int kMostVoxelsPerSide = 4;   // of a cell, that its mean is of
-constexpr std::size_t kEntries = 4096;  // of a table of the curves
+constexpr int kMostVoxelsPerSide = 4;   // whose mean a cell has
+constexpr std::size_t kEntries = 4096;  // entries of the lookup table of the curves
 constexpr double kStepCells = 0.5;
 constexpr double kFovDeg = 30.0;
-constexpr double kOpaque = 1.0 / 255.0;  // of transmittance
-constexpr double kLeastShaded = 1e-3;    // of opacity: below, a gradient costs more than it shows
+constexpr double kOpaque = 1.0 / 255.0;  // transmittance below this ends a ray
+constexpr double kLeastShaded = 1e-3;    // with less opacity, shading costs more than it shows
 
 Error cancelled() {
     return {ErrorCode::cancelled, Text("The small picture was not drawn."), {}, {}};
@@ -35,7 +35,7 @@ Error noMemory() {
             Text("Close other programs.")};
 }
 
-// Of the voxels along one axis, those that a cell's mean is of.
+// The voxels along one axis whose mean a cell has.
 std::vector<int> voxelsOf(int cell, int cells, int voxels) {
     const int first = int(std::int64_t(cell) * voxels / cells);
     const int end = std::max(first + 1, int(std::int64_t(cell + 1) * voxels / cells));
@@ -54,7 +54,7 @@ double encoded(double linear) {
     return encodedSrgb(std::clamp(linear, 0.0, 1.0));
 }
 
-// The curves over the values that there are, looked up once for each and not for each sample.
+// A lookup table of the curves over the range of values, so that samples need not evaluate them.
 class Optics {
   public:
     Optics(const TransferFunction& function, const ValueRange& values) : low_(values.low) {
@@ -84,7 +84,7 @@ class Optics {
     std::vector<Entry> entries_;
 };
 
-// Between these distances along it a ray, in cells, is within the volume.
+// The part of a ray that lies in the volume. The ray is in cells; distances are multiples of `along`.
 struct Stretch {
     double from = 0.0;
     double to = 0.0;
@@ -110,12 +110,12 @@ struct March {
     const CoarseVolume& coarse;
     const Optics& optics;
     const Optics* steep;  // null: all matter has one pair of curves
-    double steepPerMm;    // between cells: where half of the matter is steep
+    double steepPerMm;    // gradient between cells at which half of the matter is steep
     const Lighting& lighting;
     const Clip* clip;  // null: nothing is hidden
     double longestStepMm;
 
-    // How values change, per cell.
+    // The gradient of the values, per cell.
     glm::dvec3 gradientAt(const glm::dvec3& cell) const {
         glm::dvec3 gradient(0.0);
         for (int axis = 0; axis < 3; ++axis) {
@@ -125,7 +125,7 @@ struct March {
         }
         return gradient;
     }
-    // A gradient in cells is a covector: its length in mm comes of the transposed transform.
+    // A gradient in cells is a covector: its length in mm follows from the transposed transform.
     double perMm(const glm::dvec3& gradient) const {
         return glm::length(glm::transpose(glm::dmat3(coarse.cellFromWorld())) * gradient);
     }
@@ -143,8 +143,8 @@ struct March {
         return {extinction, glm::mix(flat.colour, other.colour, part * other.extinctionPerMm / extinction)};
     }
 
-    // How much of the light of the eye comes back: Lambert, as much from behind. The product of a gradient in
-    // cells with the way along the ray is the change of value there.
+    // The share of a headlight that comes back: Lambert, the same from behind. The dot product of a gradient
+    // in cells and `alongCells` is the change of the value per mm along the ray.
     double shade(const glm::dvec3& cell, const glm::dvec3& alongCells) const {
         if (!lighting.shade) return 1.0;
         const glm::dvec3 gradient = gradientAt(cell);
@@ -160,7 +160,7 @@ struct March {
         const Stretch stretch = within(coarse.size(), from, along);
         glm::dvec3 sum(0.0);
         if (!(stretch.from < stretch.to)) return sum;
-        // Steps end where the volume does: a thin slab absorbs what it has to.
+        // The steps end exactly at the end of the volume, so that a thin slab absorbs what it should.
         const double lengthMm = stretch.to - stretch.from;
         const int steps = std::max(1, int(std::ceil(lengthMm / longestStepMm)));
         const double stepMm = lengthMm / steps;
@@ -201,12 +201,12 @@ Result<PresetThumbnail> draw(const CoarseVolume& coarse, const TransferFunction&
     const glm::dmat3 worldFromCell = glm::inverse(glm::dmat3(coarse.cellFromWorld()));
     const double shortestMm = shortestOf(
         {glm::length(worldFromCell[0]), glm::length(worldFromCell[1]), glm::length(worldFromCell[2])});
-    // Cells of a thick slab are long: as many steps as an ordinary volume has are enough.
+    // At most 4 kLongestCoarseSide steps along the diagonal: very flat cells must not cost many more.
     const double stepMm =
         std::max(kStepCells * shortestMm, volume.worldBox().diagonal() / (4.0 * kLongestCoarseSide));
     std::optional<Optics> steep;
     if (usesSteepCurves(function)) steep.emplace(withCurvesSwapped(function), values);
-    // An edge in the body is some two voxels wide: between longer cells it is less steep.
+    // An edge in the body is about two voxels wide; longer cells make it less steep.
     const double widerBy = std::max(1.0, shortestMm / (2.0 * shortestOf(volume.spacingMm())));
     const March march{coarse,
                       optics,

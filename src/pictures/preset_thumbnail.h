@@ -30,7 +30,7 @@ struct PresetThumbnail {
 class CoarseVolume {
   public:
     // Each cell is the mean of at most 4 voxels per axis; at most kLongestCoarseSide cells a side. Padding
-    // counts as air, as in the renderers. Fails with inputNotUsable where all of it is padding, outOfMemory
+    // counts as air, as in the renderers. Fails with inputNotUsable if all of it is padding, with outOfMemory
     // and `cancelled`; throws nothing.
     static Result<std::shared_ptr<const CoarseVolume>> of(std::shared_ptr<const Volume> volume,
                                                           const CancelToken& token = {});
@@ -53,9 +53,9 @@ class CoarseVolume {
     mutable ValueRange foreground_;  // cached for fits, because finding it reads each voxel
 };
 
-// Ray casts emission and absorption with the curves of the preset, as the look "dvr", with a headlight where
-// the preset asks for one; gradient opacity is 1, and steepness comes from the gradient between cells. Thin
-// matter is fainter than in a picture where the volume is coarse. `clip` is in patient LPS mm, its mask
+// Ray casts emission and absorption with the curves of the preset, as the look "dvr", with a headlight if the
+// preset asks for one; gradient opacity is 1, and steepness comes from the gradient between cells. Thin
+// matter is fainter than in a picture, because the volume is coarse. `clip` is in patient LPS mm, its mask
 // ignored; null: all is shown. Frames the whole box from anterior, a short scan (isShort) obliquely. Fails
 // with inputNotUsable for an invalid preset, outOfMemory, and `cancelled`, checked in each row; throws
 // nothing.

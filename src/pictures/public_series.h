@@ -6,7 +6,7 @@
 namespace macula::pictures {
 
 // Digest of LoadedStudy::seriesDigest with the key of this installation: it groups pictures of one series
-// made here, and tells others nothing. "phantom" is returned unchanged; "unknown" where no key can be stored.
+// made here, and tells others nothing. Returns "phantom" unchanged; "unknown" if no key can be stored.
 std::string publicSeries(const std::string& seriesDigest);
 
 }  // namespace macula::pictures

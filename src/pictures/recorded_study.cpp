@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 constexpr const char* kFramesFile = "frames.jsonl";
 constexpr const char* kTimesFile = "times.json";
 
-// Whether it can be made, or is there and empty. Before the study is read, which takes time.
+// Checks that the folder can be made, or is empty; before the study is read, which takes time.
 Result<void> checkFolder(const RecordingRequest& request) {
     OutputFiles files(false);
     for (const fs::path& input : filesOf(request.state)) files.read(input);
@@ -48,7 +48,7 @@ Result<void> checkFolder(const RecordingRequest& request) {
     return files.write(request.folder);
 }
 
-// When nothing else is wrong: nothing is left of what could not be read.
+// Only after the study was read, so that a study that cannot be read leaves no folder.
 Result<void> makeFolder(const fs::path& folder) {
     std::error_code error;
     fs::create_directory(folder, error);
@@ -74,14 +74,14 @@ Result<live::RecordingOptions> optionsOf(const RecordingRequest& request,
     return options;
 }
 
-// All but the study, which is read last.
+// The request without the study, which is read last.
 struct RequestedStudy {
     scene::StudyState state;
     ResolvedAdditions additions;
     scene::Catalogue catalogue;
 };
 
-// Each once: as a warning if it is among them, else as a note.
+// Passes each note on once: to `warn` if it is among the warnings, else to `note`.
 void tell(const std::vector<Text>& notes, const std::vector<Text>& warnings, const Hears& note,
           const Hears& warn) {
     for (const Text& sentence : notes) {
@@ -116,7 +116,7 @@ Result<live::FrameInput> sceneOf(const RecordingRequest& request, RequestedStudy
     return scene;
 }
 
-// Of the drawing, as the report of a picture has it.
+// What the drawing hides and adds, as in the record of a picture (render_record.h).
 nlohmann::ordered_json partsOf(const scene::Drawing& drawing) {
     const auto orNone = [](const std::string& said) { return said.empty() ? "none" : said; };
     const bool isMasked = drawing.clip && drawing.clip->mask;
@@ -150,7 +150,7 @@ Result<void> write(const fs::path& folder, const scene::Drawing& drawing,
     return writeTextAtomically(folder / kTimesFile, timesOf(recording).dump(4) + "\n");
 }
 
-// Small pictures stood where a model would, and with it a fovea, had it learnt for longer.
+// Whether the frame is a small picture only because the model was not fit to be shown yet.
 bool isBeforeModel(const live::FrameShown& frame) {
     using hybrid::ModelStage;
     const bool isComing =
@@ -181,7 +181,7 @@ Result<live::LiveRecording> recordStudy(const RecordingRequest& request, const H
             session::StoreOptions{.folder = *request.sessions},
             [&warn](const Error& error) { warn(Text("{} {}", error.message, error.hint)); });
     MACULA_TRY(live::LiveRecording recording, live::recordLive(std::move(scene), options, progress));
-    options.keeper.reset();  // what was learnt is saved
+    options.keeper.reset();  // waits until what was learnt is stored
     if (recording.isFull) note(Text("Pictures left out: there were too many. Lower --pictures or --size."));
     MACULA_TRY_VOID(write(request.folder, drawing, recording));
     return recording;
@@ -211,7 +211,7 @@ MotionFigures motionFigures(const live::LiveRecording& recording) {
     double lastS = 0.0;
     std::uint64_t lastSequence = 0;
     for (const live::RecordedFrame& frame : recording.frames) {
-        // A view that is shown once more is no new frame that follows the camera.
+        // A view that is shown again is not a new frame.
         if (frame.phase != live::RecordingPhase::moving || frame.shown.inputSequence == lastSequence)
             continue;
         lastSequence = frame.shown.inputSequence;

@@ -19,7 +19,7 @@ namespace macula::pictures {
 // Empty fields: not given.
 struct RecordingRequest {
     std::filesystem::path path;
-    std::filesystem::path folder;  // created if it is missing; else it must be empty
+    std::filesystem::path folder;  // created if it is missing; otherwise it must be empty
     std::string series;
     StateRequest state;  // its camera is the start of the motion
     std::string lights;  // a built-in name
@@ -32,7 +32,7 @@ struct RecordingRequest {
 };
 
 // Writes frames.jsonl with one line per shown frame, times.json (timesOf), and frame-0001.png and so on for
-// kept frames. `warn` receives notes that change what is seen, `note` the others.
+// kept frames. `warn` receives notes that affect what is seen, `note` the others.
 using Hears = std::function<void(const Text&)>;
 Result<live::LiveRecording> recordStudy(const RecordingRequest& request, const Hears& note, const Hears& warn,
                                         Progress& progress);
@@ -52,7 +52,7 @@ struct MotionFigures {
     std::size_t beforeModel = 0;
 };
 MotionFigures motionFigures(const live::LiveRecording& recording);
-// One line for the user; with advice where the model came too late for any fovea.
+// One line for the user; with advice if the model came too late for any fovea.
 std::string textOf(const MotionFigures& figures);
 
 }  // namespace macula::pictures

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// "-200,0,35": no more digits than say which it is.
+// Six significant digits at most: "-200,0,35".
 std::string numbers(const glm::dvec3& vector) {
     return fmt::format("{:.6g},{:.6g},{:.6g}", vector.x, vector.y, vector.z);
 }
@@ -27,7 +27,7 @@ Json windowJson(const std::optional<DisplayWindow>& window) {
     return window ? Json{{"center", window->center}, {"width", window->width}} : Json();
 }
 
-// What of them this look has.
+// The effects that the look has; the others are off.
 PictureEffects effectsThatCount(const PictureRequest& request, const DrawnPicture& picture) {
     PictureEffects effects = request.effects;
     const trace::Look look = request.settings.look;

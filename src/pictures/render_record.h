@@ -22,7 +22,7 @@ struct RenderRecord {
     std::string preset;
     std::string lights;
     std::string clip;
-    bool tableRemoved = false;   // a table, or other things beside the patient, were found and removed
+    bool tableRemoved = false;   // the table, or other things next to the patient, were found and removed
     std::string masked = {};     // Mask::remark in English: the parts of the volume that voxel masks removed
     std::string additions = {};  // Additions::remark, likewise: a second volume, coloured segments
     std::string device;
@@ -37,8 +37,8 @@ struct RenderRecord {
     // By id: the values of matterParameters() of the preset, before its fit to the volume.
     std::vector<std::pair<std::string_view, double>> matter = {};
     bool presetFitted = false;            // its curves were stretched to the volume
-    std::optional<DisplayWindow> window;  // of projections only
-    std::string unit = {};                // of the values: unitSymbol, never text of a file
+    std::optional<DisplayWindow> window;  // for projections only
+    std::string unit = {};                // unit of the values: unitSymbol, never text of a file
     trace::Statistics statistics;
     double loadSeconds = 0.0;
     double traceSeconds = 0.0;

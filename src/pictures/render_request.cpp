@@ -14,7 +14,7 @@ namespace macula::pictures {
 
 namespace {
 
-// Where nobody says how much work a PNG is worth, it is filtered, and ended by the noise that it has before.
+// A PNG without options of effort is denoised, and traced until its noise before that is below this.
 constexpr double kUsualError = 0.1;
 constexpr std::uint32_t kMostUsualSamples = 256;
 
@@ -74,7 +74,7 @@ std::string publicClip(const RenderRequest& request, const scene::StudyState& st
     return state.cuts.isNothing() ? clip : clip + " and cuts";
 }
 
-// Whether it says what a surface is like, which a preset without one has no use for.
+// Whether the parameter describes a surface: a preset without one does not use it.
 bool isOfSurface(std::string_view matter) {
     return matter == "surfaceGradientPerMm" || matter == "roughness" || matter == "reflectance";
 }
@@ -143,10 +143,10 @@ std::vector<Text> optionsWithoutEffect(const RenderRequest& request, trace::Look
 
 Result<RequestedPicture> requestedPicture(const RenderRequest& request) {
     MACULA_TRY_VOID(checkFiles(request));
-    // Unlike the viewer, a picture shades ray casts only where that is asked for.
     MACULA_TRY(const auto sizePx, scene::parseSize(request.size));
     StateRequest ofState = request.state;
     ofState.aspectWidthOverHeight = double(sizePx.x) / double(sizePx.y);
+    // Unlike the viewer, a picture shades ray casts only if the options ask for it.
     MACULA_TRY(scene::StudyState state, stateOf(ofState, {.settings = {}}));
     RequestedPicture picture{.state = std::move(state), .request = {}, .lights = {}, .clip = {}};
     MACULA_TRY(picture.additions, resolveAdditions(request.additions, request.path, picture.state));

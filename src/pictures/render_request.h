@@ -1,4 +1,4 @@
-// The options of a render, by names, files and numbers, and the request they make.
+// The options of a render, by names, files and numbers, and the PictureRequest made from them.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct RenderRequest {
     std::string lights;           // as chooseLights takes it, also a panorama
     bool metersExposure = false;  // overrides the exposure of the view
     AdditionRequest additions;
-    bool shading = false;  // of ray casts, whatever the preset says
+    bool shading = false;  // for ray casts, whatever the preset says
     std::string size = "768x768";
     std::string background;  // as backgroundOf, or kTransparent; overrides that of the view
     PictureEffects effects = {};
@@ -44,12 +44,12 @@ struct RenderRequest {
 // Lists the looks for which `isMeant` is true: "mip, minip and average".
 Text looksListed(bool (*isMeant)(trace::Look));
 
-// Sentences on options that have no effect in this look, or on the preset that is drawn; not on values from a
-// view, a quality or a default. makeAdditions reports on additions.
+// Sentences on options that have no effect in this look or with this preset; not on values from a view, a
+// quality or a default. makeAdditions reports on additions.
 std::vector<Text> optionsWithoutEffect(const RenderRequest& request, trace::Look look,
                                        const TransferFunction& drawn);
 
-// The request of a request, without what depends on the study.
+// The picture that a RenderRequest asks for, without what depends on the study.
 struct RequestedPicture {
     scene::StudyState state;
     PictureRequest request;  // to be completed: volume, preset, clip, additions, settingsToDraw

@@ -36,7 +36,7 @@ Result<void> setCamera(scene::StudyState& state, const StateRequest& request) {
     return {};
 }
 
-// The clip, and what the values are, unless something else was given.
+// Applies its clip, unless the options give one, and the unit of its values.
 Result<void> applyPresentationState(scene::StudyState& state, const StateRequest& request,
                                     study::LoadedStudy& study) {
     const std::string where = request.presentation.string();

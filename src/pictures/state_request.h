@@ -27,8 +27,8 @@ struct StateRequest {
     std::string preset = {};   // as choosePreset takes it
     bool fit = false;          // stretch the range of the preset to the volume
     std::string clip = {};     // as chooseClip takes it; also replaces the cuts of a view
-    bool removeTable = false;  // hide it
-    bool keepTable = false;    // show it, even if a view hides it
+    bool removeTable = false;  // hide the table
+    bool keepTable = false;    // show the table, even if a view hides it
     std::optional<trace::Look> look = {};
     std::optional<trace::ToneMap> toneMap = {};
     std::string window = {};                          // for projections: parseWindow
@@ -42,7 +42,7 @@ struct StateRequest {
     double aspectWidthOverHeight = 0.0;
 };
 
-// What to do with a table when neither the options nor a view say.
+// What to do with a table if neither the options nor a view say.
 scene::UnaskedTable unaskedTable(const StateRequest& request);
 
 // Options that may name a file, for OutputFiles::read.

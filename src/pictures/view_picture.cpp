@@ -16,8 +16,8 @@ namespace macula::pictures {
 
 namespace {
 
-// Names a preset only where it is one of ours: those of a person may say whose they are. Remarks say what is
-// hidden, and through which window values are seen; units may have letters that DICOM's plain text has not.
+// Names only built-in presets, because a user's own may be named after somebody. Remarks say what is hidden,
+// and through which window values are seen. Units may have characters that DICOM's default set lacks.
 std::string derivationOf(const ViewPicture& picture, const RenderRecord& record) {
     const trace::Look look = record.settings.look;
     std::string text = fmt::format("Volume rendering ({})", trace::nameOf(look));
@@ -101,7 +101,7 @@ Result<double> meteredExposureOf(const ViewPicture& picture, const std::string& 
 Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vector<ViewPicture>& pictures,
                                                                 const std::string& preferredDevice,
                                                                 Progress& progress) {
-    if (progress.cancelled()) return stopped();  // a device takes long
+    if (progress.cancelled()) return stopped();  // opening a device takes long
     MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](const Text&) {}));
     std::vector<std::vector<std::uint8_t>> drawn;
     for (const ViewPicture& picture : pictures) {

@@ -30,8 +30,8 @@ struct ViewPicture {
     EffortRequest effort;
     PictureEffects effects = {};
     std::filesystem::path output;  // .png, .exr or .dcm; replaces an existing file
-    // For .dcm, as in dicom::SecondaryCapture: an image of the shown series, whether the picture is of
-    // nobody, and whether to deidentify it.
+    // For .dcm, as in dicom::SecondaryCapture: an image of the shown series, whether the picture shows no
+    // patient, and whether to deidentify it.
     std::optional<dicom::SecondaryCapture::Source> source = {};
     bool isOfNobody = false;
     bool isDeidentified = false;
@@ -40,9 +40,9 @@ struct ViewPicture {
     std::function<std::vector<Stamp>(const Camera&)> stampsFor = {};
 };
 
-// Opens a device of its own, `preferredDevice` as in gpu::chooseDevice, so that the window goes on. Blocks
-// while it draws. Returns notes to the user, without patient data. usage for another extension or size; fails
-// as drawPicture, writePicture and dicom::writeSecondaryCapture, and then writes nothing.
+// Opens a device of its own, `preferredDevice` as in gpu::chooseDevice, so that the window keeps running.
+// Blocks while it draws. Returns notes to the user, without patient data. usage for another extension or
+// size; fails as drawPicture, writePicture and dicom::writeSecondaryCapture, and then writes nothing.
 Result<std::vector<Text>> writeViewPicture(const ViewPicture& picture, const std::string& preferredDevice,
                                            Progress& progress);
 

@@ -32,7 +32,7 @@ Result<void> check(const ViewSequence& sequence) {
     return {};
 }
 
-// A folder that holds pictures of another sequence would be of both.
+// Pictures of two sequences in one folder could not be told apart.
 Result<void> prepareFolder(const fs::path& folder) {
     MACULA_TRY_VOID(makePictureFolder(folder));
     std::error_code error;
@@ -45,7 +45,7 @@ Result<void> prepareFolder(const fs::path& folder) {
     return {};
 }
 
-// What was written goes again, unless all of it is there.
+// Removes the written files again, unless keep() is called once all are complete.
 class Files {
   public:
     explicit Files(const fs::path& folder) : folder_(folder) {
@@ -57,7 +57,7 @@ class Files {
     ~Files() {
         std::error_code ignored;
         for (const fs::path& file : written) fs::remove(file, ignored);
-        if (!wasThere_) fs::remove(folder_, ignored);  // goes only while it is empty
+        if (!wasThere_) fs::remove(folder_, ignored);  // removed only if it is empty
     }
     std::vector<fs::path> keep() { return std::exchange(written, {}); }
 
@@ -68,7 +68,7 @@ class Files {
     bool wasThere_ = true;
 };
 
-// What is left to do, on a device that may be the second.
+// Draws the pictures that are left, on a device that may replace a lost one.
 struct Course {
     const ViewSequence& sequence;
     const PictureRequest& request;
@@ -78,7 +78,7 @@ struct Course {
 
     Result<void> drawOn(const std::shared_ptr<gpu::Device>& device) {
         MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(device, request, progress));
-        Progress quiet({}, progress.token());  // of one picture
+        Progress quiet({}, progress.token());  // the progress of each picture is not shown
         while (int(files.written.size()) < sequence.frames) {
             const int index = int(files.written.size());
             const Camera camera = cameraOf(sequence, index);

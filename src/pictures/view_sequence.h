@@ -36,8 +36,8 @@ struct WrittenSequence {
     std::vector<Text> sentences;  // notes to the user, without patient data
 };
 
-// Opens a device of its own, as writeViewPicture. Removes its pictures when it is stopped or fails. usage
-// where the folder holds pictures of that name, for a path without stops or a count out of range, or as
+// Opens a device of its own, as writeViewPicture. Removes its pictures when it is stopped or fails. usage if
+// the folder holds pictures of that name, for a path without stops or a count out of range, or as
 // writeViewPicture; outputNotWritable; fails as drawPicture.
 Result<WrittenSequence> writeViewSequence(const ViewSequence& sequence, const std::string& preferredDevice,
                                           Progress& progress);

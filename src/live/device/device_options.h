@@ -1,4 +1,4 @@
-// Options for the devices that this process opens itself, rather than gets lent.
+// Options for devices that this process opens itself, not for devices that a host lends.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace macula::live {
 
-// From here on the devices of this process store compiled kernels in `folder` (gpu::DeviceOptions), and start
-// faster. A program calls this before it opens its first device; a library never does, because its host
-// decides which files are written.
+// Has devices that are opened from now on store their compiled kernels in `folder` (gpu::DeviceOptions), so
+// that they start faster. A program calls this before it opens its first device; a library never does,
+// because its host decides which files are written.
 void keepKernelsIn(std::filesystem::path folder);
 
 // `preferred` as in gpu::chooseDevice.

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 fs::path usualKernelsFolder() {
     if (const char* chosen = std::getenv("MACULA_KERNELS"); chosen != nullptr) return chosen;
     const fs::path below = fs::path("macula") / "kernels";
-    // The specification says that a relative path there does not count.
+    // The XDG specification has programs ignore a relative path.
     if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && fs::path(cache).is_absolute())
         return cache / below;
     const char* home = std::getenv("HOME");

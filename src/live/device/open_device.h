@@ -10,8 +10,8 @@
 
 namespace macula::live {
 
-// $MACULA_KERNELS, which may be empty, else $XDG_CACHE_HOME/macula/kernels, else ~/.cache/macula/kernels.
-// Empty: kernels are not stored.
+// $MACULA_KERNELS if it is set, even to nothing; else $XDG_CACHE_HOME/macula/kernels, else
+// ~/.cache/macula/kernels. Empty: kernels are not stored.
 std::filesystem::path usualKernelsFolder();
 
 // `preferred` as in gpu::chooseDevice. `tell` is called for each device that is lost and replaced.

@@ -28,7 +28,7 @@ struct StudyScene {
 struct SceneOnDevice {
     hybrid::TracedScene traced;
     trace::PathTracer tracer;
-    bool isCoarse = false;    // some voxels are coarse on the device: no ground truth
+    bool isCoarse = false;    // some voxels are coarse on the device: its pictures are no ground truth
     std::vector<Text> notes;  // sentences on what is coarse
 };
 

@@ -37,7 +37,7 @@ Result<bool> AppliedScene::apply(const FrameInput& input, TracedPictures& traced
         MACULA_TRY_VOID(setVolume(input, traced));
         if (interrupted()) return false;
     }
-    // Before the transfer function: what is hidden is not brought to the device.
+    // Before the transfer function, so that hidden voxels are not brought to the device.
     if (parts_.clip != drawing.clip) {
         MACULA_TRY_VOID(setClip(input, traced));
         if (interrupted()) return false;
@@ -118,7 +118,7 @@ Result<void> AppliedScene::reportOutline(const FrameInput& input, TracedPictures
     return {};
 }
 
-// Until the part is there, what is on screen is what was wanted before.
+// Silent until a transfer function is applied: before, "Preparing the volume" still holds.
 void AppliedScene::reportPreparing() const {
     if (parts_.transferFunction) reports_.tell(Preparing{Text("Preparing what is shown")});
 }

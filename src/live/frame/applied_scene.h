@@ -14,24 +14,24 @@
 
 namespace macula::live {
 
-// Brings the scene of an input to the device, part by part; comparing both shows which parts are missing.
+// Brings the scene of an input to the device: part by part, and only parts that differ from those applied.
 //
 // Used by the render thread alone.
 class AppliedScene {
   public:
     explicit AppliedScene(RenderReports& reports) : reports_(reports) {}
 
-    // Whether apply() would change what a peripheral model is of, but for the light.
+    // Whether apply() would change anything that a peripheral model depends on, other than the lights.
     bool hasOtherMatter(const FrameInput& input) const;
-    // False: `interrupted` stopped it between two parts, each of which may take long. What is done stays
-    // done, so that a hand that never rests does not keep the scene from being applied. Reports what takes
+    // Returns false if `interrupted` stopped it between two parts; one part may take long. Parts that are
+    // applied stay so: even if inputs never pause, the scene is complete some time. Reports parts that take
     // long, and the outline.
     Result<bool> apply(const FrameInput& input, TracedPictures& traced,
                        const std::function<bool()>& interrupted);
 
-    // A new device has nothing.
+    // For a new device, which has no parts yet.
     void forget() { parts_ = {}; }
-    // After a failure nobody knows how far the tracer got.
+    // For a failure, after which nobody knows which parts the tracer has.
     void distrust();
 
   private:
@@ -43,7 +43,7 @@ class AppliedScene {
         std::optional<std::shared_ptr<const Additions>> additions = nullptr;  // none: unknown
     };
 
-    // Each leaves the part unknown when it fails: the tracer has neither the old one nor the new one then.
+    // If one fails, its part stays unknown: the tracer then has neither the old one nor the new one.
     Result<void> setVolume(const FrameInput& input, TracedPictures& traced);
     Result<void> setClip(const FrameInput& input, TracedPictures& traced);
     Result<void> setAdditions(const FrameInput& input, TracedPictures& traced);

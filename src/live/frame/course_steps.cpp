@@ -16,7 +16,7 @@ constexpr milliseconds kHandRests{150};
 constexpr milliseconds kHandIsAskedEvery{2};
 // How long searching and learning take at a time. A dispatch and a step of training may take longer on a CPU.
 constexpr double kSliceMs = 40.0;
-constexpr double kQuickMs = 250.0;  // a picture of all pixels that is there sooner has no need of small ones
+constexpr double kQuickMs = 250.0;  // a full-size picture that comes sooner needs no small ones before
 
 double millisecondsBetween(std::chrono::steady_clock::time_point from,
                            std::chrono::steady_clock::time_point to) {
@@ -47,8 +47,8 @@ void CourseSteps::tellCourse() {
     course_.setQuick(isQuick());
 }
 
-// Once for each input: whoever holds the picture will move it soon. Where the device is the CPU, frames and
-// learning take the same cores, and a step takes longer than a frame may be late.
+// Once per input, because a hand that holds the picture will move it soon. Not on a CPU device: there frames
+// and training share the cores, and a training step takes longer than a frame may be late.
 bool CourseSteps::learnsBesideHand() const {
     return input_.interacting && !hasLearntBesideHand_ && models_.canDrawModel() &&
            !device_.device()->isCpu() && rhythm_.leftMs(Clock::now()) > 0.0;
@@ -65,7 +65,7 @@ void CourseSteps::begin() {
 
 Result<void> CourseSteps::takeNext(const Interrupts& interrupts) {
     Result<void> done = take(course_.next(Clock::now()), interrupts);
-    // Traced pictures come first: without the model there may be memory for them.
+    // Traced pictures matter more: without the model there may be enough memory for them.
     const bool isEstimate = models_.drawsEstimate(input_);
     if (done || done.error().code != ErrorCode::outOfMemory || (!isEstimate && !models_.isModelDrawable()))
         return done;
@@ -81,7 +81,7 @@ Result<void> CourseSteps::take(Step step, const Interrupts& interrupts) {
             return {};
         case Step::showModel: {
             MACULA_TRY_VOID(showModel());
-            // A hand that never rests would else leave no time for the fovea.
+            // Otherwise a hand that never rests would leave no time for the fovea.
             if (course_.next(Clock::now()) != Step::traceFovea || !models_.hasTimeForFovea(input_)) return {};
             MACULA_TRY(const bool isThere, models_.traceFovea(input_, interrupts));
             return isThere && !interrupts.newInput() ? showModel() : Result<void>();
@@ -131,7 +131,7 @@ Result<bool> CourseSteps::showEstimate(const Interrupts& interrupts) {
     if (!isEstimated) return false;
     course_.want(false);
     MACULA_TRY_VOID(showModel());
-    // Of other inputs, as of a hand that orbits, there may be any number.
+    // Counts from the first estimate of the drawing: inputs that keep it, as in orbiting, may never end.
     const bool isFirst = !editShownAt_;
     if (isFirst) editShownAt_ = Clock::now();
     const auto rests = [&] { return Clock::now() - *editShownAt_ >= kHandRests; };
@@ -180,7 +180,7 @@ Result<void> CourseSteps::showTraced() {
 Result<void> CourseSteps::fade() {
     const Clock::time_point now = Clock::now();
     const auto picture = models_.draw(input_, static_cast<float>(course_.tracedShare(now)));
-    if (!picture) {  // what it fades into is there
+    if (!picture) {  // the traced picture exists
         MACULA_TRY_VOID(withoutSplats(models_.drawsEstimate(input_), picture.error()));
         return showTraced();
     }
@@ -213,7 +213,7 @@ Result<void> CourseSteps::learn(const Interrupts& interrupts) {
     return noteWork(done);
 }
 
-// In what the frame that is on screen has left of the time until the next.
+// Within the time that is left before the next input is due.
 Result<void> CourseSteps::learnBesideHand(const std::function<bool()>& keepGoing) {
     hasLearntBesideHand_ = true;
     return noteWork(models_.workWithin(rhythm_.leftMs(Clock::now()), keepGoing));
@@ -269,7 +269,7 @@ Result<void> CourseSteps::show(const gpu::Image& picture) {
     return {};
 }
 
-// What is told of a picture that is traced, wholly or in part.
+// Adds the tracer's statistics of a picture that is traced, wholly or in part, and its messages.
 Result<void> CourseSteps::addTraced(FrameShown& frame) {
     TracedPictures& traced = *device_.traced();
     const bool isFull = frame.picture == OnScreen::traced || frame.picture == OnScreen::fading;
@@ -284,7 +284,7 @@ Result<void> CourseSteps::addTraced(FrameShown& frame) {
         frame.denoised = statistics.denoised;
         frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
     }
-    // The tracer may have what was wanted before.
+    // Behind an estimate, the tracer may still have the previous scene.
     if (frame.picture != OnScreen::estimate) frame.messages = traced.tracer().messages();
     return {};
 }

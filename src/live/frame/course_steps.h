@@ -17,7 +17,7 @@
 
 namespace macula::live {
 
-// What a renderer has: what the steps read and use. All of it outlives them.
+// The parts of a renderer that the steps use. All outlive CourseSteps.
 struct RendererParts {
     const FrameInput& input;  // the newest
     RenderDevice& device;
@@ -26,8 +26,8 @@ struct RendererParts {
     ModelPictures& models;
 };
 
-// Small pictures and those of the model are always finished, or the view would never follow a steady hand; a
-// new input interrupts all other work at once.
+// Small pictures and pictures of the model are always finished: otherwise the view would never follow a hand
+// that keeps moving. A new input interrupts all other work at once.
 //
 // Used by the render thread alone. Steps require a device that is ready and an open screen.
 class CourseSteps {
@@ -39,25 +39,26 @@ class CourseSteps {
           screen_(parts.screen),
           models_(parts.models) {}
 
-    // An input came, whatever is in it.
+    // Takes note of every new input: from their rhythm follows how long training may take between two frames.
     void hear(const FrameInput& input);
-    // Its drawing is another one.
+    // The new input has another drawing.
     void otherDrawing() { editShownAt_.reset(); }
     // The sample limit rose or the noise target fell.
     void goOnTracing() { course_.goOnTracing(); }
-    // Frees an estimate that is not needed any more, and tells the course what it decides by.
+    // Frees an estimate that is not needed any more, and updates the facts by which the course decides.
     void tellCourse();
 
     // Whether the course has a step before the next input.
     bool hasStep() const { return course_.next(Clock::now()) != Step::none; }
     // Does one step.
     Result<void> takeNext(const Interrupts& interrupts);
-    // The scene is on the device: the course begins with what there is of its picture.
+    // The scene is on the device: starts its course, with its traced picture if there is one already.
     void begin();
-    // Follows a hand that edits before the tracer has any of the scene: that takes long, and can wait until
-    // no edit has come for a moment. True: a newer input has come.
+    // Shows an estimate of an edited scene while the tracer does not have the scene yet: bringing it there
+    // takes long, and can wait until no edit has come for a moment. Returns true if a newer input came
+    // meanwhile.
     Result<bool> showEstimate(const Interrupts& interrupts);
-    // Shows the picture that is on screen over another background.
+    // Shows the current picture once more, over another background.
     Result<void> showAgain();
 
   private:

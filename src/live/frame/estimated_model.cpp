@@ -13,7 +13,7 @@ namespace macula::live {
 
 namespace {
 
-// With no more than these a CPU keeps up with a hand.
+// So few that a CPU keeps up with a moving hand.
 constexpr hybrid::SplatEstimateOptions kOptionsOnCpu{.mostNewSplats = 24'000};
 
 bool hasAdditions(const scene::Drawing& drawing) {
@@ -25,8 +25,8 @@ bool isEstimated(const scene::Drawing& drawing) {
            !hasAdditions(drawing);
 }
 
-// Grey faces pass exposure and tone map unchanged, and are made for them; all other light is the same with
-// any.
+// The settings of the light, without exposure and tone map: only grey faces depend on those, and each
+// estimate makes its own faces.
 trace::Settings lightOf(const scene::Drawing& drawing) {
     trace::Settings settings = scene::settingsOfLight(drawing);
     settings.exposure = trace::Settings{}.exposure;

@@ -23,11 +23,11 @@ class EstimatedModel {
   public:
     explicit EstimatedModel(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
-    // Makes estimates from the voxels alone, lit as the drawing: no model of the volume exists yet. Does
-    // nothing if canTell() already accepts the drawing, or would not accept it afterwards.
+    // From now on estimates are made from the voxels alone, in the light of the drawing: the volume has no
+    // model yet. Does nothing if canTell() already accepts the drawing, or would not accept it afterwards.
     void begin(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing);
-    // From now on estimates are made from this model. It was learnt from that drawing of the volume, and its
-    // light is `gain` times that of traced pictures.
+    // From now on estimates are made from this model, which was learnt from that drawing of the volume. Its
+    // light times `gain` is as bright as traced pictures (LiveModel::gain).
     void learnt(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing,
                 std::shared_ptr<const splat::Splats> model, double gain);
     // Whether an estimate of that drawing is possible: another curve, clip or both, of the same volume under
@@ -55,8 +55,8 @@ class EstimatedModel {
     scene::Drawing learntOf_;
     std::shared_ptr<const splat::Splats> model_;  // without splats: none was learnt
     double gain_ = 1.0;
-    std::shared_ptr<const hybrid::CoarseMatter> matter_;  // of volume_; made when first needed
-    std::optional<hybrid::SplatEstimate> estimate_;       // of model_; made when first needed
+    std::shared_ptr<const hybrid::CoarseMatter> matter_;  // matter of volume_; made when first needed
+    std::optional<hybrid::SplatEstimate> estimate_;       // changes model_; made when first needed
     Mask masked_;                                         // the mask of bits_
     std::shared_ptr<const MaskBits> bits_;
     scene::Drawing shown_;  // the drawing of splats_

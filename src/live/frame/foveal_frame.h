@@ -18,31 +18,31 @@ class FovealFrame {
   public:
     explicit FovealFrame(RenderDevice& device) : device_(device) {}
 
-    // Whether it was made. hasDisplayOf, setScene, hasTimeForFovea, draw, and what traces, adopts or forgets
-    // a fovea require that; wantsFovea too, unless hasRoomForFovea() is false.
+    // Whether make() has succeeded. hasDisplayOf, setScene, hasTimeForFovea, hasFovea, draw, and what traces,
+    // adopts or forgets a fovea require it; so does wantsFovea, unless hasRoomForFovea() is false.
     bool isThere() const { return frame_.has_value(); }
     Result<void> make();
-    void drop() { frame_.reset(); }  // and its memory with it
+    void drop() { frame_.reset(); }  // and frees its memory
     // The memory in use on the device has changed, so a fovea may fit again.
     void roomChanged() { hasRoom_ = true; }
 
-    // Whether the frame was set to these, on which grey faces of a clip depend.
+    // Whether the frame has this exposure and tone map: grey faces of a clip depend on them.
     bool hasDisplayOf(const trace::Settings& settings) const;
     Result<void> setScene(const trace::Settings& settings) { return frame_->setScene(settings); }
 
-    // Whether another fovea is to be traced: at rest a small one at once, and larger ones after it, where all
-    // pixels take longer still.
+    // Whether to trace another fovea. At rest: a small one at once, then larger ones, unless all pixels
+    // together take less time than a large fovea (kRestFoveaBudgetMs).
     bool wantsFovea(const FrameInput& input) const;
-    // Whether a hand leaves enough time for a fovea that is worth the frames that come later for it.
+    // Whether there is time for a fovea large enough to be worth the frames that it delays.
     bool hasTimeForFovea(const FrameInput& input) const;
-    // Traces for a slice, and longer until a new input comes. Whether a new fovea is there.
+    // Traces for a time slice, and then on until a new input comes. Returns whether a new fovea is finished.
     Result<bool> traceFovea(const FrameInput& input, const Interrupts& interrupts);
     // Makes the traced picture of all pixels the fovea, if there is room for it.
     Result<void> adopt(trace::PathTracer& tracer, const hybrid::FoveaAim& aim);
     bool hasFovea() const { return frame_->hasFovea(); }
     bool hasRoomForFovea() const { return hasRoom_; }
     void forgetFovea() { frame_->forgetFovea(); }
-    // Traces none until the scene or the size changes: there is no memory for it.
+    // Traces no fovea until roomChanged(), because the device lacks the memory.
     void doWithoutFovea();
 
     // The picture of the only eye, until the next is drawn.

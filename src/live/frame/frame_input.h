@@ -29,7 +29,7 @@ struct FrameInput {
     std::chrono::steady_clock::time_point published{};
 
     std::shared_ptr<const ScreenPlace> place{};  // null: release the current one
-    int width = 0;                               // of the place, in device pixels
+    int width = 0;                               // size of the place, in device pixels
     int height = 0;
     bool visible = false;         // false: nothing is rendered
     std::uint64_t exposures = 0;  // grows when the window system has lost the picture
@@ -44,9 +44,9 @@ struct FrameInput {
     std::shared_ptr<const PictureText> marks{};
     glm::vec3 background{scene::kWindowBackground};  // as displayed, in linear light: backgroundInWindow
     std::uint32_t sampleLimit = 512;                 // per pixel; then the picture counts as converged
-    double noiseTarget = kUnseenNoise;               // below it the picture counts as converged; above 0
+    double noiseTarget = kUnseenNoise;               // above 0; with less noise the picture has converged
     bool convergesNow = false;                       // no training at rest: all time is for tracing
-    bool interacting = false;                        // the user is moving something: stay fast
+    bool interacting = false;                        // the user is moving something: frames must be fast
     glm::dvec2 gaze{0.0};   // where the user looks in the picture, -1 to 1; x right, y up
     bool usesModel = true;  // draw the peripheral model while the view moves
     LiveQuality live{};     // what is traced over the model

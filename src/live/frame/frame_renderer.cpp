@@ -18,7 +18,7 @@ bool isSameScene(FrameInput a, const FrameInput& b) {
     return isSamePicture(a, b);
 }
 
-// An eye that looks beside the picture, or nobody knows where: at its border, or in its middle.
+// Moves a gaze outside the picture to its border, and one that is not finite (unknown) to its middle.
 glm::dvec2 usableGaze(const glm::dvec2& gaze) {
     const bool isFinite = std::isfinite(gaze.x) && std::isfinite(gaze.y);
     return isFinite ? glm::clamp(gaze, -1.0, 1.0) : glm::dvec2(0.0);
@@ -49,7 +49,7 @@ FrameRenderer::FrameRenderer(gpu::Instance instance, gpu::DeviceOptions device,
       scene_(reports_),
       steps_({.input = input_, .device = device_, .duty = duty_, .screen = screen_, .models = models_}) {}
 
-// What the model has learnt goes to the shelf and to the keeper.
+// Puts what the model has learnt on the shelf, and has the keeper store it.
 FrameRenderer::~FrameRenderer() {
     releaseScreen();
     models_.putAway();
@@ -64,8 +64,8 @@ void FrameRenderer::accept(FrameInput input) {
     if (input.place != input_.place) releaseScreen();
     if (input.drawing != input_.drawing) steps_.otherDrawing();
     if (input.study != input_.study || input.volume != input_.volume) {
-        // Nobody may take the picture of one patient for that of the next, not even while this one is
-        // prepared.
+        // Nobody may mistake the picture of one patient for that of the next, not even while the next is
+        // being prepared.
         duty_.otherStudy();
         screen_.forgetPicture();
         models_.otherStudy();
@@ -82,7 +82,7 @@ void FrameRenderer::accept(FrameInput input) {
     giveModelIfAsked();
 }
 
-// Another use of the device leaves another amount of memory, and nobody knows how much.
+// After such a change the free memory is unknown, so work that lacked memory may be tried again.
 void FrameRenderer::noteOtherRoom(const FrameInput& next) {
     if (!device_.traced()) return;
     if (next.volume == input_.volume && next.drawing.transferFunction == input_.drawing.transferFunction &&
@@ -95,7 +95,7 @@ void FrameRenderer::noteOtherRoom(const FrameInput& next) {
 
 void FrameRenderer::noteDuty(const FrameInput& next) {
     if (!isSamePicture(next, input_)) {
-        // The window takes another size around the sentence that says that the device was lost.
+        // The message about the lost device resizes the window; that alone must not start the device again.
         isSameScene(next, input_) ? duty_.otherSizeOnly() : duty_.otherPicture();
     } else if (next.usesModel != input_.usesModel) {
         duty_.beginAnew();
@@ -110,14 +110,14 @@ void FrameRenderer::giveModelIfAsked() {
     if (const Result<void> given = giveModel(); !given) handle(given.error());
 }
 
-// Whoever asked waits for an answer, and gets one.
+// Always answers, if need be with an error, because the caller waits.
 Result<void> FrameRenderer::giveModel() {
     ModelSnapshot taken{.request = input_.modelRequests};
     Result<void> done;
     try {
         done = models_.snapshot(input_, taken);
     } catch (const std::bad_alloc&) {
-        // The picture goes on without that.
+        // Rendering goes on: only the snapshot lacks memory.
         taken.error = {ErrorCode::outOfMemory,
                        Text("There is not enough memory to write the model."),
                        {},
@@ -217,14 +217,14 @@ Result<void> FrameRenderer::ensureDevice() {
 
 Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     const TimelineStage stage("set scene");
-    // A model of another scene is dropped first, to free its memory.
+    // The model of the previous scene is put on the shelf first, to free its memory on the device.
     if (scene_.hasOtherMatter(input_)) models_.hide();
-    // Whoever waits for the surface, or has changed something, waits for one part of the scene.
+    // Whoever waits for the surface, or has changed the input, waits for one part at most.
     return scene_.apply(input_, *device_.traced(), [&] { return interrupts.any(); });
 }
 
 void FrameRenderer::handle(Error error) {
-    // An error of another kind may have come of the loss.
+    // Any error may be a consequence of the loss.
     if (device_.isLost() || error.code == ErrorCode::deviceLost) {
         dropDevice();
         if (device_.mayGoOnAfterLoss()) {
@@ -255,7 +255,7 @@ void FrameRenderer::handle(Error error) {
                                 .pictureRemains = !screen_.isOpen() || duty_.isForeign()});
 }
 
-// In this order: each is on what follows.
+// In this order: the screen and the models use the device.
 void FrameRenderer::dropDevice() {
     releaseScreen();
     models_.dropDevice();

@@ -26,9 +26,10 @@ namespace macula::live {
 Error noMemoryToShow();  // for FrameRenderer::fail
 
 // Owns the device and everything on it. After a device loss it opens a new device, reports DeviceRestarting
-// and renders the input anew; after too many losses it reports RenderFailure and stops.
+// and renders the input again; after too many losses it reports RenderFailure and stops.
 //
-// RenderDuty says what must be done before PictureCourse goes on; CourseSteps carries out what that decides.
+// RenderDuty decides what must be done before the course goes on; PictureCourse decides the steps of the
+// course, and CourseSteps carries them out.
 //
 // Used by the render thread alone.
 class FrameRenderer {
@@ -70,8 +71,8 @@ class FrameRenderer {
     void handle(Error error);
     void dropDevice();
 
-    // Destroyed in reverse, after the destructor has closed the screen and put the model away: the input,
-    // what the models have, the tracer, the device, and the listener last.
+    // Destroyed in reverse, after the destructor has closed the screen and put the model away: first the
+    // input and the models, then the tracer with the device, and the listener last.
     Timeline timeline_;
     RenderReports reports_;
     RenderDevice device_;

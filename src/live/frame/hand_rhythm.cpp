@@ -12,7 +12,7 @@ void HandRhythm::input(TimePoint published, bool moves) {
     }
     if (last_) {
         const auto gap = published - *last_;
-        if (gap <= std::chrono::steady_clock::duration::zero()) return;  // the same once more
+        if (gap <= std::chrono::steady_clock::duration::zero()) return;  // the same input again
         if (gap > kPause)
             gaps_.clear();
         else
@@ -23,7 +23,7 @@ void HandRhythm::input(TimePoint published, bool moves) {
 }
 
 double HandRhythm::leftMs(TimePoint now) const {
-    // One gap may be that between a press and the first movement.
+    // A single gap may be the pause between a press and the first movement.
     if (!last_ || gaps_.size() < 2) return 0.0;
     const auto due = *last_ + *std::min_element(gaps_.begin(), gaps_.end());
     return std::max(std::chrono::duration<double, std::milli>(due - now).count() - kReserveMs, 0.0);

@@ -13,7 +13,7 @@ class HandRhythm {
   public:
     using TimePoint = std::chrono::steady_clock::time_point;
     static constexpr std::size_t kRemembered = 6;            // gaps between inputs
-    static constexpr std::chrono::milliseconds kPause{100};  // a longer gap starts the rhythm anew
+    static constexpr std::chrono::milliseconds kPause{100};  // a longer gap restarts the rhythm
     static constexpr double kReserveMs = 1.0;                // subtracted: inputs may come early
 
     // Reports an input and when it was published. `moves`: a hand is moving something.

@@ -10,8 +10,8 @@
 
 namespace macula::live {
 
-// Any thread publishes, one thread takes. Publishing never waits for the taker: the lock is held only to move
-// a value in or out, never to make, use or destroy one.
+// Any thread may publish, one thread takes. Publishing never waits for the taker: the lock is held only to
+// move a value in or out, never to make, use or destroy one.
 template <class T>
 class Latest {
   public:

@@ -11,7 +11,7 @@ namespace macula::live {
 struct LiveQuality {
     bool hasFovea = true;  // false: no new fovea is traced; an earlier traced picture is reused
     hybrid::FoveaOptions fovea{};
-    double foveaMs = hybrid::kFoveaBudgetMs;  // tracing time for one; less makes it smaller or coarser
+    double foveaMs = hybrid::kFoveaBudgetMs;  // tracing time of a fovea; less makes it smaller or coarser
     double betweenFramesMs = 12.0;            // the part of foveaMs between two frames
 
     bool operator==(const LiveQuality&) const = default;

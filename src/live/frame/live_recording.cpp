@@ -24,7 +24,8 @@ double secondsBetween(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
 }
 
-// What the render thread leaves for who moves the camera. Both threads use it.
+// The recording so far. The render thread adds pictures and reports, the thread that moves the camera adds
+// inputs and waits for pictures.
 class Tape {
   public:
     Tape(double picturesPerS, std::uint64_t bytesOfPicture)
@@ -33,7 +34,7 @@ class Tape {
           mostPictures_(std::max<std::uint64_t>(kEndsOfRests + 1, kMostRecordedBytes / bytesOfPicture) -
                         kEndsOfRests) {}
 
-    // Render thread: the picture comes before the frame that tells of it.
+    // Render thread. The picture comes before the FrameShown that describes it.
     Result<void> take(const gpu::Image& picture) {
         const Clock::time_point now = Clock::now();
         {
@@ -41,7 +42,7 @@ class Tape {
             pixels_.clear();
             isSpare_ = lastKept_ && now - *lastKept_ < interval_;
             if (!isSpare_ && kept_ >= mostPictures_) isSpare_ = isFull_ = true;
-            // At rest the last one counts, and nobody knows which that is.
+            // At rest the last picture matters, and any may be the last: keep it until the next comes.
             if (isSpare_ && (inputs_.empty() || inputs_.back().phase == RecordingPhase::moving)) return {};
         }
         MACULA_TRY(std::vector<glm::u8vec4> pixels, gpu::read<glm::u8vec4>(picture));
@@ -88,7 +89,7 @@ class Tape {
         if (!failure_) failure_ = error;
     }
 
-    // Who moves the camera. Inputs are numbered from 1, without gaps: told before each is published.
+    // Thread that moves the camera: before each input is published. Inputs are numbered from 1, without gaps.
     void sends(RecordingPhase phase, const Camera& camera) {
         const std::lock_guard lock(mutex_);
         if (!inputs_.empty() && inputs_.back().phase != phase) endPhase();
@@ -106,15 +107,15 @@ class Tape {
         const std::lock_guard lock(mutex_);
         return hasTraced_;
     }
-    // Whether a frame of the last pose and drawing is there. Of a pose that was there before and is final
-    // comes no other.
+    // Whether the last frame shows the last pose and drawing. It may be from an earlier input: a final
+    // picture is not shown again for the same pose.
     bool hasFollowed() const {
         const std::lock_guard lock(mutex_);
         if (frames_.empty() || frames_.back().camera != inputs_.back().camera) return false;
         return inputs_.back().phase != RecordingPhase::changed ||
                frames_.back().phase == RecordingPhase::changed;
     }
-    // Ends the recording: what is shown from then on is of no input.
+    // Ends the recording: frames that are shown later are dropped.
     LiveRecording result() {
         const std::lock_guard lock(mutex_);
         if (!inputs_.empty()) endPhase();
@@ -131,7 +132,7 @@ class Tape {
     static constexpr std::uint64_t kEndsOfRests =
         4;  // first and last of the rest, and of the changed drawing
 
-    // Whatever comes in a rest is compared with what was there when it began.
+    // The first picture of a rest is kept, because later ones are compared with it.
     bool lastBeginsRest() const {
         const RecordingPhase phase = frames_.back().phase;
         if (phase != RecordingPhase::resting && phase != RecordingPhase::changed) return false;
@@ -153,23 +154,23 @@ class Tape {
     std::vector<RecordedInput> inputs_;
     std::vector<RecordedFrame> frames_;
     std::vector<RecordedNotice> notices_;
-    std::vector<RecordedTimes> times_;     // of phases that have ended
+    std::vector<RecordedTimes> times_;     // for phases that have ended
     std::vector<StageTimes> spent_;        // since the start
     std::vector<StageTimes> spentBefore_;  // when this phase began
     double phaseBeganAtS_ = 0.0;
-    std::vector<glm::u8vec4> pixels_;  // of the picture whose frame comes next
+    std::vector<glm::u8vec4> pixels_;  // pixels of the picture whose FrameShown comes next
     glm::ivec2 sizePx_{0};
     std::optional<Clock::time_point> lastKept_;
     std::uint64_t kept_ = 0;
     bool isFull_ = false;
-    bool isSpare_ = false;      // pixels_: kept only until the next
-    bool lastIsSpare_ = false;  // those of the last frame, likewise
+    bool isSpare_ = false;      // pixels_ are kept only until the next picture
+    bool lastIsSpare_ = false;  // likewise for the pixels of the last frame
     bool hasTraced_ = false;
     std::shared_ptr<const std::vector<glm::dvec3>> outlineMm_;
     std::optional<Error> failure_;
 };
 
-// Always visible, of the size that is asked for.
+// A screen that is always visible; pictures keep the size in which they were drawn.
 class TapeScreen final : public Screen {
   public:
     TapeScreen(std::shared_ptr<Tape> tape, std::shared_ptr<gpu::Device> device)
@@ -181,7 +182,7 @@ class TapeScreen final : public Screen {
     const std::shared_ptr<const PictureText>& marks() const override { return marks_; }
     const std::shared_ptr<const PictureText>& text() const override { return text_; }
     Result<bool> show(const gpu::Image& picture) override {
-        // Shown is what is drawn, not what will be.
+        // A picture counts as shown once the device has drawn it.
         MACULA_TRY_VOID(device_->waitForAll());
         MACULA_TRY_VOID(tape_->take(picture));
         return true;
@@ -260,7 +261,7 @@ class Recording {
         thread_.publish(input_);
     }
 
-    // Until `isDone`, asked as often as a hand moves.
+    // Waits until `isDone`, which is called as often as a hand moves.
     template <class IsDone>
     Result<void> wait(const IsDone& isDone) {
         while (!isDone()) {
@@ -283,7 +284,7 @@ class Recording {
             path = *options_.path;
             publish(RecordingPhase::opening, path.stops.front().camera);
         } else {
-            // What can be seen is known when it is on the device.
+            // What is visible is known only on the device, so the first view fits the whole volume.
             const double aspect = double(options_.sizePx.x) / double(options_.sizePx.y);
             const auto corners = cornersOf(input_.volume->worldBox());
             scene::OrbitCamera start =
@@ -351,7 +352,7 @@ std::string_view nameOf(RecordingPhase phase) {
 }
 
 Result<LiveRecording> recordLive(FrameInput scene, const RecordingOptions& options, Progress& progress) {
-    MACULA_CHECK(options.thenDrawing != scene.drawing);  // else no other picture would come
+    MACULA_CHECK(options.thenDrawing != scene.drawing);  // otherwise no other picture would come
     MACULA_TRY(gpu::Instance instance, gpu::Instance::create());
     Recording recording(std::move(scene), options, std::move(instance), progress);
     return recording.run();

@@ -30,8 +30,8 @@ struct RecordingOptions {
     double turnS = 60.0;
     double movingS = 10.0;
     double learningS = 5.0;               // from the first traced picture until the camera moves
-    double restingS = 10.0;               // after the motion; longer until the last view is shown
-    double picturesPerS = 2.0;            // kept at most, besides the first and last of rests
+    double restingS = 10.0;               // after the motion; or longer, until the last view is shown
+    double picturesPerS = 2.0;            // most that are kept, besides the first and last of each rest
     std::string device;                   // as gpu::DeviceOptions::preferred
     std::shared_ptr<SceneKeeper> keeper;  // stores models between runs; null: none
     // Drawn afterwards from the last camera, for another `restingS`; must differ from the scene's drawing.
@@ -54,7 +54,7 @@ struct RecordedFrame {
     RecordingPhase phase = RecordingPhase::opening;
     Camera camera;
     FrameShown shown;
-    glm::ivec2 sizePx{0};           // of `rgba`; a window would scale it
+    glm::ivec2 sizePx{0};           // size of `rgba`; a window would scale it
     std::vector<glm::u8vec4> rgba;  // row 0 on top; empty: not kept
 };
 

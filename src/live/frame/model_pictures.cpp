@@ -11,7 +11,8 @@ namespace macula::live {
 
 namespace {
 
-// A picture on screen is worth learning from with so many: fewer are noise, and later the model knows most.
+// Samples per pixel from which a picture on screen is worth learning from: with fewer it is too noisy, and
+// more would add little to what the model knows by then.
 constexpr std::uint32_t kLearntFromSamples = 4;
 
 }  // namespace
@@ -112,7 +113,7 @@ Result<void> ModelPictures::applyModel(const FrameInput& input) {
     return {};
 }
 
-// What estimates are made from: the last model that was fit, before what it is of is changed.
+// Keeps the last model that was fit, which estimates are made from, before another scene replaces it.
 void ModelPictures::noteLearnt(const FrameInput& input) {
     if (!estimate_) estimate_.emplace(device_.device());
     if (hasFit() && !isModelOf(input)) {
@@ -122,7 +123,7 @@ void ModelPictures::noteLearnt(const FrameInput& input) {
     estimate_->begin(input.volume, input.drawing);
 }
 
-// Of what is wanted now, where there is no more of it yet.
+// Makes an estimate of the input's scene, unless its model is fit to be shown.
 Result<void> ModelPictures::makeEstimate(const FrameInput& input) {
     if (!frame_.isThere() || !hasModel() || !estimate_ || !estimateHasRoom_ || hasFit() ||
         !SceneModel::isPossible(input))
@@ -148,7 +149,7 @@ void ModelPictures::forgetNeedlessEstimate() {
     if (estimate_ && hasFit()) estimate_->forget();
 }
 
-// A slice of work that may lack memory on the host.
+// Runs work that may use up the memory of the host, and returns that as an error.
 Result<void> ModelPictures::guarded(const std::function<Result<void>()>& work) {
     try {
         return work();
@@ -166,11 +167,10 @@ Result<void> ModelPictures::workWithin(double leftMs, const std::function<bool()
     return guarded([&] { return model_.live()->workWithin(leftMs, keepGoing); });
 }
 
-// Where the picture is not denoised any more its guides may be gone; the fovea of before was of fewer
-// samples, and does.
+// Once the picture is not denoised any more its guides may be gone: then the earlier fovea has to do.
 Result<void> ModelPictures::keepForMotion(const FrameInput& input) {
     const TimelineStage stage("keep for motion");
-    // A fovea is reprojected, and a model learns, for an eye; with parallel rays splats alone are shown.
+    // A parallel camera shows splats alone: reprojection and learning need a perspective one.
     if (!canDrawModel() || !frame_.hasRoomForFovea() || isParallel(input.camera)) return {};
     TracedPictures& traced = *device_.traced();
     MACULA_TRY(const trace::Statistics statistics, traced.statistics());
@@ -219,7 +219,7 @@ Result<const gpu::Image*> ModelPictures::draw(const FrameInput& input, float tra
         request.fadingIn = {.light = light, .share = tracedShare};
     }
     Result<const gpu::Image*> drawn = frame_.draw(request, splats);
-    // Rather without the fovea than without the model.
+    // Better without the fovea than without the model.
     if (!drawn && drawn.error().code == ErrorCode::outOfMemory && canDrawModel() && frame_.hasFovea()) {
         frame_.doWithoutFovea();
         drawn = frame_.draw(request, splats);
@@ -233,7 +233,7 @@ Result<const gpu::Image*> ModelPictures::drawTraced(const FrameInput& input) {
     if (!traced.isNoisy() || !(hasFit() || drawsEstimate(input))) return traced.display(input.background);
     Result<const gpu::Image*> weighed = draw(input, 1.0f);
     if (weighed) return weighed;
-    // Without the memory for it the model may still do for frames in motion.
+    // Mixing may need more memory than drawing the model alone in motion, so the model stays then.
     if (drawsEstimate(input)) {
         MACULA_TRY_VOID(withoutEstimate(weighed.error()));
     } else if (weighed.error().code != ErrorCode::outOfMemory) {

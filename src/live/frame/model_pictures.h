@@ -17,9 +17,9 @@
 
 namespace macula::live {
 
-// Without memory for the model, the estimate or the fovea each is given up alone, and the others go on.
+// If memory is lacking for the model, the estimate or the fovea, only that one is given up.
 //
-// Used by the render thread alone. The input is the renderer's newest one. Methods that draw or work require
+// Used by the render thread alone. `input` is always the renderer's newest. Methods that draw or work require
 // a device that is ready, and the scene of the input on it; an estimate does not need the scene.
 class ModelPictures {
   public:
@@ -28,22 +28,22 @@ class ModelPictures {
         : device_(device), reports_(reports), frame_(device), model_(std::move(keeper)) {}
 
     // What has changed.
-    void otherStudy();   // puts the model away, and drops all that is of the study
+    void otherStudy();   // puts the model away, and drops what belongs to the study
     void roomChanged();  // the memory in use on the device
     void lookFor(const FrameInput& input) { model_.lookFor(input); }
     // Puts the model on the shelf, to free its memory.
     void hide();
-    // After a failure: of the model, what is on the host is kept.
+    // After a failure: drops the model, and keeps only those parts of it that are on the host.
     void failed();
     // Before the device is dropped: as failed(), and nothing is left on it.
     void dropDevice();
     void putAway() { model_.putAwayAndDrop(); }
 
-    // From here on no picture of the model of before is drawn any more. Makes an estimate where the scene's
-    // own model is not there yet.
+    // Sets the model of the input's scene; from now on the previous one is not drawn any more. Makes an
+    // estimate if the new model is not fit to be shown yet.
     Result<void> apply(const FrameInput& input);
-    // Before the tracer has any of an edited scene: makes an estimate of it. False: none can be drawn, or
-    // there is more than an estimate.
+    // Makes an estimate of an edited scene before the tracer has that scene. Returns false if no estimate can
+    // be drawn, or if the scene has a model.
     Result<bool> estimateEdit(const FrameInput& input);
     // Frees the estimate once the model is fit.
     void forgetNeedlessEstimate();
@@ -52,16 +52,16 @@ class ModelPictures {
     bool canDrawModel() const { return frame_.isThere() && model_.live() && model_.live()->canBeDrawn(); }
     bool isModelDrawable() const { return model_.live() && model_.live()->canBeDrawn(); }
     bool hasFit() const;
-    // Whether splats are those of an estimate, which is better than a model that is not fit yet.
+    // Whether splats are drawn from an estimate: it is better than a model that is not fit yet.
     bool drawsEstimate(const FrameInput& input) const;
-    // Whether no model is drawn of another patient, preset, clip or light than those of the input.
+    // Whether the model is that of the input's scene: of the same patient, preset, clip and lights.
     bool isModelOf(const FrameInput& input);
 
     bool hasWork() const { return model_.live() && model_.live()->hasWork(); }
     // As LiveModel::work and LiveModel::workWithin. Require hasModel().
     Result<void> work(double budgetMs, const std::function<bool()>& keepGoing);
     Result<void> workWithin(double leftMs, const std::function<bool()>& keepGoing);
-    // Takes the traced picture of all pixels as the fovea of the first frames of the next motion, and has the
+    // Makes the traced picture of all pixels the fovea of the first frames of the next motion, and has the
     // model learn from it.
     Result<void> keepForMotion(const FrameInput& input);
 
@@ -71,24 +71,24 @@ class ModelPictures {
         return frame_.traceFovea(input, interrupts);
     }
 
-    // The splats with the fovea over them, and the traced picture of all pixels with that share. Where the
-    // model was given up while it fades, that picture alone: it is of what is wanted.
+    // The splats with the fovea over them, blended with the traced picture of all pixels by `tracedShare`. If
+    // the model was given up during the fade, the traced picture alone.
     Result<const gpu::Image*> draw(const FrameInput& input, float tracedShare);
-    // The traced picture. Where splats are better they stay, until the noise cannot be seen: what is shown
-    // does not get worse.
+    // The traced picture; as long as its noise may be visible, with splats where those are less noisy. So the
+    // change from splats to the traced picture never makes the picture worse.
     Result<const gpu::Image*> drawTraced(const FrameInput& input);
     const hybrid::Frame& lastFrame() const { return frame_.last(); }
     bool mixesModel() const { return frame_.mixesModel(); }
 
-    // Goes on without the model or the estimate; returns the error if the device was lost. Whatever keeps
-    // them from being made or drawn does not keep anybody from tracing.
+    // Give up the model or the estimate, so that tracing goes on without it. Return the error only if the
+    // device was lost.
     Result<void> withoutModel(const FrameInput& input, const Error& error);
     Result<void> withoutEstimate(const Error& error);
 
     void tellOfModel(const FrameInput& input) { reports_.tellOfModel(input.study, news()); }
     hybrid::ModelNews news() const { return model_.news(); }
     std::optional<hybrid::PeripheralReport> report() const { return model_.report(); }
-    // Fills in what is drawn now, if it is of the input.
+    // Fills in the model that can be drawn now, if it is that of the input's scene.
     Result<void> snapshot(const FrameInput& input, ModelSnapshot& taken);
 
   private:
@@ -104,7 +104,7 @@ class ModelPictures {
     RenderReports& reports_;
     FovealFrame frame_;
     std::optional<EstimatedModel> estimate_;  // reset when the study or volume changes
-    bool estimateHasRoom_ = true;             // false: no memory for one until that in use changes
+    bool estimateHasRoom_ = true;             // false: no memory for an estimate, until roomChanged()
     SceneModel model_;
 };
 

@@ -8,9 +8,9 @@ namespace macula::live {
 namespace {
 
 constexpr std::array kScales{1, 2, 3, 4, 5, 6, 8, 10, 12, 16};
-constexpr double kFinerOnlyBelow = 0.75;  // of the budget
-// Falling behind the hand is worse than a coarse frame, so bad news counts more than good news; none counts
-// in full, as on a busy machine a single frame says little.
+constexpr double kFinerOnlyBelow = 0.75;  // share of the budget
+// Falling behind the hand is worse than a coarse frame, so a slower frame counts more than a faster one.
+// Neither counts in full, because a single frame says little on a busy machine.
 constexpr double kWeightOfSlower = 0.6;
 constexpr double kWeightOfFaster = 0.3;
 

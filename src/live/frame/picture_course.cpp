@@ -68,7 +68,7 @@ Step PictureCourse::next(TimePoint now) const {
         case OnScreen::preview: {
             if (model_ == ModelState::ready || hasEstimate_) return Step::showModel;
             if (isQuick_ && !handMoves_) return isLearningsTurn() ? Step::learn : Step::trace;
-            // Once the full one is begun, the small one is gone.
+            // Once tracing at full size has begun, the small picture is lost.
             const bool canRefine = previewSamples_ < previewLimit_ && tracedMs_ <= 0.0;
             const bool isSettled = !handMoves_ && now - previewSince_ >= kSettle;
             if (model_ == ModelState::searching) {
@@ -100,7 +100,7 @@ Step PictureCourse::next(TimePoint now) const {
     return Step::none;
 }
 
-// An estimate stays while the model of what is shown is searched for and learns.
+// An estimate stays while the scene's model is searched for and trained.
 Step PictureCourse::nextOverEstimate() const {
     if (!handMoves_ && isTraced_) return Step::showTraced;
     if (model_ == ModelState::ready) return Step::showModel;
@@ -120,13 +120,13 @@ bool PictureCourse::isBeforeTraced() const {
     return isBefore && learntMs_ < kYoungFirstMs;
 }
 
-// Likewise, beside or before a picture of all pixels.
+// Whether it is the search's turn, before the full-size picture or while it is traced.
 bool PictureCourse::isSearchsTurn() const {
     if (onScreen_ == OnScreen::traced && hasConverged_) return true;
     return isBeforeTraced() || learntMs_ <= kYoungShare * tracedMs_;
 }
 
-// While nothing moves, beside a picture of all pixels.
+// Whether it is training's turn, at rest: before the full-size picture or while it is traced.
 bool PictureCourse::isLearningsTurn() const {
     const bool isYoung = model_ == ModelState::young;
     if (!learns_ || (!isYoung && model_ != ModelState::ready)) return false;
@@ -157,7 +157,7 @@ void PictureCourse::traced(bool hasConverged) {
     isTraced_ = true;
     hasConverged_ = hasConverged;
     if (onScreen_ == OnScreen::fading) return;
-    if (onScreen_ != OnScreen::traced) tracedMs_ = learntMs_ = 0.0;  // the turns begin
+    if (onScreen_ != OnScreen::traced) tracedMs_ = learntMs_ = 0.0;  // tracing and training take turns now
     const bool fades = isOfSplats(onScreen_);
     onScreen_ = fades ? OnScreen::fading : OnScreen::traced;
     fadingSince_.reset();

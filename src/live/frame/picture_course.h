@@ -1,4 +1,4 @@
-// Decides what the window shows next, and what work is done meanwhile. Holds the rules alone: no window, no
+// Decides what the window shows next, and what work is done meanwhile. Holds only the rules: no window, no
 // device, no clock.
 //
 // While a hand moves, the screen shows the peripheral model at once with all pixels, and over it the fovea,
@@ -100,7 +100,7 @@ class PictureCourse {
 
     Step next(TimePoint now) const;
 
-    // What was done.
+    // Reports what was done.
     void showedModel();
     void showedEstimate();
     void showedPreview(std::uint64_t samples, TimePoint now);  // the full-size picture is lost

@@ -13,7 +13,7 @@ constexpr std::chrono::milliseconds kRateWindow{2000};
 
 }  // namespace
 
-// The marks that are wanted are of the picture on screen, and are not there: they were hidden or are to be.
+// Whether the input's marks fit the picture on screen, but are not there: they were just hidden or shown.
 bool PictureOnScreen::hasOtherMarks(const FrameInput& input) const {
     return screen_ && kept_ == View{input.camera, input.width, input.height} &&
            screen_->marks() != input.marks;
@@ -34,7 +34,7 @@ Result<void> PictureOnScreen::ensure(const FrameInput& input) {
         MACULA_TRY_VOID(screen_->resize(window));
     }
     window_ = window;
-    // The kept picture is of the input's study: that of another study is forgotten by now.
+    // A kept picture belongs to the study of the input: forgetPicture() has dropped that of another study.
     const bool isOtherText = screen_->text() != input.text;
     const bool isOtherMarks = hasOtherMarks(input);
     if (exposures_ != input.exposures || isOtherText || isOtherMarks || screen_->owes()) {
@@ -62,7 +62,7 @@ Result<void> PictureOnScreen::close() {
     if (device.lost()) return {};  // dropping it is all that is left to do
     MACULA_TRY_VOID(device.waitForAll());
     screen.reset();
-    // Dropping only queued the destruction; a surface may go only after its swapchain is really gone.
+    // The reset has only queued the destruction, and a surface must outlive its swapchain.
     MACULA_TRY_VOID(device.waitForAll());
     device.destroyUnused();
     return {};
@@ -76,7 +76,7 @@ Result<void> PictureOnScreen::clear(const glm::vec3& background) {
     MACULA_TRY_VOID(screen_->showColour(colour));
     if (screen_->owes()) {
         duty_.owesClearing();
-    } else {  // of a hidden window nothing is to be seen
+    } else {  // cleared, or hidden
         duty_.showedOurs();
         reports_.tell(PictureRemoved{});
     }
@@ -100,7 +100,7 @@ Result<PictureOnScreen::Put> PictureOnScreen::put(const gpu::Image& picture, con
     kept_ = {input.camera, input.width, input.height};
     MACULA_TRY(const bool visible, screen_->show(picture));
     const Clock::time_point now = Clock::now();
-    // The frame rate is that of the kind of picture that is shown now.
+    // The frame rate counts only pictures of the kind that is shown now.
     if (std::exchange(kind_, kind) != kind) shown_.clear();
     if (visible) {
         duty_.showedOurs();
@@ -111,7 +111,7 @@ Result<PictureOnScreen::Put> PictureOnScreen::put(const gpu::Image& picture, con
 }
 
 void PictureOnScreen::report(FrameShown frame, bool isVisible) {
-    // The screen has kept a picture that could not be shown now; it is shown as soon as it can be.
+    // A picture that could not be shown now is kept by the screen, and reported once it is visible.
     unreported_ = isVisible ? std::nullopt : std::optional(frame);
     if (isVisible) reports_.tell(std::move(frame));
 }

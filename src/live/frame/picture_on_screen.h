@@ -19,8 +19,8 @@
 
 namespace macula::live {
 
-// Opens the screen on the place of an input, keeps it right, and closes it. Tells the duty whether the screen
-// is foreign.
+// Opens the screen on the place of an input, keeps it up to date, and closes it. Reports to RenderDuty
+// whether the screen shows what may not stay (isForeign).
 //
 // Used by the render thread alone. The device must be there while the screen is open: release() before it is
 // dropped.
@@ -32,14 +32,15 @@ class PictureOnScreen {
         : device_(device), duty_(duty), reports_(reports) {}
 
     bool isOpen() const { return screen_ != nullptr; }
-    // Whether it is open, and ensure() has nothing to do but for the size of the window.
+    // Whether the screen is open and, apart from the size of the window, ensure() has nothing to do.
     bool isRight(const FrameInput& input) const;
-    // Opens the screen, or fits it to the window, and shows the kept picture again where it has to be.
+    // Opens the screen or fits it to the window, and shows the kept picture again where needed.
     Result<void> ensure(const FrameInput& input);
     // Closes the screen: afterwards nothing refers to its place.
     void release();
 
-    // Whether it shows what may not stay. A picture that is still owed is an empty one already.
+    // Whether clear() must be called, because the screen shows another study or the remains of a failure. If
+    // it still owes a picture, that is the empty one of an earlier clear().
     bool mustBeCleared() const { return duty_.isForeign() && !screen_->owes(); }
     Result<void> clear(const glm::vec3& background);
     // Drops the kept picture and its report. What is visible stays until the screen is cleared.
@@ -50,7 +51,7 @@ class PictureOnScreen {
     struct Put {
         bool isVisible = false;
         Clock::time_point at{};
-        double framesPerSecond = 0.0;  // of recent pictures of this kind; 0 if there was only one
+        double framesPerSecond = 0.0;  // rate of recent pictures of this kind; 0 if there was only one
     };
     // Shows the picture with the marks of the input. The caller reports it with report().
     Result<Put> put(const gpu::Image& picture, const FrameInput& input, OnScreen kind);

@@ -13,29 +13,29 @@
 
 namespace macula::live {
 
-// Used by the render thread alone. Whoever has something on the device drops it before drop() is called, and
-// before this is destroyed: else the device lives until the last of it is gone.
+// Used by the render thread alone. Drop everything that is on the device before drop() is called, and before
+// this is destroyed: otherwise the device lives as long as the last of it.
 class RenderDevice {
   public:
     // `options` says which device to open, or lends one.
     RenderDevice(gpu::Instance instance, gpu::DeviceOptions options);
 
-    // Makes what is missing, the device with the extensions of `place` or the tracer. A device that was
-    // opened stays when the tracer fails.
+    // Opens the device, with the extensions of `place`, unless it is open, and makes the tracer. If the
+    // tracer fails, the device stays open.
     Result<void> open(const ScreenPlace& place);
     bool isOpen() const { return device_ != nullptr; }
     bool isReady() const { return device_ && traced_; }
     // Drops the tracer, and then the device.
     void drop();
 
-    // False without a device: one that is lost while it is created is not there to be asked.
+    // False without a device: one that was lost while it was being created is not there.
     bool isLost() const { return device_ && device_->lost(); }
     // Counts a loss. False if it was one too many.
     bool mayGoOnAfterLoss() { return losses_.mayGoOn(); }
 
     // Null while it is not open.
     const std::shared_ptr<gpu::Device>& device() const { return device_; }
-    // Null until open() has made it; the address stays until drop().
+    // Null until open() has made the tracer; the address stays valid until drop().
     TracedPictures* traced() { return traced_ ? &*traced_ : nullptr; }
 
   private:

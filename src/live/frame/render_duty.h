@@ -1,4 +1,4 @@
-// The work that FrameRenderer must do before its course goes on. Rules alone: no window, no device.
+// The work that FrameRenderer must do before its course goes on. Only the rules: no window, no device.
 //
 //   picture   right ──other background──▶ other background ──shown──▶ right
 //             any   ──other picture─────▶ begins ──scene applied──▶ right
@@ -21,8 +21,8 @@ class RenderDuty {
 
     // What has changed.
     void otherStudy();     // the screen may show another patient
-    void otherPicture();   // begins anew, even after halting or giving up
-    void otherSizeOnly();  // begins anew, but not after giving up
+    void otherPicture();   // begins again, even after halting or giving up
+    void otherSizeOnly();  // begins again, but not after giving up
     void beginAnew();      // what is on the device is no longer valid
     void otherBackground();
 

@@ -27,7 +27,7 @@ struct DeviceReady {
     bool isFirstStart = false;  // gpu::Device::isFirstStart: first pictures take seconds longer
 };
 
-// The device stopped responding. The renderer starts another one, and makes the picture anew.
+// The device stopped responding. The renderer starts another one, and makes the picture again.
 struct DeviceRestarting {};
 
 // The renderer prepares something that may take seconds, such as a volume for the device.
@@ -56,7 +56,7 @@ struct ModelSnapshot {
     std::optional<Error> error{};                            // set: reading failed, and the rest is empty
 };
 
-// The outline of the visible matter, computed anew after each change of volume, preset or clip.
+// The outline of the visible matter, computed after each change of volume, preset or clip.
 struct OutlineFound {
     std::uint64_t study = 0;
     std::shared_ptr<const std::vector<glm::dvec3>> pointsMm;  // see trace::PathTracer::outlineMm
@@ -66,15 +66,15 @@ struct OutlineFound {
 struct FrameShown {
     std::uint64_t inputSequence = 0;       // of its input
     std::uint64_t study = 0;               // of its input
-    scene::EdgeLetters letters{};          // the sides of the patient in it
-    Camera camera{};                       // of its view
-    OnScreen picture = OnScreen::nothing;  // its kind
+    scene::EdgeLetters letters{};          // the sides of the patient in this view
+    Camera camera{};                       // the camera of the picture
+    OnScreen picture = OnScreen::nothing;  // kind of picture
     Stage stage = Stage::moving;
-    int width = 0;  // of the drawn picture; the window's, divided by `scale`
+    int width = 0;  // width of the drawn picture: the window's, divided by `scale`
     int height = 0;
     int scale = 1;
     hybrid::ModelNews model{};
-    std::optional<double> foveaAgeMs{};  // of the fovea over the model; nothing without one
+    std::optional<double> foveaAgeMs{};  // age of the fovea over the model; nothing without one
     std::uint32_t foveaSamples = 0;      // per pixel of the fovea
     double foveaShare = 0.0;             // largest share of the pixels that the fovea covers
     bool greyFacesAreCoarse = false;     // splats show the grey cut faces of a clip
@@ -85,8 +85,8 @@ struct FrameShown {
     double noiseTarget = 0.0;  // FrameInput::noiseTarget
     bool denoised = false;     // smoother than the traced light
     trace::Look look{};
-    Text remarks{};                    // of its drawing
-    double framesPerSecond = 0.0;      // of recent pictures; 0 when there was only one
+    Text remarks{};                    // remarks of the drawing
+    double framesPerSecond = 0.0;      // rate of recent pictures; 0 if there was only one
     double latencyMs = 0.0;            // from publishing the input to showing the picture
     std::uint64_t samplesLeftOut = 0;  // not finite, or of paths too long for the device
     std::vector<Message> messages{};   // for the user
@@ -99,7 +99,7 @@ struct PictureRemoved {};
 // the device could not clear the window, and the owner of the window hides it.
 struct RenderFailure {
     Error error;
-    std::uint64_t inputSequence = 0;  // of the newest input then
+    std::uint64_t inputSequence = 0;  // the newest input at that time
     bool pictureRemains = false;
 };
 

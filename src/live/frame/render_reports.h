@@ -1,4 +1,4 @@
-// What a renderer tells its listener.
+// Reports of a renderer to its listener.
 #pragma once
 
 #include <chrono>
@@ -11,15 +11,15 @@
 
 namespace macula::live {
 
-// Used by the render thread alone: there the listener is called.
+// Used by the render thread alone; it calls the listener.
 class RenderReports {
   public:
     explicit RenderReports(RenderListener listener) : listener_(std::move(listener)) {}
 
     void tell(RenderEvent event) const { listener_(std::move(event)); }
-    // Tells of the model no more often than a person can read it.
+    // Reports the state of the model, but no more often than a person can read.
     void tellOfModel(std::uint64_t study, const hybrid::ModelNews& news);
-    // Tells a few times a second, however often it is called.
+    // Reports the time spent by stage, a few times a second at most.
     void tellOfTime(const Timeline& timeline);
 
   private:

@@ -13,7 +13,7 @@ namespace macula::live {
 
 namespace {
 
-// A release that takes longer is logged: a dispatch takes far less, and a part of a scene nearly always does.
+// A release that takes longer is logged. A dispatch takes far less time, and so does nearly every scene part.
 constexpr std::chrono::milliseconds kReleaseIsSlow{5000};
 
 }  // namespace
@@ -47,7 +47,7 @@ void RenderThread::releaseScreen() {
     bool told = false;
     while (true) {
         const auto released = released_.takeFor(kReleaseIsSlow);
-        if (released && *released >= sequence) return;  // else it is of an earlier release
+        if (released && *released >= sequence) return;  // otherwise it answers an earlier release
         if (!released && !std::exchange(told, true))
             log::warning("Waiting for the graphics device to let go of the window.");
     }
@@ -60,7 +60,7 @@ void RenderThread::run(const std::stop_token& stop, gpu::Instance instance, std:
     FrameRenderer renderer(std::move(instance), std::move(device), std::move(keeper), std::move(listener));
     const Interrupts interrupts{.newInput = [this] { return inputs_.pending(); },
                                 .stopping = [&stop] { return stop.stop_requested(); }};
-    std::optional<std::uint64_t> owed;  // whoever waits for the screen waits until this is published
+    std::optional<std::uint64_t> owed;  // the release that releaseScreen() waits for
     while (!stop.stop_requested()) {
         try {
             std::optional<FrameInput> input = renderer.hasWork() || owed ? inputs_.tryTake() : inputs_.take();

@@ -13,8 +13,8 @@
 
 namespace macula::live {
 
-// Takes inputs, of which the latest wins, and reports events. Publishing never waits for the GPU. All members
-// are called by the thread that created the object.
+// Takes inputs, of which the latest wins, and reports events. Publishing never waits for the GPU. Only the
+// thread that created the object may call its members.
 class RenderThread {
   public:
     // The render thread opens the device, and reports failure as an event. `keeper` as in FrameRenderer.

@@ -1,4 +1,4 @@
-// The peripheral model of the scene that a renderer shows, and where models go that are put away.
+// The peripheral model of the scene that a renderer shows, and a shelf for models of earlier scenes.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@
 
 namespace macula::live {
 
-// Names scenes, has their models looked for, and owns the one that is shown. Shelf and names outlive the
-// device; the model does not: saveAndDrop() before the device is dropped.
+// Names scenes, has the keeper look for their models, and owns the model that is shown. The shelf and the
+// names outlive the device, the model does not: call saveAndDrop() before the device is dropped.
 //
 // Used by the render thread alone.
 class SceneModel {
@@ -25,8 +25,7 @@ class SceneModel {
     // `keeper` stores models between runs; null: none are stored.
     explicit SceneModel(std::shared_ptr<SceneKeeper> keeper) : keeper_(std::move(keeper)) {}
 
-    // Whether the drawing can have a model, which holds its light: only lights that stay with the patient
-    // can.
+    // Whether the scene can have a model: that holds its light, so the lights must stay with the patient.
     static bool isPossible(const FrameInput& input);
 
     std::string nameOf(const FrameInput& input) { return names_.of(input.study, input.drawing); }
@@ -36,7 +35,7 @@ class SceneModel {
     bool isOnShelf(const std::string& name) const { return shelf_ && shelf_->find(name); }
     bool hasShelf() const { return shelf_ != nullptr; }
 
-    // Makes the model and its shelf where they are missing.
+    // Makes the model and the shelf if they are missing.
     Result<void> make(const std::shared_ptr<gpu::Device>& device, const trace::PathTracer& beside);
     // As LiveModel::show. Requires make().
     Result<void> show(const std::string& name, const scene::Drawing& drawing);
@@ -45,12 +44,12 @@ class SceneModel {
     // The drawing of the model's key.
     const scene::Drawing& drawing() const { return of_; }
 
-    // There may be a model of the next scene, whatever became of this one.
+    // Forgets why this scene has no model: the next one may have one.
     void forgetWhyNone() { whyNone_ = hybrid::ModelStage::none; }
     void giveUp(hybrid::ModelStage why);
-    // These drop the model, and throw nothing. putAwayAndDrop: what it has learnt goes to the shelf and to
-    // the keeper. saveAndDrop: only what is on the host does, because what the device did last may be lost or
-    // half of a step.
+    // These drop the model, and throw nothing. putAwayAndDrop: puts all it has learnt on the shelf, and has
+    // the keeper store it. saveAndDrop: only what is on the host, because the last work of the device may be
+    // lost or incomplete.
     void putAwayAndDrop() { dropAfter(&hybrid::LiveModel::hide); }
     void saveAndDrop() { dropAfter(&hybrid::LiveModel::save); }
     // Models of another volume are of no use.
@@ -58,7 +57,7 @@ class SceneModel {
 
     hybrid::ModelNews news() const;
     std::optional<hybrid::PeripheralReport> report() const;
-    // Fills in the model, if it is of the input.
+    // Fills in the model, if it is that of the input's scene.
     Result<void> snapshot(const FrameInput& input, ModelSnapshot& taken);
 
   private:

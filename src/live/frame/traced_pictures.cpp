@@ -22,18 +22,17 @@ constexpr double kNsPerPixelGuessGpu = 50.0;
 // Bounces of light in small pictures. With fewer, bone turns from ivory to grey: its colour is made by many
 // bounces, and the picture would change its look each time a hand lets go.
 constexpr int kPreviewBounces = trace::kDefaultBounces;
-// Samples of each pixel before a small picture is shown. One is enough if it is denoised: the history helps,
-// and a second one's time is better spent on pixels. Without denoising one would be a cloud of dots.
+// Samples of each pixel before a small picture is shown. One is enough with denoising, which reuses earlier
+// pictures: more pixels are better than a second sample. Without denoising one would be a cloud of dots.
 constexpr std::uint32_t kPreviewSamples = 1;
 constexpr std::uint32_t kPlainPreviewSamples = 2;
 constexpr trace::Smoothing kPlainPreviewSmoothing = trace::Smoothing::slight;
 constexpr std::uint64_t kPreviewSampleLimit = 64;  // while a hand holds still
 // Cast rays have no noise: more samples only make edges smoother. As many as `macula render` takes.
 constexpr std::uint64_t kCastSampleLimit = 8;
-// The first number of samples that the full picture is shown with, filtered (filter_course.h).
+// Samples of each pixel before the full picture is first shown, denoised (filter_course.h).
 constexpr std::uint64_t kFirstDenoised = 2;
-// The first number of samples that is shown where there is no memory for the filter: with fewer it would be a
-// cloud of dots.
+// The same without denoising, for lack of memory: fewer samples would be a cloud of dots.
 constexpr std::uint64_t kFirstPlain = 4;
 
 bool hasNoise(const FrameInput& input) {
@@ -45,7 +44,7 @@ trace::Settings denoised(trace::Settings settings, bool isDenoised) {
     return settings;
 }
 
-// How low the noise has to be is no part of what is seen.
+// The noise target does not change what is drawn.
 bool sameDrawing(const scene::Drawing& a, scene::Drawing b) {
     b.settings.errorThreshold = a.settings.errorThreshold;
     return a == b;
@@ -53,8 +52,8 @@ bool sameDrawing(const scene::Drawing& a, scene::Drawing b) {
 
 trace::Settings previewSettings(trace::Settings settings, std::uint32_t number) {
     settings.bounces = std::min(settings.bounces, kPreviewBounces);
-    settings.seed += number;  // else the noise would stand still on the screen like dirt
-    // A spline stays: bricks are bounded for it, and would be bounded anew with each motion.
+    settings.seed += number;  // otherwise the noise would stand still on the screen like dirt
+    // A spline stays: the majorants of bricks depend on the filter, and each motion would compute them again.
     if (settings.filter == trace::Filter::trilinear) settings.filter = trace::Filter::stochastic;
     return settings;
 }
@@ -123,8 +122,8 @@ Result<bool> TracedPictures::tracePreview(const FrameInput& input, const std::fu
 }
 
 void TracedPictures::previewWasShown(double developMs, double otherMs) {
-    // The times of two kinds of pictures tell nothing about the next one: the first of a size or a look also
-    // compiles kernels, and later ones of a view reuse its guides.
+    // Two kinds of pictures do not predict the next one's time: the first of a size or a look also compiles
+    // kernels, and later ones of a view reuse its guides.
     const bool isOfWarmLook = std::exchange(warmLook_, previewLook_) == previewLook_;
     if (std::exchange(warmWidth_, view_.width) != view_.width || !isOfWarmLook || !isFirstPreview_) return;
     motionScales_.of(previewLook_).observe(view_.width, view_.height, previewMs_ + developMs, otherMs);

@@ -19,7 +19,7 @@
 namespace macula::live {
 
 // Used by one thread at a time: the one that uses the device. Only one picture exists at a time: beginning a
-// small one loses the full one, and the reverse.
+// small one loses the full one, and vice versa.
 class TracedPictures {
   public:
     static Result<TracedPictures> create(const std::shared_ptr<gpu::Device>& device);
@@ -41,9 +41,9 @@ class TracedPictures {
 
     // Expected time until a full-size picture is worth showing, from the times of small ones.
     double expectedFullMs(const FrameInput& input);
-    // Whether the full picture is of exactly `input`, and has become worth showing.
+    // Whether the full picture shows exactly `input`, and has become worth showing.
     bool hasFull(const FrameInput& input) const;
-    // Begins the full picture; does nothing if it is of `input` already, worth showing or not.
+    // Begins the full picture; does nothing if it already shows `input`, worth showing or not.
     Result<void> beginFull(const FrameInput& input);
     struct Progress {
         bool isNews = false;  // the full picture is worth showing, or showing again
@@ -54,7 +54,7 @@ class TracedPictures {
 
     // The current picture, small or full, ready for display. It is on the device, see PathTracer::display.
     Result<const gpu::Image*> display(const glm::vec3& background);
-    // Whether the picture may still be noisier than splats, and is to be mixed with them; light() is the
+    // Whether the picture may still be noisier than splats, and so should be mixed with them; light() is the
     // light to mix. It is on the device, see PathTracer::noisyLight.
     bool isNoisy() const { return !isLast_ && course_.isNoisy(); }
     Result<trace::TracedLight> light() { return isNoisy() ? tracer_.noisyLight() : tracer_.light(); }
@@ -90,7 +90,7 @@ class TracedPictures {
     std::uint64_t previewSamples_ = 0;
     double previewMs_ = 0.0;
     bool isFirstPreview_ = false;  // the small picture is the first of its view
-    int warmWidth_ = 0;            // of the small picture before this one
+    int warmWidth_ = 0;            // width of the previous small picture
     std::optional<trace::Look> warmLook_;
     std::uint32_t previewNumber_ = 0;
 
@@ -99,7 +99,7 @@ class TracedPictures {
     bool isLast_ = false;
     FilterCourse course_;
     double samples_ = 0.0;
-    double developMs_ = 0.0;  // so far, of the development under way
+    double developMs_ = 0.0;  // time that the development under way has taken so far
 };
 
 // Whether both inputs give the same picture, pixel for pixel; the noise target does not count.

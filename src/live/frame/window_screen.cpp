@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kAcquireTimeoutNs = 100'000'000;
 constexpr int kResizeAttempts = 3;
 
-// Where the window system counts in other units than pixels, the two may differ by rounding.
+// Some window systems count in other units than pixels: then the two sizes may differ by rounding.
 bool isOf(const PictureText& text, VkExtent2D target) {
     constexpr int kRoundingPx = 2;
     if (text.of.width == 0) return true;
@@ -61,7 +61,7 @@ Result<void> WindowScreen::prepare(Overlay& overlay) {
     return {};
 }
 
-// What is over a picture in a window of that size.
+// The overlays that fit a window of that size.
 std::vector<gpu::BlitOverlay> WindowScreen::overlaysFor(VkExtent2D target) const {
     std::vector<gpu::BlitOverlay> overlays;
     for (const Overlay* overlay : {&text_, &marks_}) {

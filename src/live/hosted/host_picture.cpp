@@ -12,7 +12,7 @@ namespace macula::live {
 
 namespace {
 
-// Always visible, of the size that is asked for.
+// A screen that is always visible; pictures keep the size in which they were drawn.
 class HostScreen final : public Screen {
   public:
     HostScreen(std::shared_ptr<HostPicture> picture, std::shared_ptr<gpu::Device> device)
@@ -72,7 +72,7 @@ gpu::ImageOptions displayed(const char* label, std::uint32_t width, std::uint32_
     return options;
 }
 
-// No image can be left undefined.
+// No image can be left in the undefined layout, so 0 stands for the general one.
 VkImageLayout layoutOf(const LentPicture& target) {
     const auto layout = static_cast<VkImageLayout>(target.layout);
     return layout == VK_IMAGE_LAYOUT_UNDEFINED ? VK_IMAGE_LAYOUT_GENERAL : layout;
@@ -89,7 +89,7 @@ Result<void> HostPicture::keep(const std::shared_ptr<gpu::Device>& device, const
         MACULA_TRY(kept_, gpu::Image::create(device,
                                              displayed("picture for the host", extent.width, extent.height)));
     }
-    // A picture that could not be kept must not be taken for this one.
+    // If the copy fails, the picture before must not pass for this one.
     const auto copy = [&]() -> Result<void> {
         MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device, "picture for the host"));
         recorder.copy(picture, *kept_);
@@ -125,7 +125,7 @@ void HostPicture::leaveDevice() {
     forget();
 }
 
-// To a layer of another's image, scaled to its size.
+// Copies the picture to a layer of the host's image, scaled to its size.
 Result<void> HostPicture::send(const gpu::LentLayer& target, const glm::ivec2& sizePx,
                                const gpu::SubmitOptions& semaphores) const {
     const std::shared_ptr<gpu::Device>& device = kept_->device();

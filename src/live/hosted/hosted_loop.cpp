@@ -23,9 +23,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLeastMs = 15.0;  // a frame gets on a little, however little time there is
+constexpr double kLeastMs = 15.0;  // a frame makes some progress, however little time it has
 constexpr double kUsualFovDeg = 30.0;
-constexpr int kTrainingSidePx = 256;  // of the picture that is shown to nobody
+constexpr int kTrainingSidePx = 256;  // a picture is drawn during training, but nobody sees it
 constexpr std::size_t kTrainingTicks = 1000;
 
 double millisecondsSince(Clock::time_point start) {
@@ -36,14 +36,14 @@ Error stopped(Text sentence) {
     return {ErrorCode::cancelled, std::move(sentence), {}, {}};
 }
 
-// Whether nothing more will come of the model.
+// Whether the model will not change any more.
 bool hasEnded(hybrid::ModelStage stage) {
     using hybrid::ModelStage;
     return stage == ModelStage::resting || stage == ModelStage::nothingToSee || stage == ModelStage::noRoom ||
            stage == ModelStage::failed;
 }
 
-// That there can be a model of the drawing.
+// Fails if the drawing can have no model.
 Result<void> checkHasModel(const scene::Drawing& drawing) {
     if (!trace::isPathTraced(drawing.settings.look))
         return Error{ErrorCode::usage,
@@ -53,8 +53,8 @@ Result<void> checkHasModel(const scene::Drawing& drawing) {
     return scene::checkPatientLights(trace::Environment::fromRig(*drawing.lights), {});
 }
 
-// The renderer knows parts of a scene by their address: what is the same stays on the device, and so does its
-// model.
+// The renderer compares parts of a scene by address: equal parts take the address from before, so that they
+// stay on the device, and so does the model.
 void keepWhatIsSame(scene::Drawing& drawing, const scene::Drawing& before) {
     const auto isSameClip = [](const std::shared_ptr<const Clip>& a, const std::shared_ptr<const Clip>& b) {
         return a && b ? *a == *b : a == b;
@@ -96,7 +96,7 @@ Result<void> whatBecameOf(const hybrid::ModelNews& news) {
 
 }  // namespace
 
-// Told on the keeper's thread.
+// Collects the errors that the keeper reports on its thread.
 class HostedLoop::Troubles {
   public:
     void add(const Error& error) {
@@ -135,7 +135,7 @@ HostedLoop::HostedLoop(HostedOptions options, gpu::Instance instance)
 }
 
 HostedLoop::~HostedLoop() {
-    renderer_.reset();  // it tells, and keeps, to the last
+    renderer_.reset();  // it may report and store until it is destroyed
 }
 
 void HostedLoop::hear(RenderEvent event) {
@@ -167,7 +167,7 @@ void HostedLoop::publish(const FrameInput& input) {
 
 Result<void> HostedLoop::goOn(const std::function<bool()>& isDone, const std::function<bool()>& isTimeUp,
                               Progress& progress) {
-    // The renderer tells what it prepares while it works for this caller only.
+    // Reports what the renderer prepares to this caller, while it works for them.
     struct Told {
         Told(Progress*& place, Progress& told) : place_(place) { place_ = &told; }
         Told(const Told&) = delete;
@@ -209,7 +209,7 @@ void HostedLoop::change(HostedScene scene) {
     const bool isOther = scene.volume != input.volume;
     if (isOther) ++input.study;
     if (!isOther) keepWhatIsSame(scene.drawing, input.drawing);
-    // Of whatever else the renderer tells the outline anew.
+    // The outline depends on these; the renderer finds it again when it applies the scene.
     if (isOther || scene.drawing.transferFunction != input.drawing.transferFunction ||
         scene.drawing.clip != input.drawing.clip)
         outlineMm_.reset();
@@ -228,7 +228,7 @@ Result<Camera> HostedLoop::fittingCamera(FrameInput input, std::optional<ViewDir
     if (!outlineMm_) {
         input.camera = scene::toCamera(scene::framed(corners, from, kUsualFovDeg, aspect));
         publish(input);
-        // The outline is told of each scene that is brought to the device, once.
+        // The renderer reports the outline once for each scene that it brings to the device.
         MACULA_TRY_VOID(goOn([this] { return outlineMm_ != nullptr; }, [] { return false; }, progress));
     }
     const bool fitsAll =
@@ -275,7 +275,7 @@ Result<void> HostedLoop::train(const TrainingRequest& request, Progress& progres
     FrameInput input = input_;
     input.width = input.height = kTrainingSidePx;
     input.interacting = false;
-    // All time is for the model, once there is something on screen.
+    // With one sample, the rest of the time is for the model.
     input.sampleLimit = 1;
     MACULA_TRY(input.camera, fittingCamera(input, ViewDirection::anterior, progress));
     publish(input);
@@ -303,7 +303,7 @@ Result<void> HostedLoop::train(const TrainingRequest& request, Progress& progres
         advanceTo(share);
         return hasEnded(news.stage) || isSpent() || (request.steps > 0 && made >= request.steps);
     };
-    // A model that learns already has its steps behind it.
+    // For a model that is learning already, only further steps count.
     if (knowsModel_ && model().stage == hybrid::ModelStage::learning) firstStep = model().steps;
     MACULA_TRY_VOID(goOn(isDone, isSpent, progress));
     advanceTo(1.0);
@@ -312,7 +312,7 @@ Result<void> HostedLoop::train(const TrainingRequest& request, Progress& progres
 
 Result<ModelSnapshot> HostedLoop::snapshotModel(bool withTraining) {
     FrameInput input = input_;
-    if (isParallel(input.camera)) input.camera = inPerspective(input.camera);  // of which models are drawn
+    if (isParallel(input.camera)) input.camera = inPerspective(input.camera);  // models need perspective
     ++input.modelRequests;
     input.requestsTraining = withTraining;
     taken_.reset();
@@ -337,7 +337,7 @@ Result<void> HostedLoop::save(Progress& progress) {
                      Text("The model has learnt nothing yet that could be kept."),
                      {},
                      Text("Train it first.")};
-    for (const Error& error : troubles_->take()) note(error);  // of before
+    for (const Error& error : troubles_->take()) note(error);  // errors from before this call
     const std::int64_t begunMs = nowMs();
     keeper_->keep(taken.state);
     MACULA_TRY_VOID(waitForStore(progress, Text("Saving the model")));
@@ -345,7 +345,8 @@ Result<void> HostedLoop::save(Progress& progress) {
     return {};
 }
 
-// The keeper tells each trouble once, and of a model that stays what it was nothing at all.
+// Asks the store itself: the keeper reports each error only once, and says nothing if it does not replace a
+// model.
 Result<void> HostedLoop::checkIsStored(std::int64_t sinceMs) {
     const std::vector<Error> troubles = troubles_->take();
     if (!troubles.empty()) return troubles.front();
@@ -374,7 +375,7 @@ Result<void> HostedLoop::checkIsStored(std::int64_t sinceMs) {
         try {
             asked->set_value(look());
         } catch (...) {
-            asked->set_exception(std::current_exception());  // of whoever waits
+            asked->set_exception(std::current_exception());  // answer.get() throws it
         }
     });
     return answer.get();

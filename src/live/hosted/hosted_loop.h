@@ -102,7 +102,7 @@ class HostedLoop {
     std::vector<Text> notes();
 
   private:
-    class Troubles;  // of the store
+    class Troubles;  // errors of the store
 
     HostedLoop(HostedOptions options, gpu::Instance instance);
     void hear(RenderEvent event);
@@ -125,11 +125,11 @@ class HostedLoop {
     std::unique_ptr<FrameRenderer> renderer_;
     FrameInput input_;
     Progress* progress_ = nullptr;  // while goOn() runs
-    bool knowsModel_ = false;       // model() is of the current scene, not the previous one
+    bool knowsModel_ = false;       // model() describes the current scene, not the previous one
     std::string device_;
-    std::shared_ptr<const std::vector<glm::dvec3>> outlineMm_;  // of the scene
+    std::shared_ptr<const std::vector<glm::dvec3>> outlineMm_;  // outline of the scene
     std::optional<FrameShown> shown_;
-    std::optional<Error> failure_;  // of the input
+    std::optional<Error> failure_;  // failure of the current input
     std::optional<ModelSnapshot> taken_;
     std::vector<Text> notes_;
 };

@@ -20,7 +20,8 @@ class GuardOfHost final : public gpu::QueueGuard {
     std::function<void()> unlock_;
 };
 
-// Of a host that does not use the queue meanwhile: several handles of Macula may, in threads of their own.
+// For a host that does not use the queue meanwhile. Several handles of Macula may use it, on different
+// threads.
 class OwnGuard final : public gpu::QueueGuard {
   public:
     void lock() override { mutex_.lock(); }

@@ -1,4 +1,4 @@
-// What a program with its own Vulkan device lends to Macula, without a Vulkan header: for src/c.
+// What a program with its own Vulkan device lends to Macula. Includes no Vulkan header, for src/c.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace macula::live {
 
-// How to open a device, any number of times: each has its own instance, or shares what is lent.
+// How to open a device, any number of times: each opening makes its own instance, or shares the lent one.
 struct DeviceWay {
     gpu::InstanceOptions instance;
     gpu::DeviceOptions device;

@@ -26,7 +26,7 @@ Result<void> writeState(const std::filesystem::path& path, const ModelToWrite& m
                      Text("Wait until the picture converges, or save it as .ply, .spz or .glb.")};
     const scene::Drawing& drawing = model.drawing;
     hybrid::PeripheralState state = *model.state;  // pictures are shared
-    // In the program it has the name of its scene, which means nothing to others.
+    // In memory the key is the name of its scene, which means nothing outside this run.
     state.training.options.key = trainingIdentity(
         *in16Bits(model.volume), *drawing.transferFunction, drawing.clip ? *drawing.clip : Clip{},
         trace::Environment::fromRig(*drawing.lights), drawing.additions ? *drawing.additions : Additions{});

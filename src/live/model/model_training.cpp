@@ -45,8 +45,7 @@ Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const Stu
     const double start = end.budget.spentSeconds();
     MACULA_TRY(SceneOnDevice onDevice, putOnDevice(device, scene));
     const double putSeconds = end.budget.spentSeconds() - start;
-    // makeFirstModel makes one step at most; the others are made here, where they can be stopped with nothing
-    // lost.
+    // makeFirstModel takes one step at most. The others are taken here, where stopping loses nothing.
     hybrid::FirstModelOptions begin = options;
     begin.beginsOnly = true;
     begin.budget = &end.budget;
@@ -93,7 +92,7 @@ LastingTraining trainLasting(gpu::LastingDevice& device, const StudyScene& scene
                              const std::optional<splat::TrainingState>& saved, const TrainingEnd& end,
                              Progress& progress) {
     LastingTraining lasting;
-    std::optional<Trained>& begun = lasting.trained;  // on the host, so no lost device takes it along
+    std::optional<Trained>& begun = lasting.trained;  // on the host, so it survives the loss of a device
     lasting.ended = device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
         if (begun) {
             MACULA_TRY_VOID(trainToTheEnd(on, *begun, end, progress));

@@ -18,7 +18,7 @@
 
 namespace macula::live {
 
-// When to stop: at the first of both.
+// When to stop: whichever comes first.
 struct TrainingEnd {
     std::uint64_t steps = 0;  // steps from here on
     TimeBudget budget;        // for everything, points and views included
@@ -48,12 +48,13 @@ Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const Stu
                            const hybrid::FirstModelOptions& options, const TrainingEnd& end,
                            Progress& progress);
 
-// Resumes the training `saved`; the result is that of trainFirst without the stop. Fails as Trainer::resume.
+// Resumes the training `saved`, with the result that trainFirst would have had without stopping. Fails as
+// Trainer::resume.
 Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device, const splat::TrainingState& saved,
                         const TrainingEnd& end, Progress& progress);
 
-// Resumes a training that failed; the result is that of one without the failure. Fails as Trainer::resume,
-// and then leaves `failed` unchanged.
+// Resumes a training that failed, with the result that it would have had without the failure. Fails as
+// Trainer::resume, and then leaves `failed` unchanged.
 Result<void> trainToTheEnd(const std::shared_ptr<gpu::Device>& device, Trained& failed,
                            const TrainingEnd& end, Progress& progress);
 

@@ -18,7 +18,7 @@ std::string digestOf(const MaskBits& bits) {
     return sha256Hex(std::as_bytes(std::span(bits.words)));
 }
 
-// What bits of a mask depend on beside its labels.
+// What the bits of a mask depend on, besides its labels.
 std::string placeOf(const Mask& mask, const Volume& volume) {
     std::string text =
         fmt::format("labels {} {} {} {} {}", mask.keep == Keep::inside, fmt::join(mask.numbers, ","),
@@ -54,7 +54,7 @@ std::string PartDigests::known(const std::shared_ptr<const void>& part, std::str
     std::promise<std::string> made;
     {
         std::unique_lock lock(mutex_);
-        // Another part may lie where one of these was.
+        // A new part may have the address of one that was destroyed.
         std::erase_if(known_, [](const auto& each) { return each.second.part.expired(); });
         if (const auto found = known_.find(place); found != known_.end()) {
             const std::shared_future<std::string> digest = found->second.digest;
@@ -71,7 +71,7 @@ std::string PartDigests::known(const std::shared_ptr<const void>& part, std::str
     } catch (...) {
         {
             const std::lock_guard lock(mutex_);
-            known_.erase(place);  // the next one tries again
+            known_.erase(place);  // the next caller tries again
         }
         made.set_exception(std::current_exception());
         throw;

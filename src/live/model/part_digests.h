@@ -22,8 +22,8 @@ namespace macula::live {
 class PartDigests {
   public:
     std::string of(const std::shared_ptr<const Volume>& volume);  // fingerprint
-    std::string of(const std::shared_ptr<const TintBox>& box);    // of its voxels
-    std::string of(const Mask& mask, const Volume& volume);       // of maskBits
+    std::string of(const std::shared_ptr<const TintBox>& box);    // digest of its voxels
+    std::string of(const Mask& mask, const Volume& volume);       // digest of maskBits
 
     // The number of parts read so far.
     std::size_t made() const;

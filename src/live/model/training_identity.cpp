@@ -15,7 +15,7 @@ namespace macula::live {
 namespace {
 
 constexpr const char* kFirstLine = "macula training of";
-constexpr const char* kAdditions = "additions";  // a last line, where there are any
+constexpr const char* kAdditions = "additions";  // the last line, if there are any
 
 std::vector<std::string> linesOf(const std::string& text) {
     std::vector<std::string> lines;
@@ -24,7 +24,7 @@ std::vector<std::string> linesOf(const std::string& text) {
     return lines;
 }
 
-// Takes the line out; empty where there are none.
+// Removes the line of additions and returns it; empty if there is none.
 std::string takeAdditions(std::vector<std::string>& lines) {
     if (lines.empty() || !lines.back().starts_with(kAdditions)) return {};
     std::string taken = std::move(lines.back());
@@ -32,7 +32,7 @@ std::string takeAdditions(std::vector<std::string>& lines) {
     return taken;
 }
 
-// What a line of it begins with.
+// The difference, in words; `word` is the first of the line that differs.
 Text otherThan(const std::string& word) {
     if (word == "study") return Text("another study");
     if (word == "preset") return Text("another preset");
@@ -69,7 +69,7 @@ Result<void> checkTrainingIdentity(const std::string& saved, const std::string& 
         other.push_back(otherThan(after[i].substr(0, after[i].find(' '))));
     }
     if (hasOtherAdditions) other.push_back(Text("another second volume or other colours of segments"));
-    // There are no options that would bring them.
+    // No option of `macula train` adds them.
     Text hint =
         hasOtherAdditions
             ? Text("macula train draws no second volume and no colours of segments: train anew without them.")

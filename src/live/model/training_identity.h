@@ -1,4 +1,5 @@
-// Training key (splat::TrainerOptions::key): what a training is of, so that it resumes on nothing else.
+// Training key (splat::TrainerOptions::key): identifies what a training learns, so that it resumes with
+// nothing else.
 #pragma once
 
 #include <filesystem>

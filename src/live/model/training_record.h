@@ -22,14 +22,14 @@ struct TrainingRecord {
     // The options of a training that began here; a saved training does not record all of them.
     std::optional<hybrid::FirstModelOptions> begun;
     double budgetSeconds = 0.0;     // 0: none
-    std::uint64_t stepsBefore = 0;  // of the training that it resumed
+    std::uint64_t stepsBefore = 0;  // steps of the training that was resumed
 };
 
 nlohmann::ordered_json toJson(const TrainingRecord& record, const Trained& trained);
 
 // A sentence on how a training with a budget spent its time, and how many of `views` were traced.
 std::string howTimeWasSpent(const Trained& trained, std::size_t views);
-// Sentences on a training that stopped before all of its `steps`, and whose model went to `path`.
+// Sentences on a training that stopped before all of its `steps`; its model was written to `path`.
 std::string whatIsWritten(const Trained& trained, std::uint64_t steps, const std::filesystem::path& path);
 
 }  // namespace macula::live

@@ -29,14 +29,14 @@ constexpr int kSidePx = 128;
 constexpr int kBounces = 16;
 constexpr int kTimes = 5;
 constexpr double kFovDeg = 30.0;
-constexpr const char* kName = "live frame";  // of the document
+constexpr const char* kName = "live frame";  // name of the document
 constexpr std::int64_t kVersion = 1;
 
 std::string nameOf(const gpu::DeviceInfo& device) {
     return device.name + ", " + device.driver;
 }
 
-// As gpu::Device::create takes it.
+// The device that gpu::Device::create opens: if none is preferred, that of $MACULA_DEVICE.
 std::string meantDevice(const std::string& preferred) {
     const char* usual = std::getenv("MACULA_DEVICE");
     return preferred.empty() && usual != nullptr ? usual : preferred;
@@ -62,7 +62,7 @@ session::DocumentId documentId() {
     return {.kind = session::DocumentKind::calibration, .study = {}, .name = kName};
 }
 
-// Nothing where none is kept, or it is of something else.
+// Nothing if none is stored, or if it belongs to another device, driver or version.
 std::optional<Calibration> keptCalibration(const std::filesystem::path& folder, const std::string& device) {
     const auto json = machineDocument(folder, documentId());
     if (!json || !*json) return std::nullopt;
@@ -87,7 +87,7 @@ Result<Calibration> measureCalibration(const std::shared_ptr<gpu::Device>& devic
     Calibration calibration{.traceMs = std::numeric_limits<double>::infinity(),
                             .device = nameOf(device->info()),
                             .version = MACULA_VERSION};
-    // The first makes the kernels.
+    // The first trace does not count: it compiles the kernels.
     for (int i = 0; i <= kTimes; ++i) {
         MACULA_TRY_VOID(tracer.scene().setTransferFunction(preset.function));
         const Clock::time_point start = Clock::now();

@@ -17,7 +17,7 @@ namespace macula::live {
 struct Calibration {
     double traceMs = 0.0;  // the least of five, as other load only adds to it
     std::string device;    // name and driver
-    std::string version;   // of the program
+    std::string version;   // version of Macula
     bool operator==(const Calibration&) const = default;
 };
 

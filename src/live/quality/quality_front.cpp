@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLongestMs = 1e6;
 constexpr double kLeastBetweenFramesMs = 1.0;
-constexpr double kEnoughTime = 1e12;  // for any fovea as it is wanted, by budget over time per sample
+constexpr double kEnoughTime = 1e12;  // budget / time per sample that never makes a fovea smaller
 
 double whole(const JsonNode& node, double low, double high) {
     const double number = node.number({low, high});
@@ -54,7 +54,7 @@ std::vector<FrontPoint> stopsOf(std::vector<FrontPoint> points) {
 double drawMs(const QualityFront& front, double pixels) {
     const auto& drawn = front.drawing;
     auto after = std::ranges::find_if(drawn, [&](const auto& d) { return d.pixels > pixels; });
-    after = std::clamp(after, drawn.begin() + 1, drawn.end() - 1);  // beyond both ends in their slope
+    after = std::clamp(after, drawn.begin() + 1, drawn.end() - 1);  // beyond an end: its slope goes on
     const auto& a = *std::prev(after);
     const double slope = (after->ms - a.ms) / (after->pixels - a.pixels);
     return std::max(a.ms + slope * (pixels - a.pixels), 0.1 * drawn.front().ms);
@@ -127,7 +127,7 @@ LiveQuality liveQualityOf(const FrontPoint& stop, const FrameCost& cost) {
     if (!stop.fovea) return quality;
     quality.fovea = stop.fovea->request;
     quality.betweenFramesMs = cost.betweenMs;
-    // Where that is not enough for all of it, it is smaller. A machine that is quick needs no limit.
+    // A fovea that takes longer gets smaller. At least the usual budget, which a fast machine never needs.
     quality.foveaMs = std::max(hybrid::kFoveaBudgetMs, cost.betweenMs * stop.fovea->framesPerFovea);
     return quality;
 }

@@ -21,7 +21,7 @@ struct FrontPoint {
         bool operator==(const Fovea&) const = default;
     };
     std::optional<Fovea> fovea = {};  // nothing: splats alone
-    double ms = 0.0;                  // of a frame, with its share of the fovea, where measured
+    double ms = 0.0;                  // time of a frame with its share of a fovea, on the machine measured
     double flip = 0.0;                // FLIP error of the whole frame
     double fovealFlip = 0.0;          // FLIP error of the 20 degrees around the gaze
 
@@ -33,8 +33,8 @@ struct QualityFront {
     std::string source;  // for people: the machine and data measured
     glm::ivec2 sizePx{0};
     double verticalFovDeg = 0.0;
-    int bounces = 0;             // of all points
-    double calibrationMs = 0.0;  // of the trace of calibration.h, where measured
+    int bounces = 0;             // the same for all points
+    double calibrationMs = 0.0;  // time of the trace of calibration.h, on the machine measured
     struct Drawn {
         double pixels = 0.0;
         double ms = 0.0;
@@ -63,8 +63,8 @@ struct WindowView {
 // that measured. Drawing scales with the pixels, tracing with the pixels of the fovea.
 struct FrameCost {
     double drawMs = 0.0;
-    double foveaMs = 0.0;    // of a whole fovea
-    double betweenMs = 0.0;  // of foveaMs, between two frames: at most kMostBetweenFramesMs
+    double foveaMs = 0.0;    // time of a whole fovea
+    double betweenMs = 0.0;  // the part of foveaMs between two frames: at most kMostBetweenFramesMs
     double ms() const { return drawMs + betweenMs; }
 };
 inline constexpr double kMostBetweenFramesMs = 2000.0;

@@ -13,7 +13,7 @@ namespace macula::live {
 
 namespace {
 
-constexpr double kMostBytes = 9e18;  // below 2^63, which is what a database counts to
+constexpr double kMostBytes = 9e18;  // below 2^63, the limit of the database's integers
 
 constexpr std::array<std::pair<std::string_view, double>, 9> kUnits{{{"b", 1.0},
                                                                      {"kb", 1e3},

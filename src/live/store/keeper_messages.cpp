@@ -17,7 +17,7 @@ void KeeperMessages::tellOfNoMemory(Text (*sentence)()) noexcept {
     try {
         tell({ErrorCode::outOfMemory, sentence(), {}, Text("Close other programs.")});
     } catch (const std::exception&) {
-        // There is none to say so either.
+        // There is no memory to report it either.
     }
 }
 
@@ -29,7 +29,7 @@ void KeeperMessages::tellOfFault(const CheckFailure& failure) noexcept {
               {},
               Text("Please report this: {}", failure.text())});
     } catch (const std::exception&) {
-        // There is no memory to say so.
+        // There is no memory to report it.
     }
 }
 

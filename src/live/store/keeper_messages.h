@@ -1,4 +1,4 @@
-// What a StudyKeeper tells the user.
+// Messages of a StudyKeeper to the user.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace macula::live {
 // Receives messages for the user: a sentence and advice. No patient data, except in `where`.
 using KeeperListener = std::function<void(const Error&)>;
 
-// Passes each sentence on once, and logs it. Used by the keeper's thread alone: there the listener is called.
+// Passes each sentence on once, and logs it. Used by the keeper's thread alone, which calls the listener.
 class KeeperMessages {
   public:
     explicit KeeperMessages(KeeperListener listener) : listener_(std::move(listener)) {}

@@ -15,20 +15,20 @@ namespace {
 
 using Answer = hybrid::StoredModel::Answer;
 
-constexpr std::size_t kMostScenes = 64;  // as many as have names, SceneIds
+constexpr std::size_t kMostScenes = 64;  // as SceneIds::kRemembered
 constexpr std::size_t kMostKin = 16;
 
 std::span<const std::byte> bytesOf(const std::string& text) {
     return std::as_bytes(std::span(text.data(), text.size()));
 }
 
-// In the store a model has the digest of its key, in the program the name of its scene.
+// The store names a model by the digest of its key, memory by the name of its scene.
 void rename(hybrid::PeripheralState& state, const std::string& key) {
     state.training.options.key = key;
     state.first.key = key;
 }
 
-// What was shown of a stored model; nothing where its file cannot be read, or not be understood.
+// The part of a stored model that can be drawn; nothing if its file cannot be read or understood.
 std::optional<hybrid::DrawableModel> drawableOf(const session::Store& store, const session::ModelInfo& info) {
     const auto file = store.modelFile(info);
     if (!file) return std::nullopt;
@@ -46,8 +46,8 @@ hybrid::StoredModel storedModel(Answer answer, const hybrid::DrawableModel& draw
             .seenMm = drawable.seenMm};
 }
 
-// Whether more is stored than this has learnt: of a model whose answer came too late or could not be read,
-// and in whose place another one was begun, or by another window.
+// Whether the stored model has taken more steps: another window stored it, or it came too late or could not
+// be read, and this one was begun in its place.
 bool isLessThanStored(session::Store& store, const session::ModelKey& key,
                       const hybrid::PeripheralState& state) {
     const auto info = store.findModel(key);
@@ -65,8 +65,8 @@ void KeptModels::willShow(const std::string& name, std::shared_ptr<const Volume>
         if (isWithoutStore_) return;
         names_.remove(name);
         names_.push_back(name);
-        // Nobody asks for those of before until they are looked for again, and a whole model is large. Those
-        // that were given up hold a volume, which may not be open any more.
+        // Whole models are large, and nobody asks for those of other scenes before the next willShow() for
+        // them. Scenes of other volumes would keep volumes in memory that may not be open any more.
         for (auto& other : scenes_) other.second.found = {.answer = Answer::none};
         std::erase_if(scenes_, [&](const auto& other) {
             const bool isOfAnother = other.second.volume && other.second.volume != volume;
@@ -74,7 +74,7 @@ void KeptModels::willShow(const std::string& name, std::shared_ptr<const Volume>
         });
         const auto [scene, isNew] =
             scenes_.try_emplace(name, Scene{.volume = std::move(volume), .drawing = drawing});
-        // Models differ by now from what was found once; the shelf has those that were shown.
+        // What was found earlier is out of date; models that were shown are on the shelf.
         if (!isNew) scene->second.found = {};
         while (names_.size() > kMostScenes) {
             if (!toKeep_.contains(names_.front())) scenes_.erase(names_.front());
@@ -85,7 +85,7 @@ void KeptModels::willShow(const std::string& name, std::shared_ptr<const Volume>
         try {
             searchFor(store, name);
         } catch (...) {
-            answer(name, {.answer = Answer::none});  // or it would be waited for for ever
+            answer(name, {.answer = Answer::none});  // otherwise its caller would wait for ever
             throw;
         }
     });
@@ -96,7 +96,7 @@ hybrid::StoredModel KeptModels::find(const std::string& name) {
     const auto scene = scenes_.find(name);
     if (scene == scenes_.end() || isWithoutStore_) return {.answer = Answer::none};
     hybrid::StoredModel found = scene->second.found;
-    // Whoever goes on with it has it.
+    // The caller has the whole model now: no second copy is kept.
     if (found.answer == Answer::whole) scene->second.found = {.answer = Answer::none};
     return found;
 }
@@ -153,19 +153,19 @@ void KeptModels::searchFor(session::Store& store, const std::string& name) {
     }
     const bool isWhole = found.answer == Answer::whole;
     answer(name, std::move(found));
-    // Only now: both wait for the disk.
+    // After the answer, because both wait for the disk.
     opened_.record(store, named->volume);
     if (!isWhole) return;
     if (const auto touched = store.touchModel(named->key); !touched) messages_.tell(touched.error());
 }
 
-// What was shown at once, by answer(); then all of it.
+// Answers first with what can be drawn at once; then returns the whole model with its training.
 hybrid::StoredModel KeptModels::resume(session::Store& store, const session::ModelInfo& info,
                                        const std::string& name) {
     if (const auto drawable = drawableOf(store, info)) answer(name, storedModel(Answer::drawable, *drawable));
 
-    // The checksum of all of it tells whether it is damaged. A disk that does not answer and a lack of memory
-    // are no damage, and a file that is gone may have been saved anew by another window.
+    // Only the checksum of the whole file shows damage. A disk that does not answer and a lack of memory are
+    // not damage, and a file that is gone may have been replaced by another window.
     const auto blob = store.readModel(info);
     if (!blob) {
         const auto trouble = session::troubleOf(blob.error());
@@ -221,7 +221,8 @@ void KeptModels::keep(std::shared_ptr<const hybrid::PeripheralState> state) {
         const std::lock_guard lock(mutex_);
         if (isWithoutStore_ || !scenes_.contains(name)) return;
         auto& newest = toKeep_[name];
-        // After a loss a model hands over what is on the host, which may be older than what it gave before.
+        // After a device loss a model hands over what is on the host: perhaps less than it handed over
+        // before.
         if (newest && newest->training.steps > state->training.steps) return;
         newest = std::move(state);
     }
@@ -229,7 +230,7 @@ void KeptModels::keep(std::shared_ptr<const hybrid::PeripheralState> state) {
 }
 
 void KeptModels::save(session::Store& store, const std::string& name) {
-    // First, as willShow() leaves only those scenes alone of which something is to be kept.
+    // First, while toKeep_ still has the name: willShow() may erase the scene afterwards.
     const std::optional<Named> named = nameForStore(name);
     std::shared_ptr<const hybrid::PeripheralState> state;
     {

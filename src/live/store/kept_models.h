@@ -36,7 +36,8 @@ class KeptModels {
     // See StudyKeeper::keep.
     void keep(std::shared_ptr<const hybrid::PeripheralState> state);
 
-    // There is no store: from now on nothing is found, and what nobody will save is not held on to.
+    // There is no store: from now on finds nothing, and holds on to no models, because nobody would save
+    // them.
     void doWithoutStore();
 
   private:
@@ -68,12 +69,12 @@ class KeptModels {
     std::mutex mutex_;
     bool isWithoutStore_ = false;
     std::map<std::string, Scene> scenes_;  // by name
-    std::list<std::string> names_;         // of scenes; the last one passed to willShow() comes last
+    std::list<std::string> names_;         // names of scenes; the last one passed to willShow() comes last
     std::map<std::string, std::shared_ptr<const hybrid::PeripheralState>> toKeep_;  // the newest, by name
 
     // Used by the keeper's thread alone.
     std::optional<session::OpenMark> open_;  // keeps the shown model from eviction
-    splat::PackedPictures packed_;           // of the last saved model; only jobs that can wait use it
+    splat::PackedPictures packed_;           // those of the last saved model; only jobs that can wait use it
 };
 
 }  // namespace macula::live

@@ -24,8 +24,8 @@ session::DocumentId stateIdOf(const Volume& volume, const std::string& digest) {
             .name = digest + " " + kStateName};
 }
 
-// What cannot be taken into the new state stays under a name of its own before that takes its place: what
-// this program cannot read, of a newer one or of a fault, and what would be too much together.
+// Moves the stored state to a name of its own if it cannot be merged into the new one: because it is
+// unreadable (damaged, or from a newer program), or because both together would be too large.
 Result<void> setAsideIfNotMerged(session::Store& store, const session::DocumentId& id,
                                  const session::Document& before, const std::string* base,
                                  const std::string& json) {
@@ -53,9 +53,9 @@ std::optional<std::string> KeptStates::stateOf(const std::shared_ptr<const Volum
             const auto document = store.getDocument(id);
             if (!document) messages_.tell(document.error());
             found->set_value(document && *document ? std::optional((*document)->json) : std::nullopt);
-            opened_.record(store, opened);  // only now: it waits for the disk
+            opened_.record(store, opened);  // after the answer: it waits for the disk
         });
-        found.reset();  // where there is no store the job is dropped, and nobody waits
+        found.reset();  // without a store the job is dropped with the promise: nobody waits
         if (future.wait_for(patience) == std::future_status::ready) return future.get();
         thread_.post(StoreThread::Urgency::isWaitedFor, [this](session::Store&) {
             messages_.tell({ErrorCode::inputNotUsable,
@@ -64,14 +64,14 @@ std::optional<std::string> KeptStates::stateOf(const std::shared_ptr<const Volum
                             Text("It is kept: open the study again to see it.")});
         });
     } catch (const std::exception&) {
-        // The promise was dropped, or there is no memory.
+        // The promise was dropped with the job, or there is no memory.
     }
     return std::nullopt;
 }
 
 void KeptStates::keepState(std::shared_ptr<const Volume> volume, std::string json,
                            std::shared_ptr<std::string> base) {
-    // Before whoever asks for it next.
+    // Urgent, so that a stateOf() that follows finds it.
     thread_.post(StoreThread::Urgency::isWaitedFor, [this, volume = std::move(volume), json = std::move(json),
                                                      base = std::move(base)](session::Store& store) {
         const std::string digest = digests_.of(volume);
@@ -79,7 +79,7 @@ void KeptStates::keepState(std::shared_ptr<const Volume> volume, std::string jso
         const session::DocumentId id = stateIdOf(*volume, digest);
         const auto before = store.getDocument(id);
         if (!before) {
-            messages_.tell(before.error());  // a damaged one the store has set aside by itself
+            messages_.tell(before.error());  // the store has set a damaged one aside
         } else if (*before) {
             const auto aside = setAsideIfNotMerged(store, id, **before, base.get(), json);
             if (!aside) return messages_.tell(aside.error());
@@ -90,11 +90,11 @@ void KeptStates::keepState(std::shared_ptr<const Volume> volume, std::string jso
             holdsMore = merged && merged->holdsMore;
             return merged ? merged->json : json;
         };
-        // A clip that was taken back is in the older text still.
+        // Lists all keys: those missing from the new text, such as a clip that was taken back, are removed.
         const std::vector<std::string> keys = scene::stateKeys();
         const std::vector<std::string_view> known(keys.begin(), keys.end());
         if (const auto done = store.changeDocument(id, kStateVersion, merge, known); !done)
-            return messages_.tell(done.error());  // the next one is still made of what was kept before
+            return messages_.tell(done.error());  // `base` stays, so the next save merges as this one
         if (base) *base = json;
         if (holdsMore)
             messages_.tell({ErrorCode::inputNotUsable,

@@ -27,7 +27,7 @@ class KeptStates {
 
   private:
     StoreThread& thread_;
-    KeeperMessages& messages_;  // these two: only jobs use them
+    KeeperMessages& messages_;  // only jobs use this and opened_
     OpenedRecord& opened_;
     PartDigests& digests_;
 };

@@ -22,7 +22,7 @@ session::ModelKey modelKeyOf(const std::string& volumeDigest, const Volume& volu
 enum class Kinship {
     none,          // not at all; points are better (docs/peripheral-model.md)
     otherLights,   // only the colours differ
-    otherVersion,  // of trainer or tracer: the training cannot resume, but its splats can be drawn
+    otherVersion,  // another trainer or tracer: the training cannot resume, but its splats can be drawn
 };
 Kinship kinshipOf(const session::ModelKey& wanted, const session::ModelKey& stored);
 

@@ -1,10 +1,10 @@
 // An own preset as JSON:
 //   { "version": 1, "title": "Bone, warm", "preset": {as presets/transfer},
-//     "seen": {as study_state_json.cpp, without what is of a study},
+//     "seen": {as study_state_json.cpp, without what belongs to a study},
 //     "camera": { "eye": [x, y, z], "target": [x, y, z], "up": [x, y, z], "verticalFovDeg": 30,
 //                 "parallelHeight": 0.5 } }
-// with eye and target in diagonals of the volume's box from its centre, and the height of a parallel picture
-// in diagonals. "seen" and "camera" may be missing, and so may "parallelHeight": then there is an eye.
+// Eye and target are relative to the centre of the volume's box; all lengths are in units of its diagonal.
+// "seen", "camera" and "parallelHeight" may be missing; without parallelHeight the camera is in perspective.
 #include "live/store/own_preset.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ bool isBlank(char32_t c) {
            c == 0x2028 || c == 0x2029 || c == 0x202f || c == 0x205f || c == 0x3000;
 }
 
-// Controls, and what is not seen or turns what follows.
+// Control characters, and characters that are invisible or change the direction of the text after them.
 bool isUnseen(char32_t c) {
     return c < 0x20 || (c >= 0x7f && c <= 0x9f) || c == 0xad || (c >= 0x200b && c <= 0x200f) ||
            (c >= 0x202a && c <= 0x202e) || (c >= 0x2060 && c <= 0x206f) || c == 0xfeff ||
@@ -66,7 +66,7 @@ struct Cleaned {
     bool isUtf8 = true;
 };
 
-// Up to `most` letters, with what is no letter left out.
+// Up to `most` letters. Leaves out invisible characters and bytes that are not UTF-8.
 Cleaned cleaned(std::string_view typed, std::size_t most) {
     Cleaned name;
     bool isBlankDue = false;
@@ -115,7 +115,7 @@ RelativeCamera cameraFrom(const JsonNode& node) {
     return relative;
 }
 
-// Nothing of it is of a study, whatever was stored.
+// Only the parts that belong to no study, even if a document holds others.
 scene::StudyState withoutStudy(const scene::StudyState& state) {
     scene::StudyState seen;
     seen.clip = state.clip;
@@ -174,7 +174,7 @@ Camera cameraIn(const RelativeCamera& relative, const Volume& volume) {
 
 SeenLook seenOf(const scene::StudyState& state, const Volume& volume) {
     SeenLook seen{.state = withoutStudy(state)};
-    // The explanation of a window is in words of the file, which may name anybody.
+    // The explanation of a window is text from the DICOM file, and may contain a name.
     if (auto& window = seen.state.slices.window) window->explanation.clear();
     for (auto& window : seen.state.windows)
         if (window) window->explanation.clear();
@@ -193,7 +193,7 @@ void use(const OwnPreset& preset, const Volume& volume, scene::StudyState& next)
     next.settings = seen.settings;
     next.lights = seen.lights;
     next.clip = seen.clip;
-    // Raw numbers of one study say nothing of those of another.
+    // Raw values have no unit: a window for those of one study means nothing in another.
     if (volume.unit() == Unit::raw || !suits(*preset.function, volume.unit())) return;
     next.windows = seen.windows;
     next.slices.window = seen.slices.window;

@@ -40,7 +40,7 @@ Camera cameraIn(const RelativeCamera& camera, const Volume& volume);
 
 // The settings besides the curve: look and numbers, lights, windows, and clip.
 struct SeenLook {
-    scene::StudyState state;  // without preset, camera and what is of one study
+    scene::StudyState state;  // without preset, camera and what belongs to one study
     std::optional<RelativeCamera> camera = {};
 
     bool operator==(const SeenLook&) const = default;
@@ -58,8 +58,8 @@ struct OwnPreset {
     bool operator==(const OwnPreset& b) const;  // by value; ignores other members of the document
 };
 
-// Applies the preset to `next`, but for the camera, which the caller sets. Leaves the windows as they are if
-// the preset does not suit the volume's unit, or that is raw.
+// Applies the preset to `next`, except the camera, which the caller sets. Leaves the windows as they are if
+// the preset does not suit the volume's unit, or if that is raw.
 void use(const OwnPreset& preset, const Volume& volume, scene::StudyState& next);
 
 // The JSON in the store. Reading gives an equal preset. Fails with inputNotUsable, also for a document of

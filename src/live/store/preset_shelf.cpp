@@ -22,7 +22,7 @@ std::string newId() {
     return fmt::format("own-{:08x}{:08x}", std::uint32_t(random()), std::uint32_t(random()));
 }
 
-// As it comes back from a file: what cannot be written is refused now, and not when it is missed.
+// The function as it comes back from a file: if a file cannot hold it, the user must know now.
 Result<TransferFunction> asFilesHoldIt(const TransferFunction& function) {
     const std::string text = toJson(function);
     auto read =
@@ -66,7 +66,8 @@ bool PresetShelf::isTaken(std::string_view title, const PresetRef& own) const {
                own_, [&](const auto& preset) { return preset->id != own && isSame(preset->title()); });
 }
 
-// A key as in files: a name of Cyrillic letters has none of its own, so keys are told apart by a number.
+// A key as in files. Names in other scripts, such as Cyrillic, give no key of their own: a number tells them
+// apart.
 std::string PresetShelf::freeKey(std::string_view title, const PresetRef& own) const {
     const auto isUsed = [&](const std::string& key) {
         return builtInNames_.contains(key) || std::ranges::any_of(own_, [&](const auto& preset) {
@@ -91,7 +92,7 @@ std::string PresetShelf::nearestFreeName(std::string_view title) const {
     std::string free = name;
     for (int number = 2; isTaken(free, {}); ++number) {
         const std::string ending = fmt::format(" ({})", number);
-        // As many letters as the ending has make room for it.
+        // Shortens the name until the ending fits.
         std::string begin = name;
         while (!checkedPresetName(begin + ending))
             begin = nearestPresetName(begin.substr(0, begin.size() - 1));
@@ -133,7 +134,7 @@ Result<PresetRef> PresetShelf::add(std::string_view title, const TransferFunctio
                      {},
                      Text("Delete some first.")};
     MACULA_TRY_VOID(validate(function));
-    // What is a copy already says of what; of all else ownCopy writes it down.
+    // A copy already names its original; otherwise ownCopy notes it.
     TransferFunction copy =
         scene::copiedFrom(function).empty() ? scene::ownCopy(function, builtInNames_) : function;
     copy.title = name;
@@ -143,14 +144,14 @@ Result<PresetRef> PresetShelf::add(std::string_view title, const TransferFunctio
     OwnPreset preset{.id = newId(),
                      .function = std::make_shared<const TransferFunction>(std::move(copy)),
                      .seen = std::move(seen)};
-    // What was seen has numbers of its own, such as a camera.
+    // The settings that were seen have numbers too, such as the camera's, which may not survive a file.
     const auto read = ownPresetFromJson(preset.id, toJson(preset));
     if (!read)
         return Error{ErrorCode::inputNotUsable,
                      Text("What is seen cannot be kept: {}", read.error().message),
                      {},
                      read.error().hint};
-    // All of the camera, or the same preset would show another picture the next day.
+    // The camera must survive unchanged, or the preset would show another picture the next day.
     if (read->seen && read->seen->camera != preset.seen->camera)
         return Error{ErrorCode::inputNotUsable,
                      Text("The camera cannot be kept: a part of it would be lost."),

@@ -23,12 +23,12 @@ using PresetRef = std::string;
 
 struct UsedPreset {
     PresetRef preset;
-    std::string modality;  // of the volume; may be empty
+    std::string modality;  // modality of the volume; may be empty
 
     bool operator==(const UsedPreset&) const = default;
 };
 
-// What the store holds of these.
+// The user's presets as the store holds them.
 struct StoredPresets {
     std::vector<OwnPreset> own;
     std::vector<PresetRef> favourites;

@@ -24,7 +24,7 @@ Result<std::vector<session::StudyEntry>> chosen(session::Listing<session::StudyE
     return std::move(stored.entries);
 }
 
-// And the states of volumes that are of no study.
+// `documents`, and the states of volumes that belong to no study.
 Result<std::size_t> withThoseOfVolumes(session::Store& store, std::size_t documents) {
     using session::DocumentKind;
     for (const DocumentKind kind :

@@ -18,16 +18,16 @@ struct PurgeRequest {
     std::string study;  // the first digits of its identity
     bool all = false;
     std::optional<int> unusedDays;                                 // everything not opened for so many days
-    session::Store::Clock clock = session::Store::Clock::checked;  // of unusedDays
+    session::Store::Clock clock = session::Store::Clock::checked;  // whether unusedDays doubts the clock
     session::DamagedFiles damaged = session::DamagedFiles::keep;
 };
 
-// The counts before the purge. `models` includes those of files without a study only if `all` is set; with
-// `unusedDays`, the purge deletes old ones of these too, and only it counts them.
+// The counts before the purge. `models` includes models that belong to no study only if `all` is set; with
+// `unusedDays`, the purge deletes old ones of these too, but only its report counts them.
 struct PurgePlan {
     PurgeRequest request;
     std::vector<session::StudyEntry> studies;
-    ModelSum models;  // of volumes that no remaining study has
+    ModelSum models;  // models of volumes that no remaining study has
     std::size_t documents = 0;
     session::ClockDoubt clock = session::ClockDoubt::none;  // with a doubt the purge deletes less
 };

@@ -10,8 +10,8 @@
 
 namespace macula::live {
 
-// Returns indices into FoundVolumes::volumes(). A volume's digest is unknown until its voxels are read. So
-// volumes of a series count as seen once as many were opened as it has, and none before. Waits for the disk.
+// Returns indices into FoundVolumes::volumes(). A volume's digest is unknown until its voxels are read, so
+// the volumes of a series count as seen only once as many were opened as the series has. Waits for the disk.
 Result<std::set<std::size_t>> volumesSeenBefore(session::Store& store, const study::FoundVolumes& found);
 
 }  // namespace macula::live

@@ -6,7 +6,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// "out/" is "out": the name is what is looked for beside.
+// Makes "out/" into "out": exportTo uses the last part as the name of the new folder.
 fs::path withoutSlash(const fs::path& path) {
     return path.has_filename() || !path.has_parent_path() ? path : path.parent_path();
 }
@@ -16,7 +16,7 @@ bool isInside(const fs::path& path, const fs::path& folder) {
     for (fs::path place = fs::weakly_canonical(fs::absolute(path, error), error); !error;
          place = place.parent_path()) {
         if (fs::equivalent(place, folder, error)) return true;
-        error.clear();  // what is not there yet is no such folder
+        error.clear();  // a part that does not exist yet is not `folder`
         if (place == place.parent_path()) return false;
     }
     return false;

@@ -9,7 +9,7 @@
 
 namespace macula::live {
 
-// As Store::exportTo, but fails with usage for a place inside the store, which holds nothing else.
+// As Store::exportTo, but fails with usage for a folder inside the store, which must hold nothing foreign.
 Result<session::SnapshotReport> exportStore(session::Store& store, const std::filesystem::path& newFolder,
                                             Progress& progress);
 

@@ -30,7 +30,7 @@ std::string models(std::size_t count, std::uint64_t bytes) {
     return count == 0 ? models(0) : fmt::format("{} ({})", models(count), sizeForPeople(bytes));
 }
 
-// With two blanks before, or nothing.
+// The text after two blanks, or nothing.
 std::string readable(const std::optional<std::string>& text) {
     return text ? "  " + printable(*text) : std::string();
 }

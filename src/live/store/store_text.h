@@ -29,7 +29,7 @@ std::string nothingStoredText(const std::filesystem::path& folder);
 // Sentences, without an end of line.
 std::string questionOf(const PurgePlan& plan);
 std::vector<Text> warningsOf(const session::OpeningNotes& notes);
-// What a purge has left although it was to delete it.
+// What a purge should have deleted, but left.
 std::vector<Text> warningsOf(const session::PurgeReport& purged);
 // What to do if not everything is sound; one sentence or more.
 std::string whatToDo(const VerifiedStore& verified);

@@ -79,7 +79,7 @@ void StoreThread::doBeside(const std::function<void()>& work) {
             wake_.notify_one();
         });
     } catch (const std::system_error&) {
-        return work();  // the process has no thread left: whoever waits does so for longer
+        return work();  // no thread can be started: callers wait for longer
     }
     std::unique_lock lock(mutex_);
     while (true) {
@@ -126,8 +126,7 @@ void StoreThread::forgetUnused() {
 }
 
 void StoreThread::withStore(Use use) {
-    // The destructor tells the caller that there is no store: without one the job is dropped unrun, and this
-    // goes with it.
+    // The destructor reports that there is no store: without one the job is dropped unrun, and this with it.
     struct Once {
         explicit Once(Use given) : use(std::move(given)) {}
         Once(const Once&) = delete;

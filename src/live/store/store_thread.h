@@ -18,9 +18,9 @@ namespace macula::live {
 
 // Opens the store, and does jobs with it in order: first those that somebody waits for.
 //
-// Any thread may call post, withStore, isIdle and waitUntilIdle; start and finish are the owner's, doBeside
-// is for jobs. Its lock is free while a job runs and while the store is opened, and guards the queues alone:
-// no other lock is taken under it.
+// Any thread may call post, withStore, isIdle and waitUntilIdle; only the owner may call start and finish,
+// and only jobs doBeside. The lock guards the queues alone: it is free while a job runs and while the store
+// is opened, and no other lock is taken under it.
 class StoreThread {
   public:
     using Job = std::function<void(session::Store&)>;
@@ -34,11 +34,11 @@ class StoreThread {
     StoreThread& operator=(const StoreThread&) = delete;
     ~StoreThread() { MACULA_CHECK(!thread_.joinable()); }  // jobs use what its owner may have destroyed
 
-    // Once, when all that jobs use is there. `withoutStore` is called on the thread, before the first job, if
-    // the store cannot be opened.
+    // Call once, when everything that jobs use exists. If the store cannot be opened, `withoutStore` is
+    // called on the thread, before the first job.
     void start(std::function<void()> withoutStore);
-    // Does the jobs that were handed over before, however long that takes, and joins the thread. Call it
-    // while all that jobs use is still there. The store stays open until this is destroyed.
+    // Does the jobs posted so far, however long that takes, and joins the thread. Call it while everything
+    // that jobs use still exists. The store stays open until this is destroyed.
     void finish();
 
     // Without a store the job is dropped unrun.
@@ -50,7 +50,7 @@ class StoreThread {
     // wait for. Throws what `work` throws. Only jobs that can wait may call it.
     void doBeside(const std::function<void()>& work);
 
-    // Whether all jobs are done; waitUntilIdle() waits for it.
+    // Whether all jobs are done; waitUntilIdle() waits until they are.
     bool isIdle();
     void waitUntilIdle();
 

@@ -16,10 +16,10 @@ using Json = nlohmann::ordered_json;
 using session::DocumentKind;
 
 constexpr std::int64_t kVersion = 1;
-constexpr std::string_view kOwnPrefix = "own-";  // of OwnPreset::id
+constexpr std::string_view kOwnPrefix = "own-";  // prefix of OwnPreset::id
 constexpr std::string_view kFavouritePrefix = "preset ";
 
-// All keys that this version writes: those that a document lacks are not there any more.
+// All keys that this version writes: any that a new document lacks are removed from the stored one.
 constexpr std::array<std::string_view, 4> kPresetKeys{"title", "preset", "seen", "camera"};
 constexpr std::array<std::string_view, 1> kFavouriteKeys{"preset"};
 constexpr std::array<std::string_view, 1> kLastUsedKeys{"lastUsed"};
@@ -55,8 +55,8 @@ Result<std::vector<UsedPreset>> lastUsedFrom(std::string_view text) {
     return used;
 }
 
-// The JSON of a document; nothing where it is damaged, and is set aside now, or another program has removed
-// it.
+// The JSON of a document; nothing if it is damaged, and the store has set it aside, or if another program has
+// removed it.
 Result<std::optional<std::string>> textOf(session::Store& store, const session::DocumentId& id,
                                           std::size_t& damaged) {
     auto document = store.getDocument(id);
@@ -90,7 +90,7 @@ Result<StoredPresets> readStoredPresets(session::Store& store) {
     MACULA_TRY(const auto favourites, store.listDocuments(DocumentKind::favourite, {}));
     stored.damaged = own.damaged + favourites.damaged;
     for (const session::DocumentEntry& entry : own.entries) {
-        if (!entry.id.name.starts_with(kOwnPrefix)) continue;  // windows of slices, for one
+        if (!entry.id.name.starts_with(kOwnPrefix)) continue;  // such as windows of slices
         MACULA_TRY(const auto text, textOf(store, entry.id, stored.damaged));
         if (!text) continue;
         auto preset = ownPresetFromJson(entry.id.name, *text);
@@ -102,7 +102,7 @@ Result<StoredPresets> readStoredPresets(session::Store& store) {
     }
     for (const session::DocumentEntry& entry : favourites.entries) {
         const bool isLastUsed = entry.id.name == kLastUsedDocument;
-        if (!isLastUsed && !entry.id.name.starts_with(kFavouritePrefix)) continue;  // of something else
+        if (!isLastUsed && !entry.id.name.starts_with(kFavouritePrefix)) continue;  // another kind
         MACULA_TRY(const auto text, textOf(store, entry.id, stored.damaged));
         if (!text) continue;
         if (isLastUsed) {

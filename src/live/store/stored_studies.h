@@ -24,7 +24,8 @@ inline constexpr std::size_t kFewestDigits = 4;
 inline constexpr std::size_t kShortDigits = 12;  // as lists show them
 std::string shortOf(std::string_view digest);
 
-// The study whose identity begins so. Fails with usage for no or several matches, or for other characters.
+// The study whose identity begins with `typed`. Fails with usage for no or several matches, or for other
+// characters than digits.
 Result<session::StudyEntry> studyOfPrefix(const session::Listing<session::StudyEntry>& studies,
                                           std::string_view typed);
 
@@ -42,7 +43,7 @@ struct StoredStudies {
     std::filesystem::path folder;
     session::Listing<session::StudyEntry> studies;  // latest opened first
     ModelSum models;                                // with or without a study, except those set aside
-    ModelSum withoutStudy;                          // the part of `models` of files without a study
+    ModelSum withoutStudy;                          // those of `models` that belong to no study
     std::size_t modelsAside = 0;
 };
 Result<StoredStudies> storedStudies(session::Store& store);

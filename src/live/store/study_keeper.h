@@ -34,8 +34,8 @@ namespace macula::live {
 // willShow, find, keep and keepState return at once; any thread may call them.
 class StudyKeeper final : public SceneKeeper {
   public:
-    // `listener` is called on the keeper's thread. `retention`: before anything else, deletes for good what
-    // was not opened for so long (Store::purgeUnused); none: deletes nothing.
+    // `listener` is called on the keeper's thread. `retention`: first deletes, for good, everything that was
+    // not opened for so long (Store::purgeUnused); none: deletes nothing.
     StudyKeeper(session::StoreOptions options, KeeperListener listener,
                 std::optional<std::chrono::days> retention = std::nullopt);
     // Finishes the work that was handed over before, however long that takes.
@@ -48,16 +48,16 @@ class StudyKeeper final : public SceneKeeper {
     void keep(std::shared_ptr<const hybrid::PeripheralState> state) override;
 
     // The stored state of a volume being opened, as toJson(StudyState) wrote it. Nothing if there is none, or
-    // if it does not come in time, which the listener is told. Waits for the disk, at most `patience`, and
-    // for the digest of the volume. Throws nothing.
+    // if it does not come in time, which the listener hears. Waits for the digest of the volume, and for the
+    // disk, at most `patience`. Throws nothing.
     std::optional<std::string> stateOf(const std::shared_ptr<const Volume>& volume,
                                        std::chrono::milliseconds patience) {
         return states_.stateOf(volume, patience);
     }
-    // Replaces the stored state. What another window stored since `base` was stored or read stays:
-    // mergedState. `base` is such a text; after each save the keeper sets it to `json`. Pass the same one
-    // while a window has the study open, and do not touch it after the first call. Null: nothing of the old
-    // state stays.
+    // Replaces the stored state, but keeps what another window has stored since `base` (mergedState). `base`
+    // is the text that this window read or stored last; after each save the keeper sets it to `json`. Pass
+    // the same pointer while a window has the study open, and do not touch the text after the first call.
+    // Null: nothing of the old state stays.
     void keepState(std::shared_ptr<const Volume> volume, std::string json,
                    std::shared_ptr<std::string> base = {}) {
         states_.keepState(std::move(volume), std::move(json), std::move(base));
@@ -71,7 +71,7 @@ class StudyKeeper final : public SceneKeeper {
                         std::function<void(std::set<std::size_t>)> answer);
 
     // Runs `use` once on the keeper's thread, in the order of these calls; with null if there is no store.
-    // `use` throws nothing but for lack of memory.
+    // `use` may throw only for lack of memory.
     using StoreUse = StoreThread::Use;
     void withStore(StoreUse use) { thread_.withStore(std::move(use)); }
 
@@ -84,9 +84,9 @@ class StudyKeeper final : public SceneKeeper {
 
   private:
     KeeperMessages messages_;
-    PartDigests digests_;  // of parts in memory
-    // It is joined before anything here is destroyed. Its store is closed after the models have let go of
-    // theirs.
+    PartDigests digests_;  // digests of parts in memory
+    // Joined before anything here is destroyed. The store closes after models_ has closed its mark of the
+    // open model, because that comes later here.
     StoreThread thread_;
     OpenedRecord opened_;
     KeptModels models_;

@@ -13,7 +13,7 @@ struct Tidied {
     session::GcReport leftOvers;
 };
 
-// Removes models, the least recently used first, until they have at most `capBytes`, then what killed
+// Removes models, the least recently used first, until the others take at most `capBytes`, then what killed
 // programs left behind. Open models stay. The audit trail gets the number removed. Fails as
 // Store::evictModels.
 Result<Tidied> tidyStore(session::Store& store, std::uint64_t capBytes);

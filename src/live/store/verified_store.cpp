@@ -17,7 +17,7 @@ Result<VerifiedStore> verifyOnce(const session::StoreOptions& options, Progress&
 Result<VerifiedStore> verifyStore(session::StoreOptions options, Progress& progress) {
     MACULA_TRY(VerifiedStore first, verifyOnce(options, progress));
     if (first.report.isDatabaseSound) return first;
-    // Only an opening that looks at indexes as well sets such a file aside.
+    // Only a full check, which includes indexes, sets such a file aside on opening.
     options.check = session::StoreOptions::Check::full;
     auto second = verifyOnce(options, progress);
     if (second) {

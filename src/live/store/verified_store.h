@@ -9,7 +9,7 @@ namespace macula::live {
 
 struct VerifiedStore {
     session::VerifyReport report;
-    session::OpeningNotes notes;   // of the last opening: the database set aside, if any
+    session::OpeningNotes notes;   // from the last opening: the database set aside, if any
     bool isRescuePending = false;  // another program has the damaged database open
     bool isSound() const { return report.isSound() && !notes.setAside; }
 };

@@ -18,7 +18,7 @@ typedef struct macula_camera {
     double target_mm[3];
     double up[3];              /* not parallel to the view */
     double vertical_fov_deg;   /* 0: 30 */
-    double parallel_height_mm; /* above 0: rays are parallel, and the picture is so high */
+    double parallel_height_mm; /* above 0: rays are parallel, and the picture is as high as this */
 } macula_camera;
 
 #ifdef __cplusplus

@@ -11,20 +11,20 @@ extern "C" {
 #endif
 
 typedef struct macula_cancel macula_cancel;
-/* What cancels a call that it is given to: see macula_progress. */
+/* A handle that cancels the calls that it is given to: see macula_progress. */
 MACULA_API macula_status macula_cancel_create(macula_cancel** cancel);
-/* From any thread, for as long as the handle is open: what it was given to ends soon with MACULA_CANCELLED,
- * and so does whatever it is given to later. */
+/* May be called from any thread while the handle is open: calls that have the handle end soon with
+ * MACULA_CANCELLED, and so do calls that get it later. */
 MACULA_API void macula_cancel_now(macula_cancel* cancel);
-/* When no call has it any more. */
+/* Close it when no call has it any more. */
 MACULA_API void macula_cancel_close(macula_cancel* cancel);
 
-/* `stage` is for a person and lives for the call; `fraction` is 0 to 1, of this stage. At most some ten times
- * a second, from any thread, never two at once. Anything but 0 cancels, the handle too if there is one. It
- * must not call Macula, nor throw. */
+/* `stage` is for a person and lives for the call; `fraction` is 0 to 1, of this stage. Called some ten times
+ * a second at most, from any thread, never two at once. A result other than 0 cancels the call, and `cancel`
+ * too if there is one. It must not call Macula, nor throw. */
 typedef int32_t (*macula_told)(void* user, const char* stage, double fraction);
 
-/* Null wherever it is taken: nobody is told, and nothing cancels. */
+/* May be null in every call: then nothing reports progress, and nothing cancels. */
 typedef struct macula_progress {
     uint32_t size;
     uint32_t reserved;     /* 0 */

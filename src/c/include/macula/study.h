@@ -1,4 +1,4 @@
-/* Studies: their volumes, what is known of these, and their values. */
+/* Studies: their volumes, what is known about these, and their values. */
 #ifndef MACULA_STUDY_H
 #define MACULA_STUDY_H
 
@@ -16,14 +16,15 @@ typedef struct macula_study macula_study;
 /* How a study is opened. */
 typedef struct macula_open {
     uint32_t size;
-    int32_t join; /* not 0: take images for one series that agree in all but identifiers made anew for each of
-                     them */
-    const char* series_uid; /* the series of a folder that is meant, or its number in `macula info`, "3" */
+    int32_t join; /* not 0: images are one series if they differ only in identifiers that were made for each
+                   * of them */
+    const char* series_uid; /* which series of a folder, by its UID or its number in `macula info`, "3" */
 } macula_open;
 
-/* A folder of DICOM files, of which the best volume is loaded: of several patients it is an error that lists
- * their series by number, unless series_uid is given. One of its images, and its own series is; a DICOMDIR; a
- * NIfTI, NRRD or MetaImage file; "phantom:", the built-in one. `how` and `progress` may be null. */
+/* Opens a folder of DICOM files and loads its best volume; if it has several patients, that is an error that
+ * lists their series by number, unless series_uid is given. Or opens an image of a folder, and loads its
+ * series; a DICOMDIR; a NIfTI, NRRD or MetaImage file; or "phantom:", the built-in volume. `how` and
+ * `progress` may be null. */
 MACULA_API macula_status macula_study_open(const char* path, const macula_open* how,
                                            const macula_progress* progress, macula_study** study);
 
@@ -42,7 +43,7 @@ enum {
     MACULA_UNIT_HOUNSFIELD = 1
 };
 
-/* A volume in memory. All of it is copied. */
+/* A volume in memory. Macula copies all of it. */
 typedef struct macula_voxels {
     uint32_t size;
     int32_t type;    /* MACULA_INT16 ... */
@@ -59,26 +60,25 @@ typedef struct macula_voxels {
      * left. */
     double patient_from_voxel[16];
 } macula_voxels;
-/* A study of that volume alone. */
+/* Makes a study of that volume alone. */
 MACULA_API macula_status macula_study_of_voxels(const macula_voxels* voxels, const macula_progress* progress,
                                                 macula_study** study);
 
 /* How many volumes the study has, at least 1. */
 MACULA_API uint32_t macula_study_volumes(const macula_study* study);
-/* A line for a person, which may name the patient where there are several. Null for an index that is too
- * large. Lives as long as the study. */
+/* The title of a volume: a line for a person, which may name the patient if there are several. Null if the
+ * index is too large. Lives as long as the study. */
 MACULA_API const char* macula_study_title(const macula_study* study, uint32_t index);
-/* Loads another volume of the study in place of the one that is loaded. Views of that one stay as they are.
- */
+/* Loads another volume of the study instead of the one that is loaded, whose views stay as they are. */
 MACULA_API macula_status macula_study_choose(macula_study* study, uint32_t index,
                                              const macula_progress* progress);
 /* Sentences on which volume was taken, and on what was assumed, left out or repaired in it: show them. Null
- * for an index that is too large. Live until another volume is chosen or the study is closed. */
+ * if the index is too large. They live until another volume is chosen or the study is closed. */
 MACULA_API const char* macula_study_note(const macula_study* study, uint32_t index);
-/* All that was found in the folder, as JSON: what `macula info --json --patient` writes (docs/dicom.md), with
- * each file that was left out, and why; and "volumes", the place there of each volume, in the order of
- * macula_study_title. It names patients. Without a folder its lists are empty. Lives until this is asked
- * again, another volume is chosen, or the study is closed. */
+/* Everything that was found in the folder, as JSON: what `macula info --json --patient` writes
+ * (docs/dicom.md), with each file that was left out, and why; and "volumes", the place of each volume in it,
+ * in the order of macula_study_title. It names patients. Without a folder its lists are empty. Lives until
+ * this is called again, another volume is chosen, or the study is closed. */
 MACULA_API macula_status macula_study_found(macula_study* study, const char** json);
 
 /* The volume that is loaded. */
@@ -90,27 +90,27 @@ typedef struct macula_volume {
     int32_t slices;
     int32_t unit; /* MACULA_UNIT_NONE for every unit but HU: see unit_name */
     const char*
-        unit_name; /* for a person: "HU", "SUV"; empty for numbers without one. As long as the volume */
-    const char* modality;          /* "CT"; may be empty. As long as the volume */
-    double low;                    /* the smallest value that is no padding; NaN where all is padding */
+        unit_name; /* for a person: "HU", "SUV"; empty for numbers without one. Lives as long as the volume */
+    const char* modality;          /* "CT"; may be empty. Lives as long as the volume */
+    double low;                    /* the smallest value that is not padding; NaN if all is padding */
     double high;                   /* the largest */
     double spacing_mm[3];          /* between the centres of voxels along i, j, k */
     double patient_from_voxel[16]; /* as in macula_voxels */
-    /* (0020,000D), (0020,000E), (0020,0052); empty where there are none. They may lead to the patient. As
-     * long as the volume */
+    /* (0020,000D), (0020,000E), (0020,0052); empty if there are none. They may lead to the patient. They live
+     * as long as the volume */
     const char* study_uid;
     const char* series_uid;
     const char* frame_of_reference_uid;
     int32_t is_uncalibrated; /* spacing_mm is an estimate, and with it each length, area and volume */
     int32_t reserved;        /* 0 */
 } macula_volume;
-/* What is known of it; nothing is loaded. */
+/* Describes the volume that is loaded; loads nothing. */
 MACULA_API macula_status macula_study_volume(const macula_study* study, macula_volume* volume);
-/* The values, in its unit, i fastest; `count` is columns * rows * slices. Padding is what the file has there.
- * Values are those that are drawn, of 16 bits: where that rounds them, a note says so. */
+/* Copies the values, in the volume's unit, i fastest; `count` is columns * rows * slices. Padding is what the
+ * file has there. These are the values that are drawn, of 16 bits: if that rounds them, a note says so. */
 MACULA_API macula_status macula_study_values(const macula_study* study, float* values, uint64_t count);
 
-/* And what it said; views of it stay. */
+/* Closes the study, and frees its texts; its views stay open. */
 MACULA_API void macula_study_close(macula_study* study);
 
 #ifdef __cplusplus
