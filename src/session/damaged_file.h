@@ -10,8 +10,8 @@
 
 namespace macula::session {
 
-// Whether, by its header, a newer version of the program wrote the file, which this one may only fail to
-// understand. Requires that the caller has no connection to it.
+// Whether the header of the file says that a newer version of the program wrote it: this version may then
+// only fail to understand the file. Requires that the caller has no connection to it.
 bool isOfNewerVersion(const std::filesystem::path& database);
 
 // Moves the file with its journal to damaged/<UTC time>/, and replaces it by a database with every row whose

@@ -22,7 +22,8 @@ inline constexpr std::string_view kDatabaseName = "sessions.db";
 inline constexpr std::string_view kLockName = "sessions.lock";
 inline constexpr std::string_view kModelsName = "models";
 inline constexpr std::string_view kDamagedName = "damaged";
-// An empty file that exists from the first row that a purge deletes until no trace of it is left.
+// An empty file that marks an unfinished purge: it exists from the first deleted row until no trace of the
+// deleted data is left.
 inline constexpr std::string_view kPurgeName = "sessions.purge";
 
 struct StoreState {
@@ -65,8 +66,8 @@ struct Evicted {
 // Call in a transaction: deletes rows, not blobs, and never the row with the id `kept`.
 Evicted evictRows(StoreState& state, std::uint64_t capBytes, std::int64_t kept);
 
-// In its own transaction, removes those blobs that no row names. If other processes read blobs for longer
-// than `patience`, leaves them for collectGarbage(), and returns false.
+// In its own transaction, removes those of the blobs that no row names. If other processes read blobs for
+// longer than `patience`, leaves them for collectGarbage(), and returns false.
 Result<bool> removeBlobs(StoreState& state, std::span<const std::string> digests, BlobFiles::Removal removal,
                          std::chrono::milliseconds patience);
 
