@@ -14,8 +14,7 @@ namespace {
 constexpr double kMinFovDeg = 0.1;
 constexpr double kMaxFovDeg = 170.0;
 constexpr double kFramingMargin = 1.04;
-constexpr double kBeforeOfDiagonal =
-    0.01;  // of the box's diagonal: how far in front of the box the moved rays begin
+constexpr double kBeforeOfDiagonal = 0.01;  // of the diagonal: how far before the box moved rays begin
 
 struct StandardView {
     glm::dvec3 fromDirection;  // from the target to the eye, LPS

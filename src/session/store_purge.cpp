@@ -46,7 +46,7 @@ constexpr std::string_view kAreOfVolumes =
     "study IS NULL AND kind IN ('view', 'session', 'layout', 'measurement') AND substr(name, 65, 1) = ' '";
 constexpr std::string_view kTheirVolume = "substr(name, 1, 64)";
 
-// Keeps a volume that belongs to another study.
+// Keeps a volume that some study still has.
 void deleteVolume(StoreState& state, const std::string& volume, PurgeReport& report) {
     Connection& connection = *state.connection;
     const std::string texts[]{volume};

@@ -139,7 +139,7 @@ struct AuditEntry {
     std::string action;
     std::string kind;
     std::string subject;      // a digest or identity, or empty
-    std::int64_t amount = 0;  // how many
+    std::int64_t amount = 0;  // number of things
 };
 
 // What a purge does with damaged data, whose study is unknown: database files that were set aside, and rows
@@ -157,7 +157,7 @@ struct PurgeReport {
     std::size_t models = 0;  // includes damaged ones that were removed; so does `documents`
     std::size_t documents = 0;
     std::size_t skippedOpen = 0;          // left alone by purgeUnused or purgeAll, with an open model
-    std::size_t damagedFolders = 0;       // that are left
+    std::size_t damagedFolders = 0;       // damaged databases that are still set aside
     ClockDoubt clock = ClockDoubt::none;  // purgeUnused: why old entries may have stayed
 };
 
