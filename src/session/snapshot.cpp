@@ -201,8 +201,7 @@ Result<SnapshotReport> StoreSnapshots::exportTo(const fs::path& newFolder, Progr
     // The audit trail is written first: an entry for a failed export is better than an export without one.
     MACULA_TRY_VOID(AuditTrail(state_).add(AuditAction::exported, AuditKind::store, {}, 1));
     if (rename(draft.path().c_str(), target.c_str()) != 0) return errorOf(troubleOfErrno(errno), target);
-    static_cast<void>(
-        syncToDisk(target.parent_path()));  // best effort: the folder is in place even if this fails
+    static_cast<void>(syncToDisk(target.parent_path()));  // best effort: the folder is in place even so
     return report;
 }
 

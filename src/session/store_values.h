@@ -182,8 +182,7 @@ struct SnapshotReport {
     std::size_t studies = 0;
     std::size_t models = 0;
     std::size_t documents = 0;
-    std::size_t skipped =
-        0;  // models and documents that were newer in the store, or for which it had no room
+    std::size_t skipped = 0;  // models and documents: newer in the store, or no room for them
     std::size_t damaged = 0;  // rows and blobs left out
 };
 

@@ -38,9 +38,8 @@ struct LentDevice {
 };
 
 struct DeviceOptions {
-    std::string preferred;  // see chooseDevice; when empty, the environment MACULA_DEVICE
-    std::vector<const char*>
-        extensions;  // besides those of Macula: VK_KHR_SWAPCHAIN_EXTENSION_NAME for a window
+    std::string preferred;                // see chooseDevice; when empty, the environment MACULA_DEVICE
+    std::vector<const char*> extensions;  // besides Macula's: VK_KHR_SWAPCHAIN_EXTENSION_NAME for a window
     // OpenXR dictates the device (xrGetVulkanGraphicsDevice2KHR) and creates it itself
     // (xrCreateVulkanDeviceKHR).
     VkPhysicalDevice physical = VK_NULL_HANDLE;

@@ -14,8 +14,7 @@ namespace macula::gpu {
 struct BlitOverlay {
     const Image* image = nullptr;  // null: nothing
     std::span<const VkRect2D> parts;
-    std::span<const VkOffset2D> places =
-        {};  // where each part goes in the target; empty: where it is in its own image
+    std::span<const VkOffset2D> places = {};  // of each part in the target; empty: as in its own image
 };
 
 struct BlitTarget {  // Swapchain::Frame::target()

@@ -74,8 +74,7 @@ class Swapchain {
   private:
     struct Slot {
         Handle<VkSemaphore> available;
-        Ticket usedBy =
-            0;  // the submission that waits for `available`; once it is done, the semaphore may be reused
+        Ticket usedBy = 0;  // once this submission is done, `available` may be reused
     };
 
     // Destroys at once instead of later: the caller may destroy the surface right after.
