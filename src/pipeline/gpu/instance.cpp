@@ -153,8 +153,7 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
     info.ppEnabledLayerNames = layers.data();
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     info.ppEnabledExtensionNames = extensions.data();
-    if (state->validating && state->debugUtils)
-        info.pNext = &messenger;  // also covers vkCreateInstance itself
+    if (state->validating && state->debugUtils) info.pNext = &messenger;  // also for creation
     if (checksSynchronization) {
         features.pNext = info.pNext;
         info.pNext = &features;
