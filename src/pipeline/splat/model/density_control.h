@@ -14,7 +14,7 @@ namespace macula::splat {
 
 struct DensityOptions {
     std::uint64_t firstStep = 100;  // the step after which it is first done
-    std::uint64_t every = 100;      // steps
+    std::uint64_t every = 100;      // in steps
     std::uint64_t lastStep = 400;   // the last step after which it is done
     // Removes the splats with the least weight, of those that a view has shown since the last time: together
     // at most this share of all weight.
