@@ -52,7 +52,7 @@ bool isNameOfDraft(std::string_view name) {
            digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-// Creates the draft, open and locked; or -1 with errno: EEXIST for a name that is taken.
+// Creates the draft, open and locked. Returns -1 with errno if it cannot: EEXIST if the name is taken.
 int make(const fs::path& path, Draft::Kind kind) {
     if (kind == Draft::Kind::folder && mkdir(path.c_str(), 0777) != 0) return -1;
     const int flags = kind == Draft::Kind::folder ? O_RDONLY | O_DIRECTORY : O_WRONLY | O_CREAT | O_EXCL;

@@ -55,7 +55,7 @@ enum class ViewDirection {
 
 struct Obliqueness {
     double azimuthDeg = 0.0;    // towards the patient's left
-    double elevationDeg = 0.0;  // above
+    double elevationDeg = 0.0;  // upwards
 };
 // The angles of the last three directions; zero for all others.
 constexpr Obliqueness obliquenessOf(ViewDirection from) {

@@ -21,7 +21,7 @@ class FirstException {
         if (!thrown_.exchange(true)) exception_ = std::current_exception();
     }
     bool thrown() const { return thrown_; }
-    // Rethrows, once all threads are done.
+    // Call once all threads are done.
     void rethrow() const {
         if (exception_) std::rethrow_exception(exception_);
     }

@@ -198,7 +198,7 @@ int sternumHu(const dvec3& p) {
     return sternum < 1.0 ? bone(sternum, 0.7) : 0;
 }
 
-// Rods along the chest wall, falling towards the front, open at the front below the sternum.
+// Rods along the chest wall, sloping down towards the front, open at the front below the sternum.
 int ribHu(const dvec3& p) {
     constexpr double kRibPitchMm = 24.0;
     const double wall = ellipse({p.x, p.y}, kWallCentre, kWallRadii);

@@ -46,7 +46,7 @@ Bytes namedNumberIn(const fs::path& file, std::string_view name) {
 void forEachGroup(const fs::path& root, const std::string& controller,
                   const std::function<void(const fs::path& folder, bool isVersion2)>& use) {
     std::ifstream groups(root / "proc/self/cgroup");
-    std::string line;  // "4:memory:/path", and of version 2 "0::/path"
+    std::string line;  // "4:memory:/path", or "0::/path" for version 2
     while (std::getline(groups, line)) {
         const std::size_t first = line.find(':');
         const std::size_t second = first == std::string::npos ? first : line.find(':', first + 1);

@@ -43,7 +43,7 @@ class BlobFiles {
     // has another size or digest. Fails if a disk cannot read or write.
     Result<std::optional<Prepared>> prepareCopy(const BlobFiles& from, std::string_view digest,
                                                 std::uint64_t bytes) const;
-    // Gives the file its final name, whole.
+    // Gives the complete file its final name.
     Result<void> putInPlace(const Prepared& prepared) const;
 
     // The content of the file, if its size and digest are right. Fails if the disk cannot read it.

@@ -72,8 +72,8 @@ class OpenMark {
 class Store {
   public:
     // Creates what is missing, migrates an old schema, and checks the database. Sets a damaged database aside
-    // and rescues what can be read of it; see notes(). Fails, changing no existing file, if the folder cannot
-    // be used, is somebody else's, or was written by a newer version.
+    // and rescues its readable rows; see notes(). Fails, changing no existing file, if the folder cannot be
+    // used, belongs to somebody else, or was written by a newer version.
     static Result<Store> open(const StoreOptions& options);
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
@@ -84,8 +84,8 @@ class Store {
 
     // Studies. -------------------------------------------------------------------------------------------
 
-    // Records that this was opened now, in the audit trail too. Stores readable texts as given, and removes
-    // those that are missing: pass them only if the site allows it.
+    // Records in the store and its audit trail that the volume was opened now. Stores readable texts as
+    // given, and removes those that are missing: pass them only if the site allows it.
     Result<void> recordOpened(const OpenedVolume& opened);
     // Latest opened first.
     Result<Listing<StudyEntry>> listStudies();
@@ -99,7 +99,7 @@ class Store {
     // The model of exactly this key. If its row is damaged, sets it aside and fails with modelDamaged.
     Result<std::optional<ModelInfo>> findModel(const ModelKey& key);
     // At most `most` models of the same volume with other keys: those that differ in the fewest parts first,
-    // then the last used.
+    // then the most recently used.
     Result<std::vector<ModelCandidate>> nearestModels(const ModelKey& key, std::size_t most);
     // The blob as last saved: the returned `info` may be newer than the one given. With a wrong size or
     // checksum, sets the row aside, so that it is no longer found, and fails with modelDamaged.
@@ -136,7 +136,7 @@ class Store {
     Result<std::optional<Document>> getDocument(const DocumentId& id);
     // Ordered by name, without their JSON. `study` empty: the documents that belong to the machine.
     Result<Listing<DocumentEntry>> listDocuments(DocumentKind kind, const std::string& study);
-    // False if there was none.
+    // False if there was no such document.
     Result<bool> removeDocument(const DocumentId& id);
 
     // Audit trail: append-only. The store itself adds openings, purges, exports, imports and clock doubts.

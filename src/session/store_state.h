@@ -38,7 +38,7 @@ struct StoreState {
     std::int64_t nowMs() const;
 };
 
-// Inside of a transaction: -------------------------------------------------------------------------------
+// Within a transaction: ----------------------------------------------------------------------------------
 
 void addAuditRow(StoreState& state, AuditAction action, AuditKind kind, const std::string& subject,
                  std::int64_t amount);
@@ -50,7 +50,8 @@ std::optional<Row> findRow(Connection& connection, const Table& table, const std
 void rememberStudy(Connection& connection, const std::string& identity, std::int64_t atMs);
 void rememberVolume(Connection& connection, const std::string& digest, std::int64_t atMs);
 
-// Damaged rows keep their row_check, so they still fail it; aside only keeps them out of the way.
+// Sets `aside` of a damaged row, to keep it out of the way. Its row_check stays, so the row still fails the
+// check.
 void setRowAside(Connection& connection, const Table& table, std::int64_t id);
 
 // Models. ------------------------------------------------------------------------------------------------

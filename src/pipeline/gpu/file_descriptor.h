@@ -9,7 +9,7 @@ namespace macula::gpu {
 
 class FileDescriptor {
   public:
-    FileDescriptor() = default;  // none
+    FileDescriptor() = default;  // owns nothing
     // Duplicates the descriptor; child processes do not inherit the copy. Fails with usage when `descriptor`
     // is not open.
     static Result<FileDescriptor> copyOf(int descriptor);

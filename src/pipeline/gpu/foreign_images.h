@@ -12,12 +12,12 @@ namespace macula::gpu {
 
 // Parts of an image to draw over a blitted one; whatever lies outside the target is left out.
 struct BlitOverlay {
-    const Image* image = nullptr;  // null: nothing
+    const Image* image = nullptr;  // null: no overlay
     std::span<const VkRect2D> parts;
     std::span<const VkOffset2D> places = {};  // of each part in the target; empty: as in its own image
 };
 
-struct BlitTarget {  // Swapchain::Frame::target()
+struct BlitTarget {  // see Swapchain::Frame::target()
     VkImage image = VK_NULL_HANDLE;
     VkExtent2D extent{};
 };

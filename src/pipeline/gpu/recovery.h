@@ -28,7 +28,7 @@ class LossCount {
     std::deque<Clock::time_point> lately_;
 };
 
-Error lostTooOften();  // deviceLost
+Error lostTooOften();  // has the code deviceLost
 
 // A device for work that can be started again from the beginning. Used by one thread at a time.
 class LastingDevice {

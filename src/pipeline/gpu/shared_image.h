@@ -1,5 +1,5 @@
-// The image of a SharedMemory on a device of ours: the same texels as on the device that made it, without a
-// copy between them (VK_KHR_external_memory_fd, VK_KHR_external_semaphore_fd).
+// The image of a SharedMemory on one of Macula's devices: the same texels as on the device that made it,
+// without a copy between them (VK_KHR_external_memory_fd, VK_KHR_external_semaphore_fd).
 //
 //   MACULA_TRY(const auto image, gpu::SharedImage::import(device, memory));
 //   recorder.copy(picture, part, image.layer());

@@ -27,17 +27,17 @@ struct SharedMemoryHandles {
     // Opaque file descriptors of VkDeviceMemory and of binary VkSemaphores; 0 and below: none.
     int memory = 0;
     int wait = 0;    // awaited before the image is written
-    int signal = 0;  // signalled when it is written
+    int signal = 0;  // signalled when the image is written
     CardIdentity card;
     std::uint64_t bytes = 0;        // size of the allocation
     std::uint64_t offsetBytes = 0;  // where the image begins in the allocation
-    std::uint32_t memoryType = 0;   // index
-    bool isDedicated = false;       // VkMemoryDedicatedAllocateInfo
+    std::uint32_t memoryType = 0;   // index of the memory type
+    bool isDedicated = false;       // allocated with VkMemoryDedicatedAllocateInfo
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::uint32_t format = 0;  // VkFormat: R8G8B8A8, UNORM or SRGB
     std::uint32_t tiling = 0;  // VkImageTiling
-    std::uint32_t usage = 0;   // VkImageUsageFlags, VK_IMAGE_USAGE_TRANSFER_DST_BIT among them
+    std::uint32_t usage = 0;   // VkImageUsageFlags, including VK_IMAGE_USAGE_TRANSFER_DST_BIT
     std::uint32_t flags = 0;   // VkImageCreateFlags
     std::uint32_t layout = 0;  // VkImageLayout in which the image is left; 0: VK_IMAGE_LAYOUT_GENERAL
 };

@@ -13,7 +13,7 @@ namespace macula::splat {
 
 inline constexpr int kMaxRasterSide = 16384;  // pixels
 
-// In double, so that a model far from the world's origin costs no precision.
+// In double, so that no precision is lost far from the world's origin.
 struct RasterView {
     glm::dmat3 cameraFromWorld{1.0};  // a rotation; camera x to the right, y down, z forward (COLMAP)
     glm::dvec3 eyeMm{0.0};            // relative to the model's origin

@@ -126,7 +126,7 @@ class Rasterizer {
     std::optional<gpu::Buffer> depths_;
     std::vector<glm::vec4> screenCopy_;  // a copy, if the host cannot read the device's
     std::uint64_t serial_ = 0;           // of the last pass
-    glm::ivec2 tiles_{0};                // of its picture
+    glm::ivec2 tiles_{0};                // of the last pass
     TileLists lists_;                    // made on the host
 };
 

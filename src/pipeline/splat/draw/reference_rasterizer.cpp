@@ -214,7 +214,7 @@ ReferenceSplats backwardOn(Host host, const ReferenceSplats& splats, const Raste
     return result;
 }
 
-// Calls use(host) with the host of a precision.
+// Calls use(host) with the host class of that precision.
 template <class Use>
 auto withHost(const RasterView& view, const Blending& blending, Precision precision, const Use& use) {
     MACULA_CHECK(validate(view).ok());

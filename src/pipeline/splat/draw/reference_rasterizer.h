@@ -16,7 +16,7 @@ namespace macula::splat {
 
 enum class Precision { single, twofold };
 
-// A picture, by pixel, row 0 on top.
+// A picture, pixel by pixel, row 0 on top.
 struct RasterImage {
     glm::ivec2 sizePx{0};
     std::vector<glm::dvec4> rgba;  // premultiplied, in the model's colour space; a is the coverage

@@ -62,7 +62,7 @@ class Attributes {
         accessors_.push_back(
             {{"bufferView", views_.size()}, {"componentType", component}, {"count", count}, {"type", type}});
         views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes}});
-        bytes_.append(static_cast<const char*>(data), bytes);  // a multiple of 4
+        bytes_.append(static_cast<const char*>(data), bytes);  // always a multiple of 4
     }
 
     Json names_ = Json::object();

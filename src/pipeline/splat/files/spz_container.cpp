@@ -18,7 +18,7 @@ constexpr std::size_t kTableOffset = 16;
 constexpr std::size_t kTableEntryBytes = 16;
 constexpr std::byte kHasExtensions{2};
 
-// One of the compression levels that the reference writer uses; higher ones take much longer for a percent.
+// A compression level that the reference writer uses too; higher ones take much longer to save one percent.
 constexpr int kLevel = 12;
 
 template <class T>

@@ -59,7 +59,7 @@ struct LossOptions {
     float exposure = 1.0f;  // factor; for `display` only
 };
 
-// What differs from step to step.
+// The options that differ from step to step.
 struct LossStep {
     LossMeasure measure = LossMeasure::similar;
     glm::vec3 background{0.0f};  // 0 to 1; for `display` linear and without exposure, as in displayColour

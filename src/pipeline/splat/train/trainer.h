@@ -63,7 +63,7 @@ class Trainer {
     // Replaces the picture of the view at `index` by a better one, of the same view and size. Its loss when
     // last drawn still counts, scaled to the new weight. Fails as addView, and then nothing has changed.
     Result<void> replaceView(std::size_t index, TrainingView view);
-    // Drops all views but pictures (ViewKind): stand-ins and outlines, once pictures show the same.
+    // Drops all stand-ins and outlines (ViewKind), once pictures show the same.
     void forgetStandIns();
     std::size_t viewCount() const { return views_.size(); }
     // The views in the order in which they were added.
