@@ -63,8 +63,7 @@ void configure(Connection& connection) {
     sqlite.exec("PRAGMA cell_size_check = ON");
     sqlite.exec("PRAGMA mmap_size = 0");        // an I/O error is a result, not a signal
     sqlite.exec("PRAGMA temp_store = MEMORY");  // no stored data in a temporary file elsewhere
-    sqlite.exec("PRAGMA cache_size = -32000");  // 32 MB: a list of thousands of studies is read from the disk
-                                                // only once
+    sqlite.exec("PRAGMA cache_size = -32000");  // 32 MB: lists of thousands of studies are read once
     sqlite.exec("PRAGMA foreign_keys = ON");
     sqlite.exec("PRAGMA secure_delete = ON");
     sqlite.exec("PRAGMA synchronous = FULL");

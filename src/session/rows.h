@@ -92,9 +92,9 @@ SQLite::Statement select(Connection& connection, const Table& table, const std::
 // The text of a column; valid until the statement steps on.
 std::string_view textOf(const SQLite::Column& column);
 
-// Whether the current row of such a statement has the right types and checksum.
+// Whether the current row of a statement from select() has the right types and checksum.
 bool isRowSound(SQLite::Statement& statement, const Table& table);
-// The current row; nothing if it is damaged.
+// The current row of a statement from select(); nothing if it is damaged.
 std::optional<Row> readRow(SQLite::Statement& statement, const Table& table);
 
 // Inserts rows, or replaces those with the same primary key.

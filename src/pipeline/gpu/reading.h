@@ -27,7 +27,7 @@ class Reading {
     // are in host memory, or there is no staging memory, this reads them at once, and waits. The parts of the
     // previous reading are lost.
     Result<void> begin(std::initializer_list<const Buffer*> buffers);
-    // Waits for the copies that begin() submitted. No other function waits for them.
+    // Waits for the copies that begin() submitted. The next begin() waits for them too.
     Result<void> finish();
 
     // The bytes of the buffer at `index` of the list given to begin(), once it is finished.

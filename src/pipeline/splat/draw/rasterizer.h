@@ -49,11 +49,11 @@ class Rasterizer {
     static Result<Rasterizer> create(const std::shared_ptr<gpu::Device>& device, std::uint32_t capacity,
                                      int shDegree, const RasterShape& shape = {});
 
-    // Draws the first `count` splats. The view and the blending must be valid. Waits for the projection,
-    // which the host sorts, or for the whole picture if the device makes the lists; otherwise the picture is
-    // done when the submitted work is. outOfMemory when there are too many pairs of splat and tile, or the
-    // picture is too large; then there is no picture until the next draw succeeds. Calls `submitted` (may be
-    // empty) after submitting each stage, to measure it; its error ends this.
+    // Draws the first `count` splats. The view and the blending must be valid. If the host makes the lists,
+    // waits for the projection, which it sorts, and the picture is done when the submitted work is; if the
+    // device makes them, waits for the whole picture. outOfMemory when there are too many pairs of splat and
+    // tile, or the picture is too large; then there is no picture until the next draw succeeds. Calls
+    // `submitted` (may be empty) after submitting each stage, to measure it; its error ends this.
     using Submitted = std::function<Result<void>(DrawStage)>;
     Result<RasterPass> draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
                             const Blending& blending, const Submitted& submitted = {});

@@ -64,7 +64,7 @@ std::string nameOf(const ChunkHead& head) {
     return {head.name.begin(), std::find(head.name.begin(), head.name.end(), '\0')};
 }
 
-// A vector of that size; nothing if memory runs out, which is an error and not the end of the program.
+// A vector of that size; nothing if memory runs out, so that the caller can return an error.
 std::optional<std::vector<std::byte>> room(std::uint64_t bytes) {
     try {
         return std::vector<std::byte>(bytes);

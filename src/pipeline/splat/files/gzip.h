@@ -12,7 +12,7 @@
 
 namespace macula::splat {
 
-// deflate shrinks data by at most 1032 (RFC 1951: 258 bytes in 2 bits).
+// deflate shrinks data by a factor of at most 1032 (RFC 1951: 258 bytes in 2 bits).
 inline constexpr std::uint64_t kMostDeflated = 1032;
 
 // Packs `data`, below 4 GiB. The comment is Latin-1, without zeros. Writes no time and no name, so that the

@@ -40,7 +40,7 @@ constexpr std::size_t kMostExtensionBytes = std::size_t{1} << 24;
 
 // Guards against decompression bombs: identical splats pack hundreds of times smaller, so a small file may
 // claim millions of them. The unpacked size may be this many times the file, or a size that any machine has.
-// Real models are packed by less than 15, even point clouds with bands of zeros.
+// Real models shrink by a factor below 15, even point clouds with bands of zeros.
 constexpr std::uint64_t kMostPacking = 32;
 constexpr std::uint64_t kAlwaysUnpacked = std::uint64_t{32} << 20;
 
