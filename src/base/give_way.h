@@ -3,8 +3,7 @@
 
 namespace macula {
 
-// Whose work a thread lets go first: how far it lowers its priority below that of the user interface's
-// thread.
+// How far a thread lowers its priority below that of the user interface's thread, by the kind of its work.
 enum class GiveWay {
     toTheHand,   // for work on the host that follows the user's hand, such as slices
     toTheFrame,  // for the picture, and what it waits for; where the CPU is the device, it uses every core
