@@ -89,7 +89,7 @@ bool isSound(const Table& table, const Row& row, std::int64_t check);
 // "SELECT t.id, t.key, ..., t.row_check FROM models t REST"
 SQLite::Statement select(Connection& connection, const Table& table, const std::string& rest);
 
-// The text of a column; valid until the statement steps on.
+// The text of a column; valid until the statement's next step.
 std::string_view textOf(const SQLite::Column& column);
 
 // Whether the current row of a statement from select() has the right types and checksum.

@@ -26,7 +26,7 @@ Result<void> uploadTo(const Buffer& buffer, std::span<const T> values) {
     return uploadTo(buffer, 0, std::as_bytes(values));
 }
 
-// Read bytes back after all work submitted so far. They wait.
+// These read bytes back after all work submitted so far, and wait for it.
 Result<std::vector<std::byte>> readBytes(const Buffer& buffer, std::uint64_t offsetBytes,
                                          std::uint64_t bytes);
 Result<std::vector<std::byte>> readBytes(const Image& image);

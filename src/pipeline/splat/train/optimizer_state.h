@@ -10,7 +10,7 @@ namespace macula::splat {
 // their splat.
 struct OptimizerState {
     std::uint64_t stepsDone = 0;       // of the model: the learning rates decay with it
-    std::vector<std::uint32_t> steps;  // of each splat
+    std::vector<std::uint32_t> steps;  // number of steps of each splat
     std::vector<float> first;          // moments; component k of splat i at k * steps.size() + i
     std::vector<float> second;
 };
