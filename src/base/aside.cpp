@@ -17,7 +17,7 @@ Aside::~Aside() {
 void Aside::begin(std::function<void()> work) {
     wait();
     const bool isBounded = CheckBoundary::isDrawn();
-    // Shared, because a thread that could not be made may have taken it along.
+    // Shared, because a failed attempt to start the thread may have consumed its copy of the function.
     auto shared = std::make_shared<std::function<void()>>(std::move(work));
     const auto run = [this, shared, isBounded]() noexcept {
         std::optional<CheckBoundary> boundary;

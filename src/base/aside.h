@@ -13,20 +13,20 @@ class Aside {
     Aside() = default;
     Aside(const Aside&) = delete;
     Aside& operator=(const Aside&) = delete;
-    ~Aside();  // waits, and drops an exception of the work: the caller is failing already
+    ~Aside();  // waits; drops an exception of the work, because the caller is failing already
 
     // Waits for the previous work, and rethrows its exception. `work` may use all cores (parallel.h). If the
     // process cannot start a thread, this call does the work itself.
     void begin(std::function<void()> work);
-    // Waits for the work, and rethrows its exception. The caller then sees all that it wrote.
+    // Waits for the work, and rethrows its exception. The caller then sees everything that the work wrote.
     void wait();
     // The run time of all work that has been waited for.
     double seconds() const { return seconds_; }
 
   private:
     std::jthread thread_;
-    std::exception_ptr thrown_;  // of the work under way
-    double took_ = 0.0;          // likewise
+    std::exception_ptr thrown_;  // by the work under way
+    double took_ = 0.0;          // seconds that the work under way took
     double seconds_ = 0.0;
 };
 

@@ -11,7 +11,7 @@ namespace macula {
 // The bytes that this process can still get without swapping: see base/process_limits.h.
 std::optional<std::uint64_t> availableMemory();
 
-// Names both amounts, so that a person can tell a series that is too large from a header that is broken.
+// Names both amounts, so that a person can distinguish a series that is too large from a damaged header.
 Error notEnoughMemory(std::uint64_t bytesNeeded, std::optional<std::uint64_t> bytesAvailable);
 
 }  // namespace macula

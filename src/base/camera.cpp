@@ -14,7 +14,7 @@ namespace {
 constexpr double kMinFovDeg = 0.1;
 constexpr double kMaxFovDeg = 170.0;
 constexpr double kFramingMargin = 1.04;
-constexpr double kBeforeOfDiagonal = 0.01;  // how far before a box rays that are moved back begin
+constexpr double kBeforeOfDiagonal = 0.01;  // of the diagonal: how far before the box moved rays begin
 
 struct StandardView {
     glm::dvec3 fromDirection;  // from the target to the eye, LPS
@@ -109,7 +109,7 @@ Camera standingBefore(Camera camera, const Box& box) {
     const glm::dvec3 view = camera.targetMm - camera.positionMm;
     const double distanceMm = glm::length(view);
     if (!(distanceMm > 0.0)) return camera;
-    double behindMm = 0.0;  // the corner that is farthest behind where the rays begin
+    double behindMm = 0.0;  // how far behind the start of the rays the box reaches
     for (const glm::dvec3& corner : cornersOf(box))
         behindMm = std::max(behindMm, glm::dot(camera.positionMm - corner, view / distanceMm));
     if (behindMm > 0.0)
@@ -136,9 +136,9 @@ Camera framePoints(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes
     MACULA_CHECK(!pointsMm.empty());
     const double halfHeight = kFittedPart * std::tan(glm::radians(verticalFovDeg) / 2.0);
     const glm::dvec2 half(halfHeight * aspectWidthOverHeight, halfHeight);
-    // A point at p (across) and w (along the view) is in the middle part of the picture of an eye at e and g
-    // where |p - e| <= half (w - g): e lies between low + half g and high - half g, so far along as these
-    // leave room.
+    // Each point at p (across) and w (along the view) is in the middle part of the picture of an eye at e
+    // (across) and g (along) if |p - e| <= half (w - g). So e lies between low + half g and high - half g,
+    // and the eye may advance (g) until the two meet.
     glm::dvec2 low(-std::numeric_limits<double>::infinity());
     glm::dvec2 high(std::numeric_limits<double>::infinity());
     Box box{glm::dvec3(high.x), glm::dvec3(low.x)};

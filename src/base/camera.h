@@ -15,8 +15,8 @@ struct Camera {
     glm::dvec3 up{0.0, 0.0, 1.0};  // need not be perpendicular to the view direction, only not parallel
     double verticalFovDeg = 30.0;
     // Above 0: the rays are parallel, and this is the height of the picture at every depth. They start in the
-    // plane through the position, perpendicular to the view. The field of view then only gives the distance
-    // of an eye that would see as much.
+    // plane through the position, perpendicular to the view. The field of view then only determines how far
+    // away an eye would stand that sees as much (inPerspective).
     double parallelHeightMm = 0.0;
 
     bool operator==(const Camera&) const = default;
@@ -34,9 +34,8 @@ double heightAtTargetMm(const Camera& camera);
 Camera inParallel(Camera camera);
 Camera inPerspective(Camera camera);
 
-// Moves a parallel camera, which has no eye that something could lie behind, back until its rays start in
-// front of all of `box`. The picture stays the same, and distances count from the new position. A camera with
-// an eye is returned unchanged.
+// Moves a parallel camera back until its rays start in front of all of `box`. The picture stays the same, and
+// depths count from the new position. A camera with an eye is returned unchanged.
 Camera standingBefore(Camera camera, const Box& box);
 
 // Orthonormal: right = forward x up, as seen in the picture.
@@ -58,17 +57,18 @@ Result<CameraBasis> basis(const Camera& camera);
 // and below), far enough that the whole box is in the picture.
 Camera frameBox(const Box& box, ViewDirection from, double verticalFovDeg, double aspectWidthOverHeight);
 
-// The axes of the picture of frameBox.
+// The axes of the camera that frameBox returns.
 CameraBasis standardBasis(ViewDirection from);
 
-// Looks along `axes` at the points (at least one) from where their outline fills `kFittedPart` of the width
-// or of the height of the picture, in its middle. The target is on the view axis, at the depth of the middle
-// of the box around the points, so that a camera that orbits the target keeps them about in the middle.
+// Looks along `axes` at the points (at least one), from the distance at which their outline fills
+// `kFittedPart` of the width or of the height of the picture, in its middle. The target is on the view axis,
+// at the depth of the middle of the points' bounding box, so that the points stay roughly centred while the
+// camera orbits.
 inline constexpr double kFittedPart = 0.9;
 Camera framePoints(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes, double verticalFovDeg,
                    double aspectWidthOverHeight);
 
-// The same with parallel rays: the middle of the box around the points is the target.
+// The same with parallel rays. The target is the middle of the points' bounding box along the axes.
 Camera frameInParallel(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes, double verticalFovDeg,
                        double aspectWidthOverHeight);
 

@@ -25,7 +25,7 @@ bool CheckBoundary::isDrawn() noexcept {
 }
 
 void checkFailed(const char* file, int line, const char* what, const std::string& values) {
-    // Two exceptions at once would end the program without a word.
+    // A second exception in flight would end the program without a message.
     if (CheckBoundary::isDrawn() && std::uncaught_exceptions() == 0)
         throw CheckFailure(
             fmt::format("{}:{}: {}{}{}", file, line, what, values.empty() ? "" : ": ", values));

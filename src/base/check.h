@@ -12,7 +12,8 @@ namespace macula {
 
 [[noreturn]] void checkFailed(const char* file, int line, const char* what, const std::string& values);
 
-// The exception of a failed check. No std::exception, so that handlers for those of libraries let it pass.
+// The exception of a failed check. Not a std::exception, so that handlers for exceptions of libraries let it
+// pass.
 class CheckFailure {
   public:
     explicit CheckFailure(std::string text) : text_(std::move(text)) {}
@@ -22,9 +23,10 @@ class CheckFailure {
     std::string text_;
 };
 
-// While one lives, checks that fail in this thread throw CheckFailure, so that a host program survives
-// (src/c). The code that draws the boundary catches it, and bars further use of the objects that were in use.
-// Threads that work for this one draw their own (parallel.cpp). In a destructor a check still aborts.
+// While a boundary exists, checks that fail in its thread throw CheckFailure, so that a host program survives
+// (src/c). The code that makes the boundary catches it, and bars further use of the objects that were in use.
+// Helper threads of this one make boundaries of their own (parallel.cpp). In a destructor a failed check
+// still aborts.
 class CheckBoundary {
   public:
     CheckBoundary() noexcept;
@@ -32,7 +34,7 @@ class CheckBoundary {
     CheckBoundary& operator=(const CheckBoundary&) = delete;
     ~CheckBoundary();
 
-    static bool isDrawn() noexcept;  // in this thread
+    static bool isDrawn() noexcept;  // whether this thread has a boundary
 };
 
 }  // namespace macula

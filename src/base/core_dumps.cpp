@@ -9,7 +9,7 @@
 
 namespace macula {
 
-// PR_SET_DUMPABLE would do both, and with it desktops could not tell which program asks them for a file.
+// PR_SET_DUMPABLE would do both, but then desktop portals could not tell which program asks them for a file.
 void switchCoreDumpsOff() {
     const char* wanted = std::getenv("MACULA_CORE_DUMPS");
     if (wanted != nullptr && std::strcmp(wanted, "1") == 0) return;

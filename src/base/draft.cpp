@@ -41,7 +41,7 @@ Result<std::string> randomDigits() {
     return fmt::format("{:016x}", number);
 }
 
-constexpr std::size_t kMostOfName = 180;  // bytes; file systems allow 255 in all
+constexpr std::size_t kMostOfName = 180;  // bytes; file systems allow 255 for the whole name
 
 bool isNameOfDraft(std::string_view name) {
     const std::size_t part = name.rfind(kPart);
@@ -52,20 +52,21 @@ bool isNameOfDraft(std::string_view name) {
            digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-// Creates the draft, open and locked; or -1 with errno: EEXIST for a name that is taken.
+// Creates the draft, open and locked. Returns -1 with errno if it cannot: EEXIST if the name is taken.
 int make(const fs::path& path, Draft::Kind kind) {
     if (kind == Draft::Kind::folder && mkdir(path.c_str(), 0777) != 0) return -1;
     const int flags = kind == Draft::Kind::folder ? O_RDONLY | O_DIRECTORY : O_WRONLY | O_CREAT | O_EXCL;
     const int descriptor = open(path.c_str(), flags | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0) return -1;
-    // A failed lock is no error: on a file system without locks those who clean up have none either.
+    // A failed lock is not an error: on a file system without locks, removeAbandonedDrafts cannot lock
+    // either.
     flock(descriptor, LOCK_EX | LOCK_NB);
     struct stat mine {};
     struct stat there {};
     if (fstat(descriptor, &mine) == 0 && lstat(path.c_str(), &there) == 0 && mine.st_ino == there.st_ino)
         return descriptor;
     close(descriptor);
-    errno = EEXIST;  // taken for an abandoned one before it was locked
+    errno = EEXIST;  // removeAbandonedDrafts removed it before it was locked; another name is tried
     return -1;
 }
 
@@ -110,11 +111,11 @@ Result<void> putInPlace(const fs::path& written, const fs::path& target) {
     if (replaces) static_cast<void>(fchmod(descriptor, there.st_mode & 0777u));
     const int synced = fsync(descriptor) == 0 ? 0 : errno;
     close(descriptor);
-    // EINVAL means a file system that has nothing to synchronise.
+    // EINVAL: a file system that cannot synchronise files.
     if (synced != 0 && synced != EINVAL) return notWritable(target, synced);
     if (rename(written.c_str(), target.c_str()) != 0) return notWritable(target, errno);
     if (const int folder = open(folderOf(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
-        static_cast<void>(fsync(folder));  // the name is there, whether or not that outlives a power cut
+        static_cast<void>(fsync(folder));  // best effort: the new name is in place even if this fails
         close(folder);
     }
     return {};

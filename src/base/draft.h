@@ -1,4 +1,4 @@
-// A draft: an unfinished file or folder under a hidden name beside its target.
+// A draft: an unfinished file or folder under a hidden name, in the same folder as its target.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 namespace macula {
 
 // A file or folder under a hidden, unique name that nobody can guess: ".NAME.<16 hex>.part.EXT". It keeps the
-// target's extension, because writers choose the format by it. It is locked while it is being made; an
-// unlocked draft was left by a killed program.
+// target's extension, because writers choose the format by it. Its maker keeps it locked; an unlocked draft
+// was left by a program that was killed.
 class Draft {
   public:
     enum class Kind { file, folder };
@@ -19,7 +19,7 @@ class Draft {
 
     Draft(Draft&& other) noexcept;
     Draft& operator=(Draft&&) = delete;
-    ~Draft();  // removes what was not moved away
+    ~Draft();  // removes the draft, unless it was moved to its target
 
     const std::filesystem::path& path() const { return path_; }
 
@@ -30,11 +30,11 @@ class Draft {
     int descriptor_ = -1;
 };
 
-// Moves a written file to its target. It replaces only a regular file, and takes over its permissions. The
-// data are on the disk before the rename: when the disk is full or broken, this fails and the old file stays.
+// Moves a written file to its target. Replaces only a regular file, whose permissions it takes over. Writes
+// the data to the disk before the rename: when the disk is full or broken, this fails and the old file stays.
 Result<void> putInPlace(const std::filesystem::path& written, const std::filesystem::path& target);
 
-// Removes the drafts in that folder whose makers were killed.
+// Removes the drafts that killed programs left in the folder.
 void removeAbandonedDrafts(const std::filesystem::path& folder);
 
 }  // namespace macula

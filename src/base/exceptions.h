@@ -1,4 +1,4 @@
-// Exceptions of the standard library and of others, as errors for a person.
+// Turns exceptions of the standard library and of other libraries into errors for a person.
 #pragma once
 
 #include <exception>
@@ -9,8 +9,8 @@
 namespace macula {
 
 // The error for an exception thrown during `task`, such as Text("read this folder"). Lack of memory or of
-// threads is outOfMemory; every other exception is inputNotUsable. The exception's own text may name a
-// patient and is neither shown nor logged; its type is logged.
+// threads gives outOfMemory; every other exception gives inputNotUsable. The exception's own text may name a
+// patient, so it is neither shown nor logged; its type is logged.
 Error errorOf(const std::exception& thrown, Text task, std::string where = {});
 
 }  // namespace macula

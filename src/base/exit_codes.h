@@ -8,8 +8,8 @@ namespace macula {
 inline constexpr int kExitDone = 0;
 inline constexpr int kExitFault = 1;        // a fault of the program: please report it
 inline constexpr int kExitUsage = 2;        // wrong usage, or an output that cannot be written
-inline constexpr int kExitInput = 3;        // not usable
-inline constexpr int kExitDevice = 4;       // not usable, or out of memory
+inline constexpr int kExitInput = 3;        // the input is not usable
+inline constexpr int kExitDevice = 4;       // the device is not usable, or memory ran out
 inline constexpr int kExitCancelled = 130;  // 128 + SIGINT, as shells expect
 
 // For help texts.

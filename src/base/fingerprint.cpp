@@ -11,9 +11,8 @@ namespace macula {
 
 std::string fingerprint(const Volume& volume) {
     const glm::ivec3 size = volume.size();
-    // {:a} is exact, and the same in every locale.
-    // As it was written when digests were first kept: what people are told does not make another volume of
-    // it.
+    // {:a} is exact, and the same in every locale. The unit keeps the spelling of the first stored digests: a
+    // new display name must not change the digest of a volume.
     const std::string unit =
         volume.unitName() == unitSymbol(Unit::suvBodyWeight) ? "g/mL" : volume.unitName();
     std::string text = fmt::format("{} {} {}", size.x, size.y, size.z);

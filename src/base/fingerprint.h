@@ -1,4 +1,4 @@
-// A digest of a volume, which tells volumes apart where their UIDs do not.
+// A digest of a volume, which distinguishes volumes whose UIDs do not.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 namespace macula {
 
 // SHA-256, 64 hexadecimal digits, over size, affine, unit map, format, padding, and all voxels. Anonymisation
-// often copies UIDs or makes new ones, so data about a volume are stored under this digest. Holds no patient
-// data. On all cores; some 0.1 s for 150 MB where the processor has instructions for SHA.
+// often copies UIDs or makes new ones, so data about a volume are stored under this digest. It contains no
+// patient data. Uses all cores; takes some 0.1 s for 150 MB on a processor with SHA instructions.
 std::string fingerprint(const Volume& volume);
 
 }  // namespace macula

@@ -25,20 +25,22 @@ inline glm::dvec3 transformVector(const glm::dmat4& bFromA, const glm::dvec3& ve
     return glm::dmat3(bFromA) * vector;
 }
 
-// The affine transform that takes the unit vectors and the origin to these.
+// The affine transform that maps the unit vectors to these columns, and (0, 0, 0) to `origin`.
 glm::dmat4 affine(const glm::dvec3& columnI, const glm::dvec3& columnJ, const glm::dvec3& columnK,
                   const glm::dvec3& origin);
 
 // True if all entries are finite and the three axes span a volume, whatever their lengths.
 bool isInvertibleAffine(const glm::dmat4& transform);
 
-// The letters of a direction in LPS, strongest first, for components above 0.0001: "L", "PS", "RAI".
+// The anatomical letters of a direction in LPS, largest component first, for components above 0.0001: "L",
+// "PS", "RAI".
 std::string orientationLetters(const glm::dvec3& directionLps);
 
 // The direction from which a patient is seen. `anterior` looks from in front of the patient: the patient's
-// left is then on the right side of the picture, as in every radiological display. The last three look from
-// there too, but somewhat from the patient's left and above (obliquenessOf): `oblique` suits a thin stack of
-// slices, `threeQuarter` a head, as in a portrait, and `turned` a body, whose contents then have depth.
+// left is then on the right side of the picture, as in every radiological display. The last three also look
+// from the front, but somewhat from the patient's left and from above (obliquenessOf): `oblique` suits a thin
+// stack of slices, `threeQuarter` a head, as in a portrait, and `turned` a body, whose contents then show
+// depth.
 enum class ViewDirection {
     anterior,
     posterior,
@@ -53,9 +55,9 @@ enum class ViewDirection {
 
 struct Obliqueness {
     double azimuthDeg = 0.0;    // towards the patient's left
-    double elevationDeg = 0.0;  // above
+    double elevationDeg = 0.0;  // upwards
 };
-// The angles of the views that are not from one side of the patient; zero for all others.
+// The angles of the last three directions; zero for all others.
 constexpr Obliqueness obliquenessOf(ViewDirection from) {
     if (from == ViewDirection::oblique) return {25.0, 35.0};
     if (from == ViewDirection::threeQuarter) return {35.0, 15.0};

@@ -9,9 +9,9 @@ namespace macula {
 
 void giveWay([[maybe_unused]] GiveWay to) {
 #ifdef __linux__
-    // One that is ten steps back has a tenth of the processor of one that is not, while both want it.
+    // A thread ten nice levels lower gets a tenth of the processor time of the other while both want it.
     const int niceness = to == GiveWay::toTheHand ? 7 : to == GiveWay::toTheFrame ? 10 : 19;
-    setpriority(PRIO_PROCESS, id_t(gettid()), niceness);  // on Linux of this thread alone
+    setpriority(PRIO_PROCESS, id_t(gettid()), niceness);  // on Linux this affects the calling thread alone
 #endif
 }
 

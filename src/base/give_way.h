@@ -3,16 +3,16 @@
 
 namespace macula {
 
-// How far a thread lowers its priority below that of the user interface's thread.
+// How far a thread lowers its priority below that of the user interface's thread, by the kind of its work.
 enum class GiveWay {
-    toTheHand,   // work on the host that follows the user's hand, such as slices
-    toTheFrame,  // the picture, and what it waits for. Where the device is the CPU, tracing takes every core.
-    toAll,       // work that nobody waits for
+    toTheHand,   // for work on the host that follows the user's hand, such as slices
+    toTheFrame,  // for the picture, and what it waits for; where the CPU is the device, it uses every core
+    toAll,       // for work that nobody waits for
 };
 
-// Lowers the priority (nice value) of the calling thread and of those that it starts from now on, such as a
-// driver's when it makes the device. Does nothing on systems other than Linux. A refusal is no error:
-// everything works, only less smoothly.
+// Lowers the priority (nice value) of the calling thread and of the threads that it starts later, such as
+// those of a driver when this thread creates the device. Does nothing on systems other than Linux. If the
+// system refuses, there is no error: everything works, only less smoothly.
 void giveWay(GiveWay to);
 
 }  // namespace macula

@@ -74,11 +74,11 @@ Result<InstallationKey> InstallationKey::ofUser(const fs::path& folder) {
         fsync(descriptor) == 0;
     if (descriptor >= 0) close(descriptor);
     if (!isWritten) return notKept(file);
-    // Never in place of one that another program has made meanwhile, and uses by now.
+    // Never replaces a key that another program has made meanwhile, and may be using already.
     if (link(draft->path().c_str(), file.c_str()) != 0 && errno != EEXIST) {
         std::error_code error;
         if (fs::exists(file, error) || rename(draft->path().c_str(), file.c_str()) != 0)
-            return notKept(file);  // or a file system without hard links
+            return notKept(file);  // rename serves file systems without hard links
     }
     MACULA_TRY(auto made, read(file));
     if (!made) return notKept(file);

@@ -1,5 +1,5 @@
-// The secret of this installation. Identifiers can be guessed, so a digest of one that leaves the machine is
-// keyed with it: without the key nobody can read it or try identifiers out.
+// The secret key of this installation. Identifiers can be guessed, so their digests are keyed before they
+// leave the machine: without the key nobody can reverse a digest by trying identifiers out.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
-// Debian's ITK 5.2 knows only the compiler that it was built with, and stops Clang, which clang-tidy and the
-// fuzz targets are. This is what its itk_compiler_detection.h would say. Include it before any header of ITK.
+// Debian's ITK 5.2 accepts only the compiler that it was built with and rejects Clang, which clang-tidy and
+// the fuzz targets use. This header defines what ITK's itk_compiler_detection.h would. Include it before any
+// ITK header.
 #pragma once
 
 #ifdef __clang__

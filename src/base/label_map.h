@@ -1,4 +1,4 @@
-// Label maps: which voxels belong to which organ or lesion, as drawn by a person or a program.
+// Label maps: which voxels belong to which organ or lesion, as a person or a program drew them.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@
 namespace macula {
 
 struct Segment {
-    std::uint16_t number = 0;  // the value of its voxels; from 1 in a label map
+    std::uint16_t number = 0;  // the value of its voxels; at least 1 in a label map
     std::string label;         // UTF-8, as all text here
     std::string description;
     std::string algorithm;                                      // MANUAL, SEMIAUTOMATIC or AUTOMATIC
-    std::string algorithmName;                                  // of the program that made it
-    std::optional<std::array<std::uint8_t, 3>> recommendedRgb;  // sRGB
+    std::string algorithmName;                                  // name of the program that made the segment
+    std::optional<std::array<std::uint8_t, 3>> recommendedRgb;  // in sRGB
 
     bool operator==(const Segment&) const = default;
 };
@@ -36,7 +36,7 @@ class LabelMap {
 
     glm::ivec3 size() const { return size_; }
     const glm::dmat4& worldFromVoxel() const { return worldFromVoxel_; }
-    std::span<const Segment> segments() const { return segments_; }  // by number
+    std::span<const Segment> segments() const { return segments_; }  // sorted by number
     const Segment* segment(std::uint16_t number) const;              // null when there is none
     std::span<const std::uint16_t> labels() const { return labels_; }
     std::uint16_t label(int i, int j, int k) const;

@@ -41,7 +41,8 @@ Level levelFromEnvironment() {
     return Level::warning;
 }
 
-// Logger, sink and key below are never destroyed: threads log until the process is gone.
+// The logger, the sink and the key below are never destroyed, because threads log until the process has
+// ended.
 spdlog::logger& logger() {
     static auto* const instance = [] {
         auto* made = new spdlog::logger("macula", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
@@ -54,7 +55,7 @@ spdlog::logger& logger() {
 
 struct SinkOfHost {
     std::mutex mutex;
-    Sink sink;  // empty: there is none
+    Sink sink;  // empty: no sink
 };
 
 SinkOfHost& sinkOfHost() {
@@ -62,7 +63,7 @@ SinkOfHost& sinkOfHost() {
     return *instance;
 }
 
-// Whether there is a sink, which has it then.
+// Gives the line to the host's sink. False if there is none.
 bool giveToSink(Level level, std::string_view line) {
     SinkOfHost& host = sinkOfHost();
     const std::lock_guard lock(host.mutex);

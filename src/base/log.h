@@ -13,22 +13,23 @@ namespace macula::log {
 
 enum class Level { debug, info, warning, error, off };
 
-// The level is that of MACULA_LOG=debug|info|warning|error|off at start, else `warning`. Lines go to stderr,
-// or to the sink. Thread-safe.
+// The level at start is that of MACULA_LOG=debug|info|warning|error|off, or `warning`. Lines go to stderr, or
+// to the sink. Thread-safe.
 void setLevel(Level level);
 void write(Level level, std::string_view line);
-// Writes, whatever the level, what the reader of a result must know. stderr gets a line without a time, the
-// sink one of level info.
+// Writes, at any level, something that the reader of a result must know. stderr gets the line without a time,
+// the sink as level info.
 void announce(std::string_view line);
 
-// Receives the log instead of stderr, for the host of a library, whose stderr is not ours. Any thread may
-// call it, never two at once; it must not log or throw. Empty: the log goes to stderr.
+// Receives the log instead of stderr, for a host program that uses Macula as a library and owns stderr. Any
+// thread may call it, never two at once; it must not log or throw. Empty: the log goes to stderr.
 using Sink = std::function<void(Level level, std::string_view line)>;
 void setSink(Sink sink);
 bool hasSink();
 
-// May name a patient: a path, a description, a UID. Formats as "<8 hex digits>", the same for the same text
-// in one run of the program; the key is fresh in each run, so the digest cannot be looked up afterwards.
+// Text that may name a patient: a path, a description, a UID. Formats as "<8 hex digits>", the same for the
+// same text in one run of the program; each run has a new random key, so the digest cannot be looked up
+// afterwards.
 struct Sensitive {
     std::string_view text;
 };

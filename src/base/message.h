@@ -11,7 +11,7 @@ namespace macula {
 
 enum class Severity {
     info,           // nothing to do
-    warning,        // shown, but look at it before relying on it
+    warning,        // it is shown, but check this before you rely on it
     blocksVolume,   // cannot be shown in 3D
     blocksLoading,  // cannot be shown at all
 };

@@ -14,14 +14,14 @@ namespace macula {
 
 namespace {
 
-// The first exception of any thread, which ends the work of all.
+// Keeps the first exception of any thread, which ends the work of all threads.
 class FirstException {
   public:
     void keepCurrent() {
         if (!thrown_.exchange(true)) exception_ = std::current_exception();
     }
     bool thrown() const { return thrown_; }
-    // Rethrows, once all threads are done.
+    // Call once all threads are done.
     void rethrow() const {
         if (exception_) std::rethrow_exception(exception_);
     }
@@ -34,7 +34,7 @@ class FirstException {
 }  // namespace
 
 std::size_t coreCount() {
-    static const std::size_t count = usableProcessors();  // asked of files
+    static const std::size_t count = usableProcessors();  // cached, because it reads files of /proc and /sys
     return count;
 }
 
@@ -59,8 +59,8 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
             helpers.reserve(wanted);
             while (helpers.size() < wanted) helpers.emplace_back(work);
         } catch (const std::exception&) {
-            // The process has no memory or threads left: the threads that exist do all of the work. oneTBB
-            // (2021.8) would throw, with nothing done.
+            // The process has no memory or threads left: the existing threads do all of the work. oneTBB
+            // (2021.8) would throw instead, with nothing done.
         }
         work();
     }

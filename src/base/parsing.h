@@ -8,7 +8,7 @@
 
 namespace macula {
 
-// The text without the padding on either side: blanks, ends of lines, the zeros of DICOM.
+// The text without the padding on either side: blanks, line ends, and the NULs of DICOM.
 constexpr std::string_view trimmed(std::string_view text) {
     constexpr std::string_view kPadding{" \t\r\n\0", 5};
     const std::size_t begin = text.find_first_not_of(kPadding);
@@ -25,7 +25,8 @@ std::optional<T> parseNumber(std::string_view text) {
     return value;
 }
 
-// Parses `text` as a number, after padding and a plus sign. Nothing for other text, infinity or NaN.
+// Parses `text` as a number, after it removes padding and a plus sign. Nothing for other text, infinity or
+// NaN.
 inline std::optional<double> finiteNumber(std::string_view text) {
     text = trimmed(text);
     if (text.starts_with('+')) text.remove_prefix(1);

@@ -65,7 +65,7 @@ struct Tube {
     double radiusMm;
 };
 
-// The aorta: up from the heart, over the arch to the left and back, down before the spine.
+// The aorta: up from the heart, over the arch to the left and back, down in front of the spine.
 constexpr int kAortaPieces = 6;
 const std::array<Tube, kAortaPieces> kAorta{{{{-4, -22, 0}, {-12, -26, 45}, 13},
                                              {{-12, -26, 45}, {-6, -12, 68}, 13},
@@ -89,16 +89,16 @@ const std::array<Tube, kPulmonaryPieces> kPulmonary{{{{14, -34, 5}, {14, -14, 34
                                                      {{-88, 14, 14}, {-102, 2, -16}, 2.5},
                                                      {{-76, -18, 60}, {-88, -32, 82}, 2.5}}};
 
-// Ellipses that more than one question is about: the skin, and the middle of the ribs.
+// Ellipses that several functions use: the skin, and the middle of the ribs.
 const dvec2 kSkinCentre{0, 5};
 const dvec2 kSkinRadii{138, 104};
 constexpr double kSkinHalfHeightMm = 132.0;
-constexpr double kFatBeyond = 0.93;  // of the way to the skin
+constexpr double kFatBeyond = 0.93;  // beyond this part of the way to the skin there is fat
 const dvec2 kWallCentre{0, -2};
 const dvec2 kWallRadii{124, 88};
-constexpr double kRibsWithin = 0.96;  // of the way to the wall there is no rib
+constexpr double kRibsWithin = 0.96;  // within this part of the way to the wall there is no rib
 
-// Boxes that hold all of something.
+// Bounding boxes of the bones.
 constexpr double kEverywhere = 1e9;
 const Box kSpineBox{{-19, 42, -kEverywhere}, {19, 104, kEverywhere}};
 const Box kSternumBox{{-24, -91, -55}, {24, -79, 95}};
@@ -116,17 +116,18 @@ Box boxOf(const Tube& tube) {
 bool meet(const Box& a, const Box& b) {
     return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
 }
-// The largest of ellipse() in a box: it is convex, so that it lies in a corner.
+// The maximum of ellipse() in a box: the function is convex, so its maximum is at a corner.
 double farthest(const Box& box, const dvec2& centre, const dvec2& radii) {
     const dvec2 fromCentre = glm::max(glm::abs(dvec2(box.low) - centre), glm::abs(dvec2(box.high) - centre));
     return glm::length(fromCentre / radii);
 }
 
-// What a point may be in. What a whole block of voxels cannot be in need not be asked of each of them.
+// The structures that a point may be in. nearTo rules structures out for a whole block of voxels, which then
+// need not be tested for each voxel.
 struct Near {
     bool marker = true;
     bool body = true;
-    bool rim = true;  // fat, skin and beyond; false: what is no organ is muscle
+    bool rim = true;  // fat, skin and air; false: whatever is not an organ is muscle
     bool spine = true;
     bool sternum = true;
     bool ribs = true;
@@ -175,8 +176,8 @@ int bone(double depth, double core) {
     return depth < core ? kSpongiosa : kCortex;
 }
 
-// Each of these is 0 in no bone. Vertebrae: bodies 22 mm high with 6 mm discs between, arch and spinous
-// process behind, canal free.
+// Each of these functions returns 0 outside its bones. Vertebrae: bodies 22 mm high with 6 mm discs between,
+// arch and spinous process behind, canal free.
 int spineHu(const dvec3& p) {
     constexpr double kVertebraMm = 28.0;
     const double phase = std::abs(p.z / kVertebraMm - std::round(p.z / kVertebraMm)) * kVertebraMm;
@@ -197,7 +198,7 @@ int sternumHu(const dvec3& p) {
     return sternum < 1.0 ? bone(sternum, 0.7) : 0;
 }
 
-// Rods along the chest wall, falling towards the front, open at the front below the sternum.
+// Rods along the chest wall, sloping down towards the front, open at the front below the sternum.
 int ribHu(const dvec3& p) {
     constexpr double kRibPitchMm = 24.0;
     const double wall = ellipse({p.x, p.y}, kWallCentre, kWallRadii);
@@ -216,7 +217,7 @@ int boneHu(const dvec3& p, const Near& near) {
     return hu;
 }
 
-// Right for a point that is in nothing but what is `near`.
+// Right if the point is in no structures other than those that `near` has.
 int valueHu(const dvec3& p, const Near& near) {
     const dvec3 fromMarker = glm::abs(p - markerCentreMm());
     if (near.marker && std::max({fromMarker.x, fromMarker.y, fromMarker.z}) < markerHalfEdgeMm())
@@ -242,7 +243,7 @@ int valueHu(const dvec3& p, const Near& near) {
     return skin < kFatBeyond ? kMuscle : kFat;
 }
 
-constexpr int kBlockVoxels = 8;  // a side
+constexpr int kBlockVoxels = 8;  // along each side
 
 void fillBlock(const glm::ivec3& block, const glm::ivec3& size, const glm::dmat4& toWorld,
                std::vector<std::uint16_t>& voxels) {

@@ -26,7 +26,7 @@ struct Options {
 // The default worldFromVoxel centres the grid on the patient's origin.
 glm::dmat4 worldFromVoxel(const Options& options = {});
 
-// Each voxel is valueHu at its centre; stored = HU + 1024, modality CT.
+// Each voxel has the valueHu of its centre; stored = HU + 1024, modality CT.
 Volume make(const Options& options = {});
 
 }  // namespace macula::phantom

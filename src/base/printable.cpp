@@ -4,7 +4,8 @@ namespace macula {
 
 namespace {
 
-// How many bytes of a control of direction or of a line's end the text begins with; 0 for anything else.
+// The length in bytes of the control of direction or line separator with which the text begins; 0 for
+// anything else.
 std::size_t bytesOfControl(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     if (text.size() >= 2 && byte(0) == 0xd8 && byte(1) == 0x9c) return 2;

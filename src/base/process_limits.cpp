@@ -30,7 +30,7 @@ Bytes numberIn(const fs::path& file) {
     }
 }
 
-// The number beside `name`, in a file with a name and a number in each line.
+// The number after `name`, in a file with a name and a number on each line.
 Bytes namedNumberIn(const fs::path& file, std::string_view name) {
     std::ifstream stream(file);
     std::string word;
@@ -42,11 +42,11 @@ Bytes namedNumberIn(const fs::path& file, std::string_view name) {
     return {};
 }
 
-// Calls back with the folder of each cgroup of this process that has `controller`, and with its parents.
+// Calls `use` with the folder of each cgroup of this process that has `controller`, and with its parents.
 void forEachGroup(const fs::path& root, const std::string& controller,
                   const std::function<void(const fs::path& folder, bool isVersion2)>& use) {
     std::ifstream groups(root / "proc/self/cgroup");
-    std::string line;  // "4:memory:/path", and of version 2 "0::/path"
+    std::string line;  // "4:memory:/path", or "0::/path" for version 2
     while (std::getline(groups, line)) {
         const std::size_t first = line.find(':');
         const std::size_t second = first == std::string::npos ? first : line.find(':', first + 1);
@@ -67,7 +67,7 @@ Bytes leftInGroup(const fs::path& folder, bool isVersion2) {
     const Bytes limit = numberIn(folder / (isVersion2 ? "memory.max" : "memory.limit_in_bytes"));
     const Bytes used = numberIn(folder / (isVersion2 ? "memory.current" : "memory.usage_in_bytes"));
     if (!limit || !used) return {};
-    // The file cache counts as free: it goes when memory is wanted.
+    // The file cache counts as free: the kernel drops it when memory is needed.
     const std::uint64_t cache =
         namedNumberIn(folder / "memory.stat", isVersion2 ? "inactive_file" : "total_inactive_file")
             .value_or(0);

@@ -1,5 +1,5 @@
-// What this process may use of the machine: its CPU affinity, and the limits of its control groups (cgroups
-// of both versions), which hold for all that runs in a container or a batch job.
+// How much of the machine this process may use: its CPU affinity, and the limits of its control groups
+// (cgroups v1 and v2), as a container or a batch job sets them.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 namespace macula {
 
-// Processors that the scheduler lets this process have, at least 1: those of its affinity, or the share of a
-// cgroup, rounded up, if that is less. `root` is where /proc and /sys are looked for.
+// The number of processors that this process may use, at least 1: those of its affinity, or the CPU quota of
+// a cgroup, rounded up, if that is less. `root` is the folder in which to find /proc and /sys.
 std::size_t usableProcessors(const std::filesystem::path& root = "/");
 
-// Bytes that the process can still get without swapping: MemAvailable of /proc/meminfo, or what the nearest
-// limit of its cgroups leaves, file cache counted as free, if that is less. Nothing when neither is known.
+// Bytes that the process can still get without swapping: MemAvailable of /proc/meminfo, or what the tightest
+// limit of its cgroups leaves, if that is less; file cache counts as free. Nothing when neither is known.
 std::optional<std::uint64_t> availableMemoryBytes(const std::filesystem::path& root = "/");
 
 }  // namespace macula

@@ -26,8 +26,8 @@ struct ProgressUpdate {
     double fraction = 0.0;  // 0 to 1, of this stage
 };
 
-// Passed down into a job by reference. The listener is called at most 10 times a second, plus once at the
-// start and once at the end of each stage, from whichever thread advances; calls never overlap. Thread-safe.
+// Passed down into a job by reference. Calls the listener at most 10 times a second, plus once at the start
+// and once at the end of each stage, from whichever thread advances; calls never overlap. Thread-safe.
 class Progress {
   public:
     using Listener = std::function<void(const ProgressUpdate&)>;

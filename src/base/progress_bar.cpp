@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMostCells = 30;
-constexpr int kFewestCells = 6;  // fewer say nothing that the number does not
+constexpr int kFewestCells = 6;  // a shorter bar would add nothing to the percentage
 constexpr std::chrono::seconds kLineInterval{10};
 
 bool isLiveTerminal() {
@@ -38,7 +38,8 @@ std::string timeLeft(double seconds) {
     return fmt::format(", {:.0f} h left", std::ceil(seconds / 3600.0));
 }
 
-// How long a stage will take from how long it took so far; at first that is no measure.
+// Estimates the time left of a stage from its progress so far; unknown (-1) in its first second and first
+// percent.
 class Estimate {
   public:
     double secondsLeft(const ProgressUpdate& update) {
@@ -79,7 +80,7 @@ std::string progressLine(const ProgressUpdate& update, double secondsLeft, int c
 Progress::Listener terminalProgressBar() {
     if (isLiveTerminal()) {
         return [estimate = Estimate()](const ProgressUpdate& update) mutable {
-            // The last column stays free: some terminals go to the next line there.
+            // The last column stays free, because some terminals wrap there.
             const std::string line =
                 "\r\x1b[K" + progressLine(update, estimate.secondsLeft(update), columnsOfTerminal() - 1);
             std::fputs(line.c_str(), stderr);

@@ -11,10 +11,11 @@ namespace macula {
 // understands no control characters (TERM=dumb), it prints a line every ten seconds.
 Progress::Listener terminalProgressBar();
 
-// Clears an unfinished bar, so that another line can take its place.
+// Clears an unfinished bar, so that other output can take its line.
 void clearProgressBar();
 
-// The text of a bar of `columns` columns; `secondsLeft` below 0 is unknown. The stage is shortened first.
+// The text of a bar that is `columns` wide; `secondsLeft` below 0 means unknown. If space is short, the stage
+// is cut first.
 std::string progressLine(const ProgressUpdate& update, double secondsLeft, int columns);
 
 }  // namespace macula

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kLargestStored = 65535.0;
 constexpr std::size_t kChunk = std::size_t{1} << 20;
-constexpr std::size_t kMostLookedAt = 1'000'000;  // of the voxels, for the ends of the range
-constexpr double kShareBeyond = 1e-4;             // at either end
-constexpr double kStretched = 8.0;                // times as wide as that of the others
+constexpr std::size_t kMostLookedAt = 1'000'000;  // voxels sampled to find the ends of the range
+constexpr double kShareBeyond = 1e-4;             // of the voxels may lie beyond the range, at each end
+constexpr double kStretched = 8.0;  // a range wider than the others' range by this factor is cut
 
 // Calls body(first, count) for chunks of `size` elements, on all cores.
 template <class Body>
@@ -46,8 +46,8 @@ bool areWholeNumbers(std::span<const float> values, std::optional<float> padding
     return whole;
 }
 
-// Stored 0 is padding, 1 the smallest value. Whole numbers stay exact where there is room for them; where all
-// values are the same one, a step of its own size keeps it so.
+// Stored 0 is padding, 1 the smallest value. Whole numbers stay exact if there is room for them. If all
+// values are equal, the step is that value's own size, so that it stays exact.
 UnitsFromStored mapOver(const ValueRange& range, const Volume& volume) {
     UnitsFromStored map;
     map.slope = (range.high - range.low) / (kLargestStored - 1.0);
@@ -58,10 +58,10 @@ UnitsFromStored mapOver(const ValueRange& range, const Volume& volume) {
     return map;
 }
 
-// What the values lost.
+// What quantising lost.
 struct Loss {
-    double largestError = 0.0;  // of those within the range
-    std::size_t beyond = 0;     // values that were brought to an end of it
+    double largestError = 0.0;  // of the values within the range
+    std::size_t beyond = 0;     // values that were clamped to an end of the range
 
     void add(const Loss& other) {
         largestError = std::max(largestError, other.largestError);

@@ -1,5 +1,5 @@
-// Expected failure as a value: the subset of std::expected that C++20 lacks, with an error a person can act
-// on.
+// Expected failure as a value: the subset of std::expected, which C++20 lacks, with an error that a person
+// can act on.
 #pragma once
 
 #include <optional>
@@ -16,15 +16,15 @@ enum class ErrorCode {
     usage,            // the caller asked for something that does not exist: an unknown preset, a bad option
     inputNotUsable,   // missing, unreadable, malformed or unsupported input
     deviceNotUsable,  // no Vulkan driver, no such device
-    deviceLost,       // it stopped responding; another one may be made, see gpu::LastingDevice
-    outOfMemory,      // host or device memory, or a limit of the device
+    deviceLost,       // the device stopped responding; another can be opened, see gpu::LastingDevice
+    outOfMemory,      // out of host or device memory, or over a limit of the device
     outputNotWritable,
     cancelled,
 };
 
-// `message` is one sentence a radiologist understands and `hint` says what to do; neither ever holds patient
-// data. `where` is the file or object concerned. It may name a patient (people name folders so): it is shown
-// to the person who gave it, and never logged.
+// `message` is one sentence that a radiologist understands, and `hint` says what to do; neither ever holds
+// patient data. `where` is the file or object concerned. It may name a patient, as folder names do: it is
+// shown to the person who entered it, and never logged.
 struct Error {
     ErrorCode code = ErrorCode::inputNotUsable;
     Text message;

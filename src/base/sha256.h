@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-struct evp_md_ctx_st;  // of OpenSSL
+struct evp_md_ctx_st;  // OpenSSL's digest context
 
 namespace macula {
 
@@ -20,13 +20,13 @@ class Sha256 {
   public:
     Sha256();
     void add(std::span<const std::byte> bytes);
-    std::string hex();  // of all bytes; called once, and last
+    std::string hex();  // the digest of all bytes; call it once, and last
 
   private:
     std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
-// HMAC (RFC 2104) with SHA-256: without the key nobody can compute it or try texts out.
+// HMAC (RFC 2104) with SHA-256: without the key nobody can compute it, or find a text by trying.
 std::string hmacSha256Hex(std::span<const std::byte> key, std::string_view text);
 
 }  // namespace macula

@@ -1,4 +1,4 @@
-// The transfer curve of sRGB (IEC 61966-2-1). The kernels' own is in shaders/lib/picture.glsl.
+// The transfer curve of sRGB (IEC 61966-2-1). Shaders have their own in shaders/lib/picture.glsl.
 #pragma once
 
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace macula {
 
-// Both continue above 1, and linearly below 0. The caller clamps to 0 to 1 where it needs that.
+// Both extend the curve above 1, and linearly below 0. The caller clamps to [0, 1] where it needs that.
 template <std::floating_point T>
 T decodedSrgb(T encoded) {
     return encoded <= T(0.04045) ? encoded / T(12.92) : std::pow((encoded + T(0.055)) / T(1.055), T(2.4));

@@ -10,11 +10,11 @@ namespace macula {
 
 namespace {
 
-// A place of a format, or an escaped brace.
+// A placeholder of a format, or an escaped brace.
 struct Place {
-    std::size_t begin, end;  // in the format, with the braces; the same at its end
+    std::size_t begin, end;  // in the format, including the braces; equal at the end of the format
     const TextArgument* argument = nullptr;
-    std::string_view spec;  // without an argument: what is said instead
+    std::string_view spec;  // without an argument: the text to put there
 };
 
 const TextArgument* argumentAt(std::string_view id, std::span<const TextArgument> arguments,
@@ -107,7 +107,7 @@ std::string englishOf(const TextArgument& argument, std::string_view spec) {
         if (const auto* number = std::get_if<double>(&argument.value))
             return fmt::format(fmt::runtime(format), *number);
         return fmt::format(fmt::runtime(format), std::get<std::int64_t>(argument.value));
-    } catch (const fmt::format_error&) {  // of a translation
+    } catch (const fmt::format_error&) {  // a translation may have a wrong spec
         return fmt::format("{{:{}}}", spec);
     }
 }

@@ -1,4 +1,4 @@
-// A text for a person, which can be said in any language: an English format and what is put into it.
+// A text for a person, which can be translated: an English format and its arguments.
 #pragma once
 
 #include <fmt/core.h>
@@ -22,8 +22,8 @@ class Text;
 
 namespace detail {
 
-// How a value is kept: numbers as std::int64_t or double, a Text as it is, all else as std::string. A float
-// has other digits as a double, so callers convert it themselves.
+// How an argument is stored: numbers as std::int64_t or double, a Text as it is, everything else as
+// std::string. A float would print other digits as a double, so callers convert it themselves.
 template <class T>
 struct KeptAs {
     static_assert(!std::is_same_v<T, float> && !std::is_same_v<T, bool> && !std::is_same_v<T, char>);
@@ -43,16 +43,16 @@ struct KeptAs<Text> {
 };
 template <class T>
 using Kept = typename KeptAs<std::remove_cvref_t<T>>::Type;
-// What fmt checks a format against: a Text is said before it is put in.
+// The types that fmt checks a format against: a Text counts as a string, since it is put into words first.
 template <class T>
 using Checked = std::conditional_t<std::is_same_v<Kept<T>, Text>, std::string, Kept<T>>;
 
 }  // namespace detail
 
-// The format is the key of translations: src/viewer/translations has a row for each. Places are those of fmt,
-// numbered or by name; a translation may put them in another order. A text without arguments has no places,
-// and braces stand for themselves. No patient data in formats, which go into the program's text files, nor in
-// what is said of an error.
+// The format is the key of translations: src/viewer/translations has a row for each. Placeholders are those
+// of fmt, numbered or named; a translation may reorder them. A text without arguments has no placeholders,
+// and its braces stand for themselves. Formats must hold no patient data, because they go into the program's
+// text files; neither must the texts of an error.
 class Text {
   public:
     Text() = default;
@@ -61,11 +61,11 @@ class Text {
     explicit Text(fmt::format_string<detail::Checked<First>, detail::Checked<Rest>...> format, First&& first,
                   Rest&&... rest);
 
-    // A format that is not known where this is compiled, of a catalogue.
+    // For a format that is not known at compile time, such as one from a catalogue.
     static Text of(std::string_view format, std::vector<TextArgument> arguments);
-    // Words that are in no language of ours: a name, a title of a file, what a library says.
+    // Words that are never translated: a name, the title of a file, a message from a library.
     static Text verbatim(std::string_view words);
-    // Several, with what stands between: ", " or a space.
+    // Joins the texts that are not empty, with ", " or a space, say, between them.
     static Text joined(std::vector<Text> texts, std::string_view between);
 
     const std::string& format() const { return format_; }
@@ -83,7 +83,7 @@ class Text {
 };
 
 struct TextArgument {
-    std::string name;  // empty: by its place in the list
+    std::string name;  // empty: the argument is found by its position in the list
     std::variant<std::int64_t, double, std::string, Text> value;
 
     bool operator==(const TextArgument&) const = default;
@@ -98,12 +98,13 @@ Text::Text(fmt::format_string<detail::Checked<First>, detail::Checked<Rest>...> 
     (arguments_.push_back({{}, detail::Kept<Rest>(std::forward<Rest>(rest))}), ...);
 }
 
-// Puts what `say` makes of each argument into the places of a format. `spec` is what stands behind the colon
-// there, as in "{:.1f}". A place without an argument is left as it stands, since a translation may be wrong.
+// Replaces each placeholder of a format by what `say` returns for its argument. `spec` is the part of the
+// placeholder after the colon, as in "{:.1f}". A placeholder without an argument is left as it stands, since
+// a translation may be wrong.
 using SayArgument = std::function<std::string(const TextArgument&, std::string_view spec)>;
 std::string filled(std::string_view format, std::span<const TextArgument> arguments, const SayArgument& say);
 
-// An argument in English; in other languages a number too, but for its decimal sign.
+// An argument in English. Other languages use this for numbers too, and change only the decimal sign.
 std::string englishOf(const TextArgument& argument, std::string_view spec);
 
 std::ostream& operator<<(std::ostream& out, const Text& text);  // in English

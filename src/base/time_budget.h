@@ -8,16 +8,16 @@
 
 namespace macula {
 
-// Time starts at construction; copies share that start.
+// The time starts at construction; copies share that start.
 class TimeBudget {
   public:
-    using Clock = std::function<double()>;  // seconds since some time; never goes back
+    using Clock = std::function<double()>;  // seconds since an arbitrary time; never goes back
 
     static double steadySeconds() {
         return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     }
 
-    TimeBudget() : TimeBudget(std::numeric_limits<double>::infinity()) {}  // without end
+    TimeBudget() : TimeBudget(std::numeric_limits<double>::infinity()) {}  // unlimited
     explicit TimeBudget(double seconds, Clock clock = steadySeconds)
         : clock_(std::move(clock)), seconds_(seconds), start_(clock_()) {}
 

@@ -1,14 +1,14 @@
 // Measures where the time of a thread goes, in named, nested stages. Each instant belongs to the innermost
-// one, so that the times of all stages add up to the time that was watched.
+// stage, so that the times of all stages add up to the time that was watched.
 //
 //     Timeline timeline;
 //     {
-//         const Timeline::Watch watch(timeline);     // stages of this thread are this timeline's from now on
+//         const Timeline::Watch watch(timeline);     // from now on, timeline records this thread's stages
 //         const TimelineStage stage("train");
 //         ... { const TimelineWait wait; ... }       // for the device, say
 //     }
 //
-// Where no timeline watches the thread, a stage costs nothing.
+// On a thread that no timeline watches, a stage costs nothing.
 #pragma once
 
 #include <chrono>
@@ -28,7 +28,7 @@ struct StageTimes {
 };
 
 // Subtracts `before`, an earlier state of the same timeline, from `now`, and drops the stages that did not
-// run in between. `longestMs` stays that since the beginning.
+// run in between. `longestMs` still covers the time since the beginning.
 std::vector<StageTimes> since(const std::vector<StageTimes>& before, std::vector<StageTimes> now);
 
 // Used by one thread at a time.
@@ -71,7 +71,7 @@ class TimelineStage {
     TimelineStage* outer_ = nullptr;
     std::string_view name_;
     Clock::time_point start_;
-    double innerMs_ = 0.0;  // of stages within this one
+    double innerMs_ = 0.0;  // time of the stages within this one
     double waitedMs_ = 0.0;
 };
 

@@ -10,7 +10,7 @@ namespace macula {
 namespace fs = std::filesystem;
 
 fs::path userDataFolder() {
-    // The specification says that a relative path there does not count.
+    // The XDG specification says to ignore a relative path.
     if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && fs::path(data).is_absolute())
         return fs::path(data) / "macula";
     const char* home = std::getenv("HOME");

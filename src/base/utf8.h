@@ -6,7 +6,8 @@
 
 namespace macula {
 
-// Bytes of the first character; 0 for no text, or if it is overlong, a surrogate, above U+10FFFF, or cut off.
+// The length in bytes of the first character; 0 if the text is empty, or the character is malformed:
+// overlong, a surrogate, above U+10FFFF, or cut off.
 constexpr std::size_t firstCharacterBytes(std::string_view text) {
     const auto byteAt = [&](std::size_t at) {
         return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u;
@@ -33,7 +34,7 @@ constexpr bool isValidUtf8(std::string_view text) {
     return true;
 }
 
-// The longest start of a text in UTF-8 that has at most so many bytes and ends with a whole character.
+// The longest prefix of a UTF-8 text that has at most `mostBytes` bytes and ends with a whole character.
 constexpr std::string_view startOf(std::string_view text, std::size_t mostBytes) {
     if (text.size() <= mostBytes) return text;
     while (mostBytes > 0 && (static_cast<unsigned char>(text[mostBytes]) & 0xc0u) == 0x80u) --mostBytes;

@@ -22,7 +22,7 @@ void inChunks(std::size_t size, const Body& body) {
                 [&](std::size_t chunk) { body(chunk * kChunk, std::min(kChunk, size - chunk * kChunk)); });
 }
 
-// Smallest and largest voxel of those that `isPadding` does not name; low > high when there is none.
+// Smallest and largest voxel for which `isPadding` is false; low > high if there is none.
 template <class T, class IsPadding>
 std::pair<T, T> rangeWithoutPadding(std::span<const T> voxels, const IsPadding& isPadding) {
     using Limits = std::numeric_limits<T>;

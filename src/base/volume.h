@@ -1,4 +1,4 @@
-// The scalar grid everything is rendered from.
+// The grid of scalar values from which everything is rendered.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +20,13 @@ enum class Unit {
     raw,  // the scanner's own numbers (MR); no physical meaning across studies
     becquerelsPerMillilitre,
     suvBodyWeight,  // standardised uptake value by body weight, g/mL; people say SUV
-    other,          // a physical unit that is none of these: see Volume::unitName
+    other,          // another physical unit: see Volume::unitName
 };
 
 // The symbol of a unit, for a person: "HU"; empty for raw and other.
 std::string_view unitSymbol(Unit unit);
-// The name of a unit for a sentence: most are signs, and some of ours are words, which can be translated.
+// The name of a unit, for a sentence. Most names are symbols; a few are English words, which this makes
+// translatable.
 Text unitText(std::string_view name);
 
 // How the voxels are stored.
@@ -78,14 +79,14 @@ struct DisplayWindow {
     bool operator==(const DisplayWindow&) const = default;
 };
 
-// Where a volume comes from and what had to be assumed to make it. May name a patient: never logged.
+// Where a volume comes from, and what its loader had to assume. May name a patient: never logged.
 struct Provenance {
     std::string studyInstanceUid;
     std::string seriesInstanceUid;
-    std::string description;             // SeriesDescription, or what generated it
-    std::vector<Text> assumptions;       // sentences, each naming what was missing and what was taken instead
+    std::string description;             // SeriesDescription, or the generator of the volume
+    std::vector<Text> assumptions;       // sentences, each naming what was missing and what was used instead
     std::vector<Message> messages = {};  // what loading found
-    std::vector<SliceRange> interpolatedSlices = {};  // ascending; no image was taken there
+    std::vector<SliceRange> interpolatedSlices = {};  // ascending; slices without an image of their own
     // Whether the pixel spacing is calibrated (PS3.3 10.7); else lengths, areas and volumes are estimates.
     bool isCalibrated = true;
 };
@@ -101,13 +102,13 @@ struct VolumeOptions {
     Provenance provenance;
     std::optional<float> floatPadding =
         {};                     // float32: this value means "outside the scan", as NaN always does
-    std::string unitName = {};  // when it has another than unitSymbol(unit)
+    std::string unitName = {};  // if it differs from unitSymbol(unit)
     std::vector<DisplayWindow> windows = {};
-    std::string bodyPart = {};  // DICOM Body Part Examined (0018,0015), of all images; empty: not said
+    std::string bodyPart = {};  // DICOM Body Part Examined (0018,0015), if all images agree; else empty
 };
 
 // Immutable grid of values, i fastest, then j, then k: 16-bit stored values with a linear map to units where
-// that is exact, else float32; the data decide. Shared by reference (std::shared_ptr<const Volume>); safe to
+// the data allow that exactly, else float32. Shared by reference (std::shared_ptr<const Volume>); safe to
 // read from any thread.
 class Volume {
   public:
@@ -116,7 +117,7 @@ class Volume {
     // finite.
     static Result<Volume> create(VolumeOptions options, std::vector<std::uint16_t> voxels);
     // The same for float32; the options' map must be the identity, their `padding` empty. An infinite voxel
-    // is no measurement, and becomes NaN, which is padding.
+    // is not a measurement, and becomes NaN, which is padding.
     static Result<Volume> createFloat(VolumeOptions options, std::vector<float> voxels);
 
     VoxelFormat format() const { return format_; }
@@ -136,8 +137,8 @@ class Volume {
     std::span<const std::uint16_t> voxels() const;    // stored16 only
     std::span<const float> floatVoxels() const;       // float32 only
     std::uint16_t stored(int i, int j, int k) const;  // stored16 only
-    // The value in units. For padding it is what the file has there; in slices whose padding or map differs,
-    // NaN or one number below all others.
+    // The value in units. For padding it is the file's own value; in volumes whose slices differ in padding
+    // or map it is NaN, or one number below all other values.
     double value(int i, int j, int k) const;
     bool isPadding(int i, int j, int k) const;
 
@@ -145,12 +146,12 @@ class Volume {
     const std::optional<ValueRange>& valueRange() const { return valueRange_; }
     // The same in stored values, stored16 only; {0, 0} when every voxel is padding.
     StoredRange storedRange() const;
-    // What padding is drawn as, stored16 only: the stored value of air (-1000 HU), which may lie outside 0 to
-    // 65535, or the smallest value for other units.
+    // The stored value as which padding is drawn, stored16 only: that of air (-1000 HU), which may lie
+    // outside 0 to 65535; for units other than HU, the smallest value.
     int airStored() const;
 
-    glm::dvec3 spacingMm() const;  // lengths of the voxel axes
-    Box worldBox() const;          // of all voxels, half a voxel beyond the outer centres
+    glm::dvec3 spacingMm() const;  // distances between neighbouring voxels along i, j and k
+    Box worldBox() const;          // around all voxels, half a voxel beyond the outer centres
 
   private:
     Volume(VolumeOptions options, std::vector<std::uint16_t> voxels);
@@ -168,8 +169,8 @@ class Volume {
 };
 
 // The volume for drawing, which needs 16 bits: the volume itself when it has them, else a quantised copy that
-// may clamp a few values to the range of the others, and says so in its assumptions (base/quantised.h). Not
-// for measurements. May throw std::bad_alloc.
+// may clamp a few values to the range of the others; its assumptions then say so (base/quantised.h). Not for
+// measurements. May throw std::bad_alloc.
 std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume);
 
 }  // namespace macula

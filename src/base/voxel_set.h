@@ -1,4 +1,4 @@
-// Some of the voxels of a grid: a bit for each within the box around them.
+// A subset of the voxels of a grid: a bit for each voxel of a box.
 #pragma once
 
 #include <bit>
@@ -11,11 +11,11 @@ namespace macula {
 
 class VoxelSet {
   public:
-    VoxelSet() = default;  // of no voxel
+    VoxelSet() = default;  // empty
     // An empty set within a box, both corners included. May throw std::bad_alloc.
     VoxelSet(const glm::ivec3& low, const glm::ivec3& high);
 
-    // How many bytes a set takes in such a box, at least; may be more than there are.
+    // The bytes that a set within such a box takes, at least; may exceed the memory of the machine.
     static double bytesFor(const glm::ivec3& low, const glm::ivec3& high);
 
     bool contains(const glm::ivec3& voxel) const {
@@ -23,19 +23,19 @@ class VoxelSet {
         if (!isInBox(at)) return false;
         return (words_[wordOf(at)] >> (at.x % kBits) & 1u) != 0;
     }
-    // Within the box.
+    // `voxel` must lie within the box.
     void add(const glm::ivec3& voxel);
 
     std::size_t count() const;
     bool isEmpty() const;
     const glm::ivec3& low() const { return low_; }
-    glm::ivec3 high() const { return low_ + size_ - 1; }  // below `low` where there is no box
+    glm::ivec3 high() const { return low_ + size_ - 1; }  // below `low` if there is no box
     std::size_t bytes() const { return words_.size() * sizeof(Word); }
 
-    // In the smallest box.
+    // The same set within the smallest box.
     VoxelSet cropped() const;
 
-    // Each voxel once, x fastest, then y, then z.
+    // Calls visit(voxel) for each voxel of the set, x fastest, then y, then z.
     template <class Visit>
     void forEach(const Visit& visit) const {
         std::size_t n = 0;
@@ -49,7 +49,7 @@ class VoxelSet {
         }
     }
 
-    bool operator==(const VoxelSet& b) const;  // the same voxels, whatever their boxes
+    bool operator==(const VoxelSet& b) const;  // the same voxels, whatever the boxes
 
   private:
     using Word = std::uint64_t;
@@ -66,7 +66,7 @@ class VoxelSet {
     glm::ivec3 low_{0};
     glm::ivec3 size_{0};
     int wordsPerRow_ = 0;
-    std::vector<Word> words_;  // each row begins with a word of its own
+    std::vector<Word> words_;  // each row of x starts a new word
 };
 
 }  // namespace macula

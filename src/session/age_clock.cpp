@@ -18,7 +18,7 @@ constexpr std::int64_t kHourMs = milliseconds(std::chrono::hours(1)).count();
 constexpr std::int64_t kDayMs = milliseconds(std::chrono::days(1)).count();
 constexpr std::int64_t kNoEnd = std::numeric_limits<std::int64_t>::max();
 
-// Where a table holds when a thing was opened.
+// The columns of a table with the first and the last opening.
 struct Opening {
     const Table* table;
     std::size_t first;
@@ -28,7 +28,7 @@ constexpr std::array kOpenings{Opening{&kStudies, column::studyFirstOpened, colu
                                Opening{&kSeries, column::seriesFirstOpened, column::seriesLastOpened},
                                Opening{&kVolumes, column::volumeFirstOpened, column::volumeLastOpened}};
 
-// The newest time of sound rows below a bound: `select` gives them by that column, the newest first.
+// The newest time below a bound in a sound row. `select` must sort by that time, newest first.
 std::optional<std::int64_t> newestOf(SQLite::Statement statement, const Table& table, std::size_t time,
                                      std::int64_t belowMs) {
     statement.bind(1, belowMs);
@@ -37,7 +37,7 @@ std::optional<std::int64_t> newestOf(SQLite::Statement statement, const Table& t
     return {};
 }
 
-// Each opening, and each model that is saved, has its volume there.
+// Covers every opening and every saved model, because each of them updates its volume's row.
 std::optional<std::int64_t> newestOpening(Connection& connection, std::int64_t belowMs) {
     return newestOf(select(connection, kVolumes, "WHERE t.last_opened < ? ORDER BY t.last_opened DESC"),
                     kVolumes, column::volumeLastOpened, belowMs);
@@ -61,12 +61,13 @@ AgeClock ageClock(StoreState& state, std::chrono::days retention) {
     const bool isHeldToday = held && now - *held < kDayMs;
     if (isBehind(newestOpening(connection, kNoEnd), now))
         return {.doubt = ClockDoubt::behind, .isOnTheTrail = isHeldToday};
-    // What was opened since the clock was doubted today bears out nothing: it has that clock's time.
+    // Openings since today's doubt do not confirm the clock: they have the time of the doubted clock.
     auto borneOut = newestOpening(connection, isHeldToday ? *held : kNoEnd);
     if (held && !isHeldToday) borneOut = std::max(borneOut.value_or(*held), *held);
     const std::int64_t longest = std::max(milliseconds(retention).count(), kDayMs);
     if (!borneOut || now - *borneOut <= longest) return {.countsToMs = now};
-    // Who comes once in two months is doubted each time, and what was old the last time goes all the same.
+    // A user who comes once in two months meets this doubt each time: entries that were old at the last
+    // confirmed time are deleted nevertheless.
     if (held && !isHeldToday) return {.countsToMs = *borneOut, .doubt = ClockDoubt::ahead};
     return {.doubt = ClockDoubt::ahead, .isOnTheTrail = isHeldToday};
 }

@@ -14,13 +14,13 @@
 namespace macula::session {
 
 struct AgeClock {
-    // Ages are counted up to this time. Nothing: nothing is deleted for its age.
+    // The time from which ages are counted back. Nothing: nothing is deleted for its age.
     std::optional<std::int64_t> countsToMs;
     ClockDoubt doubt = ClockDoubt::none;
     bool isOnTheTrail = false;  // a doubt was recorded within the last day
 };
 
-// Call in a transaction or reading.
+// Call within inTransaction or inReading.
 AgeClock ageClock(StoreState& state, std::chrono::days retention);
 
 // The time to store for an opening: that of the clock, or of the last opening if the clock is behind it. So

@@ -10,7 +10,7 @@
 
 namespace macula::session {
 
-// The contracts are those of Store. Within a transaction: addAuditRow.
+// The contracts are those of Store. Within a transaction, call addAuditRow instead.
 class AuditTrail {
   public:
     explicit AuditTrail(StoreState& state) : state_(state) {}

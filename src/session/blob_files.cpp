@@ -44,7 +44,7 @@ bool writeAll(int file, std::span<const std::byte> bytes) {
     return true;
 }
 
-// False at the end of the file, or with errno.
+// False at the end of the file, with errno 0, or on an error, with its errno.
 bool readAll(int file, std::span<std::byte> bytes) {
     errno = 0;
     while (!bytes.empty()) {
@@ -94,7 +94,7 @@ Result<void> makePrivateFolder(const fs::path& folder) {
 Result<void> syncToDisk(const fs::path& path) {
     const Descriptor file(path, O_RDONLY);
     if (!file.isOpen()) return errorOf(troubleOfErrno(errno), path);
-    // EINVAL means a file system that has nothing to synchronise.
+    // EINVAL: a file system that cannot synchronise files.
     if (fsync(*file) != 0 && errno != EINVAL) return errorOf(troubleOfErrno(errno), path);
     return {};
 }
@@ -128,7 +128,7 @@ Result<BlobFiles::Prepared> BlobFiles::prepare(std::span<const std::byte> bytes)
     auto draft = Draft::beside(fileOf(digest), Draft::Kind::file);
     if (!draft) return errorOf(troubleOfErrno(errno), folder_);
     const Descriptor file(draft->path(), O_WRONLY);
-    // The mode comes before the content.
+    // Sets the mode before any content is written.
     if (!file.isOpen() || (fchmod(*file, 0600) != 0 && errno != EPERM) || !writeAll(*file, bytes) ||
         fsync(*file) != 0)
         return errorOf(troubleOfErrno(errno), folder_);

@@ -1,6 +1,6 @@
-// Blobs of models: files beside the database, named by the SHA-256 of their content. A file is written three
+// Blobs of models: files next to the database, named by the SHA-256 of their content. A file is written three
 // to five times as fast as a database row and read as fast (docs/measurements), its beginning can be read
-// alone, and a changed blob no longer fits its name.
+// alone, and the content of a damaged file no longer matches its name.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 namespace macula::session {
 
 enum class BlobFault { missing, wrongSize, wrongChecksum };
-std::string_view nameOf(BlobFault fault);  // "missing", "size", "checksum": as the column aside has it
+std::string_view nameOf(BlobFault fault);  // "missing", "size", "checksum": as the column `aside` stores it
 
 struct ReadBlob {
     std::vector<std::byte> bytes;
@@ -40,13 +40,13 @@ class BlobFiles {
     };
     Result<Prepared> prepare(std::span<const std::byte> bytes) const;
     // Prepares a copy of another folder's blob, in pieces to save memory. Nothing if that blob is missing or
-    // has another size or digest. Fails if a disk does not read or write.
+    // has another size or digest. Fails if a disk cannot read or write.
     Result<std::optional<Prepared>> prepareCopy(const BlobFiles& from, std::string_view digest,
                                                 std::uint64_t bytes) const;
-    // Gives the file its final name, whole.
+    // Gives the complete file its final name.
     Result<void> putInPlace(const Prepared& prepared) const;
 
-    // The content of the file, if its size and digest are right. Fails if the disk does not read it.
+    // The content of the file, if its size and digest are right. Fails if the disk cannot read it.
     Result<ReadBlob> read(std::string_view digest, std::uint64_t bytes) const;
 
     // `overwritten`: overwrites before removing; a file system that writes in place then keeps nothing.
@@ -72,7 +72,7 @@ Result<void> makePrivateFolder(const std::filesystem::path& folder);
 // removed: its content belongs to that name as well.
 Result<void> eraseFile(const std::filesystem::path& file);
 
-// Waits until a file or folder is on the disk.
+// Waits until a file or folder has been written to the disk.
 Result<void> syncToDisk(const std::filesystem::path& path);
 
 }  // namespace macula::session

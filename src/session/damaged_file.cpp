@@ -42,7 +42,7 @@ Result<std::vector<std::byte>> bytesOf(const fs::path& file) {
         std::vector<std::byte> bytes(std::min(size, kMost));
         const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
         if (descriptor < 0) return errorOf(troubleOfErrno(errno), file);
-        // Blocks that the disk does not read are zeros.
+        // Blocks that the disk cannot read stay zero.
         constexpr std::size_t kBlock = 4096;
         for (std::size_t at = 0; at < bytes.size(); at += kBlock) {
             const std::size_t count = std::min(kBlock, bytes.size() - at);
@@ -55,7 +55,7 @@ Result<std::vector<std::byte>> bytesOf(const fs::path& file) {
     }
 }
 
-// A fresh database with all rows that were found, parents first.
+// Makes a fresh database with all rows that were found, parents first.
 Result<SetAside> rebuild(const fs::path& fresh, const fs::path& damaged, std::chrono::milliseconds patience) {
     MACULA_TRY(const std::vector<std::byte> bytes, bytesOf(damaged));
     const std::vector<FoundRow> found = rowsInPages(bytes);
@@ -83,7 +83,7 @@ Result<void> move(const fs::path& from, const fs::path& to) {
     return {};
 }
 
-// The same file under a second name, or a copy where the file system has no second names.
+// Keeps the file under a second name too (hard link), or as a copy on a file system without hard links.
 Result<void> keepAs(const fs::path& file, const fs::path& name) {
     if (link(file.c_str(), name.c_str()) == 0) return {};
     std::error_code error;
@@ -143,7 +143,7 @@ Result<SetAside> setAsideAndRescue(const fs::path& database, const BlobFiles& bl
     std::error_code ignored;
     fs::remove(fresh.path().string() + "-journal", ignored);
     MACULA_TRY_VOID(syncToDisk(fresh.path()));
-    // The journal goes first: beside a fresh database it would be taken for that one's.
+    // The journal is moved first: next to a fresh database, SQLite would roll it back into that one.
     MACULA_TRY_VOID(keepAs(database, folder / kDatabaseName));
     for (const char* part : {"-journal", "-wal", "-shm"})
         MACULA_TRY_VOID(move(database.string() + part, folder / (std::string(kDatabaseName) + part)));

@@ -1,4 +1,4 @@
-// Sets a damaged database aside, and rescues what can be read of it into a fresh one.
+// Sets a damaged database aside, and rescues its readable rows into a fresh one.
 #pragma once
 
 #include <chrono>
@@ -10,13 +10,13 @@
 
 namespace macula::session {
 
-// Whether, by its header, a newer version of the program wrote the file, which this one may only fail to
-// understand. Requires that the caller has no connection to it.
+// Whether the header of the file says that a newer version of the program wrote it: this version may then
+// only fail to understand the file. Requires that the caller has no connection to it.
 bool isOfNewerVersion(const std::filesystem::path& database);
 
 // Moves the file with its journal to damaged/<UTC time>/, and replaces it by a database with every row whose
 // checksum is valid. Also moves blobs that no rescued row names. Deletes nothing; a stop at any moment leaves
-// the damaged file in one of the two places. Requires that no other process has the store, and that the
+// the damaged file in one of the two places. Requires that no other process has the store open, and that the
 // caller has no connection to the file.
 Result<SetAside> setAsideAndRescue(const std::filesystem::path& database, const BlobFiles& blobs,
                                    std::chrono::milliseconds patience);

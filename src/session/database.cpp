@@ -42,8 +42,8 @@ void checkFunction(sqlite3_context* context, int count, sqlite3_value** argument
     if (count > 0) sqlite3_result_int64(context, rowCheck(textOf(arguments[0]), values));
 }
 
-// Called again and again while another process has a lock. Short pauses of different lengths: those of SQLite
-// grow to 100 ms, so that of two that write all the time one would hardly get a turn.
+// SQLite calls this repeatedly while another process holds a lock. The pauses are short and vary: SQLite's
+// own grow to 100 ms, and of two processes that keep writing one would hardly get a turn.
 int waitForLock(void* argument, int callsBefore) {
     auto& connection = *static_cast<Connection*>(argument);
     const auto now = std::chrono::steady_clock::now();
@@ -57,13 +57,12 @@ void configure(Connection& connection) {
     SQLite::Database& sqlite = connection.sqlite;
     sqlite3* const handle = sqlite.getHandle();
     sqlite3_busy_handler(handle, waitForLock, &connection);
-    // What a crafted or damaged schema could call is off; so are statements that write to the file's own
-    // tables.
+    // Disables what a crafted or damaged schema could call, and statements that write to SQLite's own tables.
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite.exec("PRAGMA cell_size_check = ON");
     sqlite.exec("PRAGMA mmap_size = 0");        // an I/O error is a result, not a signal
-    sqlite.exec("PRAGMA temp_store = MEMORY");  // nothing of a session in another folder
+    sqlite.exec("PRAGMA temp_store = MEMORY");  // no stored data in a temporary file elsewhere
     sqlite.exec("PRAGMA cache_size = -32000");  // 32 MB: lists of thousands of studies are read once
     sqlite.exec("PRAGMA foreign_keys = ON");
     sqlite.exec("PRAGMA secure_delete = ON");
@@ -105,8 +104,8 @@ Trouble troubleOfCode(int code, int extended, int systemError) {
             return troubleOfIoError(extended, systemError);
         case SQLITE_INTERRUPT:
             return Trouble::diskError;
-        // Statements are ours and were tested, so a table that is not there or a row that breaks a rule comes
-        // from a damaged file.
+        // The statements are ours and tested, so a missing table or a row that breaks a constraint comes from
+        // a damaged file.
         case SQLITE_CORRUPT:
         case SQLITE_NOTADB:
         default:
@@ -172,12 +171,12 @@ bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness) {
     const char* check =
         thoroughness == Thoroughness::quick ? "PRAGMA quick_check(1)" : "PRAGMA integrity_check(1)";
     const std::string told = sqlite.execAndGet(check).getString();
-    // A page that the disk does not read is told like a damaged one, but for the number of the error.
+    // SQLite reports a page that the disk cannot read like a damaged page, but with an error code.
     constexpr std::string_view kNumber = "error code=";
     const std::size_t number = told.find(kNumber);
     const int code =
         number == std::string::npos ? SQLITE_OK : std::atoi(told.c_str() + number + kNumber.size());
-    // And this, which has no number, is told of no other page.
+    // This report has no error code, and occurs for no other reason than an unreadable page.
     if (told.find("failed to get page") != std::string::npos)
         throw SQLite::Exception("a page cannot be read", SQLITE_IOERR_READ);
     if ((code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_NOMEM)
@@ -193,7 +192,8 @@ Result<Inspection> inspect(Connection& connection, Thoroughness thoroughness) {
         const int id = sqlite.execAndGet("PRAGMA application_id").getInt();
         const int version = sqlite.execAndGet("PRAGMA user_version").getInt();
         if (tables == 0 && id == 0 && version == 0) return Inspection{.isEmpty = true};
-        // The first migration sets tables, id and version in one transaction: a part of them is damage.
+        // The first migration sets tables, id and version in one transaction, so having only some of them is
+        // damage.
         const bool looksOurs = hasTable(sqlite, "models") && hasTable(sqlite, "audit");
         if (id != kApplicationId)
             return errorOf(looksOurs ? Trouble::damaged : Trouble::notOurs, connection.file);

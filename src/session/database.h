@@ -48,7 +48,7 @@ struct Connection {
     std::chrono::steady_clock::time_point waitsSince{};  // when the current wait for a lock began
 };
 
-// Fails with damaged for a file that is no database, or with the Trouble that prevents its use.
+// Fails with damaged for a file that is not a database, or with the Trouble that prevents its use.
 Result<std::unique_ptr<Connection>> connect(const std::filesystem::path& file,
                                             const ConnectionOptions& options);
 
@@ -70,14 +70,14 @@ struct Inspection {
 
 // PRAGMA quick_check, or integrity_check and foreign_key_check.
 enum class Thoroughness { quick, full };
-// Whether the check passes; throws if the disk does not read a page, which is no damage.
+// Whether the check passes. Throws if the disk cannot read a page, because that is not damage.
 bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness);
 
 // Fails with notOurs for a database of another program, and with damaged if the check finds damage.
 Result<Inspection> inspect(Connection& connection, Thoroughness thoroughness);
 
-// Runs `work`, which returns a Result, and turns SQLite's exceptions into an Error, so that none leaves the
-// file that calls this.
+// Runs `work`, which returns a Result, and turns SQLite's exceptions into an Error, so that no caller has to
+// catch them.
 template <class Work>
 auto guarded(const Connection& connection, Work&& work) -> decltype(work()) {
     try {
@@ -89,8 +89,8 @@ auto guarded(const Connection& connection, Work&& work) -> decltype(work()) {
     }
 }
 
-// Commits all that `work` writes, or nothing if it returns an error. Waits for writers of other processes
-// here, before `work` begins, and not later.
+// Commits everything that `work` writes, or nothing if it returns an error. Waits for writers of other
+// processes before `work` begins, and not later.
 template <class Work>
 auto inTransaction(Connection& connection, Work&& work) -> decltype(work()) {
     return guarded(connection, [&]() -> decltype(work()) {
@@ -101,7 +101,7 @@ auto inTransaction(Connection& connection, Work&& work) -> decltype(work()) {
     });
 }
 
-// Everything that `work` reads is from one moment.
+// Runs `work` in a read transaction: everything that it reads comes from the same moment.
 template <class Work>
 auto inReading(Connection& connection, Work&& work) -> decltype(work()) {
     return guarded(connection, [&]() -> decltype(work()) {

@@ -13,8 +13,8 @@ constexpr std::size_t kFileHeader = 100;
 constexpr std::size_t kDefaultPage = 4096;
 constexpr std::uint64_t kMostPayload = 16'000'000;
 constexpr std::uint8_t kTableLeaf = 13;
-// How often the same bytes may be taken for a part of a row: each is of one, and of a few older versions of
-// it. Cells that all lead to the same place would be copied for hours.
+// How often the same bytes may be read as part of a row: each byte belongs to one row, and to a few older
+// versions of it. Without a limit, cells that all lead to the same place would be copied for hours.
 constexpr std::uint64_t kMostCopies = 32;
 
 using Bytes = std::span<const std::byte>;
@@ -25,7 +25,7 @@ std::uint64_t bigEndian(Bytes bytes) {
     return value;
 }
 
-// Takes numbers from the front; after the end it has failed, and gives zeros.
+// Reads from the front. After an attempt to read beyond the end it has failed, and returns zeros.
 class Reader {
   public:
     explicit Reader(Bytes bytes) : left_(bytes) {}
@@ -62,7 +62,8 @@ class Pages {
     std::size_t count() const { return (file_.size() + size_ - 1) / size_; }
     std::size_t size() const { return size_; }
     std::size_t bytes() const { return file_.size(); }
-    // From 1, as SQLite counts; empty where there is none. The last may be cut off.
+    // Numbers start at 1, as SQLite counts; empty for a page that does not exist. The last page may be cut
+    // off.
     Bytes page(std::uint64_t number) const {
         if (number == 0 || number > count()) return {};
         const std::size_t first = (number - 1) * size_;
@@ -70,7 +71,7 @@ class Pages {
     }
 
   private:
-    // Ours have the default; another one is believed where it is possible.
+    // Our databases have the default size; any other valid size in the header is accepted.
     static std::size_t pageSize(Bytes file) {
         if (file.size() < kFileHeader) return kDefaultPage;
         const std::uint64_t told = bigEndian(file.subspan(16, 2));
@@ -82,13 +83,14 @@ class Pages {
     std::size_t size_;
 };
 
-// Bytes that may still be copied: of cells of the same page, and of what overflowed from all pages.
+// The bytes that may still be copied: from cells of the current page, and from overflow pages altogether.
 struct MayCopy {
     std::uint64_t ofPage = 0;
     std::uint64_t overflowed = 0;
 };
 
-// The payload of a cell: what lies in the page, and what overflowed. Pages of ours have no reserved bytes.
+// The payload of a cell: the part in its page, and the part in overflow pages. Our pages have no reserved
+// bytes.
 std::optional<std::vector<std::byte>> payloadOf(const Pages& pages, Reader& cell, std::uint64_t bytes,
                                                 MayCopy& mayCopy) {
     const std::uint64_t usable = pages.size();
@@ -104,7 +106,7 @@ std::optional<std::vector<std::byte>> payloadOf(const Pages& pages, Reader& cell
     mayCopy.ofPage -= local;
     std::vector<std::byte> payload(first.begin(), first.end());
     std::uint64_t next = bytes > local ? bigEndian(cell.take(4)) : 0;
-    // A chain in a circle ends when the payload, which is no larger than the file, is full.
+    // A circular chain ends once the payload, which is no larger than the file, is complete.
     while (payload.size() < bytes && !cell.hasFailed()) {
         const Bytes page = pages.page(next);
         if (page.size() < 4) return {};
@@ -128,7 +130,7 @@ std::optional<Value> valueOf(std::uint64_t type, Reader& body) {
         const int unused = 64 - 8 * static_cast<int>(bytes.size());
         return Value(static_cast<std::int64_t>(bigEndian(bytes) << unused) >> unused);
     }
-    if (type < 13 || type % 2 == 0) return {};  // no table of ours has numbers with a point, or blobs
+    if (type < 13 || type % 2 == 0) return {};  // our tables have no floating-point numbers and no blobs
     const Bytes text = body.take((type - 13) / 2);
     if (body.hasFailed()) return {};
     return Value(std::string(reinterpret_cast<const char*>(text.data()), text.size()));
@@ -151,7 +153,7 @@ std::optional<std::vector<Value>> recordOf(Bytes payload) {
     return values;
 }
 
-// Two tables may have as many columns: the checksum knows the name.
+// Tables with the same number of columns are distinguished by the checksum, which includes the table's name.
 void addRow(std::vector<Value> values, std::int64_t id, std::vector<FoundRow>& found) {
     const auto* check = std::get_if<std::int64_t>(&values.back());
     if (check == nullptr) return;
@@ -160,7 +162,7 @@ void addRow(std::vector<Value> values, std::int64_t id, std::vector<FoundRow>& f
     for (const Table* table : allTables()) {
         if (values.size() != table->columns.size()) continue;
         Row row{values};
-        // The column that is the row's number is not stored.
+        // SQLite does not store the column that is the row's id (INTEGER PRIMARY KEY).
         if (table->columns.front().isInteger) row.values.front() = id;
         if (isSound(*table, row, expected)) found.push_back({table, std::move(row)});
     }

@@ -15,8 +15,8 @@ struct FoundRow {
     Row row;
 };
 
-// The rows whose checksum is that of a row of one of our tables. A row may occur twice, and in more than one
-// version. Any bytes may be passed.
+// The rows whose checksum fits one of our tables. A row may occur twice, and in more than one version. Any
+// bytes may be passed.
 std::vector<FoundRow> rowsInPages(std::span<const std::byte> file);
 
 }  // namespace macula::session

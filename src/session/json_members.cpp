@@ -21,7 +21,7 @@ json parsed(std::string_view text) {
     return isDeep ? json(json::value_t::discarded) : value;
 }
 
-// True when something was added.
+// Returns true if it added something.
 bool addUnknown(json& written, const json& before, const std::string& path,
                 std::span<const std::string_view> known) {
     bool isChanged = false;

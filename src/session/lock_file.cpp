@@ -26,7 +26,7 @@ struct flock lockOf(off_t byte, int type) {
 
 off_t LockFile::byteOf(std::string_view keyDigest) {
     constexpr off_t kFirst = 16;
-    off_t number = 0;  // of 60 bits
+    off_t number = 0;  // below 2^60
     for (const char digit : keyDigest.substr(0, 15))
         number = number * 16 + (digit >= 'a' ? digit - 'a' + 10 : digit - '0');
     return kFirst + number;
@@ -52,7 +52,7 @@ int LockFile::set(off_t byte, int type) {
 Result<void> LockFile::acquire(off_t byte, Hold hold, std::chrono::milliseconds patience) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point end = Clock::now() + patience;
-    // Polled: a waiting lock cannot be given up after a time.
+    // Polls, because F_OFD_SETLKW has no timeout.
     for (auto pause = std::chrono::milliseconds(1);;
          pause = std::min(2 * pause, std::chrono::milliseconds(20))) {
         const int reason = set(byte, hold == Hold::shared ? F_RDLCK : F_WRLCK);

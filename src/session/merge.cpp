@@ -1,4 +1,4 @@
-// Rows that come one by one, from the repository, a damaged file or another store.
+// Merges single rows into the database, from this store, a damaged file or another store.
 #include <SQLiteCpp/Column.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace column;
 
-// Two rows of the same thing that was opened: the earlier first and the later last time.
+// Merges two rows of the same study, series or volume: keeps the earlier first and the later last opening.
 bool mergeOpened(Connection& connection, const Table& table, const Row& row, std::size_t first,
                  std::size_t last) {
     auto before = findRow(connection, table, row.text(0));
@@ -27,7 +27,7 @@ bool mergeOpened(Connection& connection, const Table& table, const Row& row, std
     return isNewer;
 }
 
-// The row with the same key; of a damaged one nothing is known, and it is set aside.
+// The existing row with the same key. Sets a damaged one aside, because nothing is known about it.
 std::optional<Row> standing(Connection& connection, const Table& table, SQLite::Statement statement) {
     if (!statement.executeStep()) return {};
     auto row = readRow(statement, table);
@@ -71,7 +71,7 @@ bool mergeDocument(Connection& connection, const Row& row) {
 }
 
 bool mergeLink(Connection& connection, const Row& row) {
-    // Whose study the series was of is lost with it.
+    // Without its series row, the study of the link is unknown.
     if (!findRow(connection, kSeries, row.text(linkSeries))) return false;
     if (!findRow(connection, kVolumes, row.text(linkVolume))) return false;
     putRow(connection, kSeriesVolumes, row);
@@ -111,7 +111,7 @@ void setRowAside(Connection& connection, const Table& table, std::int64_t id) {
 }
 
 bool mergeRow(Connection& connection, const Table& table, const Row& row) {
-    // An import may come from anybody, so an identity that is no SHA-256 is refused here.
+    // An import may come from anybody, so an identity that is not a SHA-256 is refused.
     const bool isNamed = !table.columns.front().isInteger;
     if (isNamed && !isDigest(row.text(0))) return false;
     if (&table == &kStudies) return mergeOpened(connection, table, row, studyFirstOpened, studyLastOpened);

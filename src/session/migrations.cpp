@@ -9,7 +9,7 @@ namespace macula::session {
 
 namespace {
 
-// One step; false when there was none to make.
+// Applies one migration; false if there was none left.
 Result<bool> applyNext(Connection& connection, std::span<const Migration> all) {
     return inTransaction(connection, [&]() -> Result<bool> {
         SQLite::Database& sqlite = connection.sqlite;
@@ -27,7 +27,7 @@ Result<bool> applyNext(Connection& connection, std::span<const Migration> all) {
     });
 }
 
-// Names and SQL of all that there is, in order, but for the statistics that ANALYZE of any tool adds.
+// Names and SQL of the whole schema, in order, without the statistics tables that ANALYZE of any tool adds.
 std::string schemaOf(SQLite::Database& sqlite) {
     std::string text;
     SQLite::Statement rows(sqlite,
@@ -57,7 +57,7 @@ Result<void> migrate(Connection& connection, std::span<const Migration> all) {
         const int version = connection.sqlite.execAndGet("PRAGMA user_version").getInt();
         if (version > all.back().number) return errorOf(Trouble::newerSchema, connection.file);
         if (version == all.back().number) return {};
-        // A table that is rebuilt is dropped for a moment, which must not delete what refers to it.
+        // Rebuilding a table drops it for a moment, and that must not delete the rows that refer to it.
         connection.sqlite.exec("PRAGMA foreign_keys = OFF");
         Result<bool> step = true;
         while (step.ok() && *step) step = applyNext(connection, all);

@@ -1,6 +1,6 @@
 // The history of the schema: numbered SQL files in the folder migrations, embedded in the program. They only
-// lead forward. A released file never changes; a change gets the next number, and tests/session a fixture of
-// the version before.
+// lead forward. A released file never changes; a change gets a file with the next number, and tests/session
+// gets a fixture of the version before.
 //
 // A migration that changes columns recomputes row_check with the SQL function macula_check('table', column,
 // ...), and rows.h gets the new columns.

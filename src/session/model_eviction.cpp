@@ -1,4 +1,4 @@
-// Room for models: which rows go, and then which blobs.
+// Makes room for models: deletes rows, and then the blobs that no row names.
 #include <SQLiteCpp/Column.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Evictable {
     bool isDamaged = false;
 };
 
-// What a damaged row says of its size is not believed: the cap is kept by the file that there is.
+// A damaged row's own size is not trusted: the size of its file counts towards the cap.
 Evictable evictableAt(StoreState& state, SQLite::Statement& statement) {
     const auto row = readRow(statement, kModels);
     const auto textAt = [&](int place) { return statement.getColumn(place).getString(); };
@@ -69,13 +69,13 @@ Evicted evictRows(StoreState& state, std::uint64_t capBytes, std::int64_t kept) 
 Result<bool> removeBlobs(StoreState& state, std::span<const std::string> digests, BlobFiles::Removal removal,
                          std::chrono::milliseconds patience) {
     if (digests.empty()) return true;
-    // While the transaction lasts nobody commits a row for one of these blobs.
+    // During the transaction no other process can commit a row for one of these blobs.
     return inTransaction(*state.connection, [&]() -> Result<bool> {
         auto alone = HeldLock::take(state.locks, LockFile::kBlobs, Hold::exclusive, patience);
         if (!alone && troubleOf(alone.error()) == Trouble::lockedByAnother) return false;
         if (!alone) return alone.error();
         for (const std::string& digest : digests) {
-            if (!isDigest(digest)) continue;  // of a damaged row
+            if (!isDigest(digest)) continue;  // from a damaged row
             const std::string texts[]{digest};
             if (numberOf(*state.connection, "SELECT count(*) FROM models WHERE blob = ?", texts) > 0)
                 continue;

@@ -24,7 +24,7 @@ bool isDigest(std::string_view text) {
            text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-// The words before the UIDs keep a study from having the name of a series.
+// The prefixes keep a study and a series from ever having the same identity.
 std::string studyIdentity(std::string_view studyUid) {
     return sha256Hex(fmt::format("macula study\n{}\n{}", studyUid.size(), studyUid));
 }

@@ -20,7 +20,7 @@ std::string seriesIdentity(std::string_view studyUid, std::string_view seriesUid
 // One input of a model besides the volume: transfer function, clip, table, lights.
 struct KeyPart {
     std::string name;    // letters a to z and '-': "transfer-function"
-    std::string digest;  // of its content, not its name
+    std::string digest;  // of the part's content, not of its name
     bool operator==(const KeyPart&) const = default;
 };
 
@@ -35,7 +35,8 @@ struct ModelKey {
     bool isValid() const;
 };
 
-// "clip=<digest>\n...", ordered by name; and back: false, with `parts` unusable, for text that no key has.
+// textOfParts gives "clip=<digest>\n...", ordered by name; partsOfText reads it back. False, with `parts`
+// unusable, for text that textOfParts cannot have written.
 std::string textOfParts(std::vector<KeyPart> parts);
 bool partsOfText(std::string_view text, std::vector<KeyPart>& parts);
 

@@ -6,7 +6,7 @@ namespace macula::session {
 
 namespace {
 
-// kTables[k][b]: what the byte b does to the sum when k more bytes follow ("slicing by 8", Kounavis and
+// kTables[k][b]: the contribution of byte b to the sum when k more bytes follow ("slicing by 8", Kounavis and
 // Berry).
 using Tables = std::array<std::array<std::uint64_t, 256>, 8>;
 constexpr Tables makeTables() {

@@ -83,18 +83,18 @@ struct Row {
     std::optional<std::string> textOrNull(std::size_t column) const;
 };
 
-// Whether the types of its values, and its checksum, are right.
+// Whether the types and the checksum of its values are right.
 bool isSound(const Table& table, const Row& row, std::int64_t check);
 
 // "SELECT t.id, t.key, ..., t.row_check FROM models t REST"
 SQLite::Statement select(Connection& connection, const Table& table, const std::string& rest);
 
-// The text of a column; valid until the statement steps on.
+// The text of a column; valid until the statement's next step.
 std::string_view textOf(const SQLite::Column& column);
 
-// Whether the current row of such a statement has the right types and checksum.
+// Whether the current row of a statement from select() has the right types and checksum.
 bool isRowSound(SQLite::Statement& statement, const Table& table);
-// The current row; nothing if it is damaged.
+// The current row of a statement from select(); nothing if it is damaged.
 std::optional<Row> readRow(SQLite::Statement& statement, const Table& table);
 
 // Inserts rows, or replaces those with the same primary key.
@@ -114,7 +114,8 @@ std::int64_t nextId(Connection& connection, const Table& table);
 
 // Runs one statement with texts for its parameters.
 void execute(Connection& connection, const std::string& sql, std::span<const std::string> texts = {});
-// The first column: of the first row, or 0; or of all rows.
+// numberOf returns the first column of the first row, or 0 without a row; textsOf returns the first column of
+// all rows.
 std::int64_t numberOf(Connection& connection, const std::string& sql,
                       std::span<const std::string> texts = {});
 std::vector<std::string> textsOf(Connection& connection, const std::string& sql,

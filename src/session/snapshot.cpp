@@ -22,7 +22,7 @@ namespace {
 
 const Error kCancelled{ErrorCode::cancelled, Text("The copy of stored sessions was stopped."), {}, {}};
 
-// A database of one moment, as SQLite reads it. `file` is not there yet.
+// Copies the database as it is at one moment, through SQLite. `file` must not exist yet.
 Result<void> copyDatabase(Connection& from, const fs::path& file) {
     return guarded(from, [&]() -> Result<void> {
         const std::string texts[]{file.string()};
@@ -46,7 +46,7 @@ std::vector<ModelInfo> modelsOf(Connection& connection, SnapshotReport& report) 
     return models;
 }
 
-// Takes from the copy what has no sound blob, and copies the others.
+// Copies the sound blobs, and deletes the other models from the copied database.
 Result<void> copyBlobs(Connection& copy, const BlobFiles& from, const BlobFiles& to, SnapshotReport& report,
                        Progress& progress) {
     MACULA_TRY(const std::vector<ModelInfo> models,
@@ -79,7 +79,7 @@ Result<SnapshotReport> fillSnapshot(StoreState& state, const fs::path& folder, P
     MACULA_TRY(const BlobFiles blobs, BlobFiles::open(folder / kModelsName));
     const fs::path file = folder / kDatabaseName;
     {
-        // No blob of this moment is removed before it was copied.
+        // The lock keeps blobs of this moment from being removed before they are copied.
         MACULA_TRY(const HeldLock reading,
                    HeldLock::take(state.locks, LockFile::kBlobs, Hold::shared, state.options.patience));
         MACULA_TRY_VOID(copyDatabase(*state.connection, file));
@@ -93,8 +93,8 @@ Result<SnapshotReport> fillSnapshot(StoreState& state, const fs::path& folder, P
     return report;
 }
 
-// Without links, which SQLite does not follow, and not in the store's own folder, which would then hold what
-// is not the store's.
+// Resolves symbolic links, which SQLite does not follow. Refuses a place within the store's own folder, which
+// must hold only the store's files.
 Result<fs::path> placeOfExport(const StoreState& state, const fs::path& newFolder) {
     const auto refused = [&](Text message, Text hint) {
         return Error{ErrorCode::outputNotWritable, std::move(message), newFolder.string(), std::move(hint)};
@@ -116,7 +116,7 @@ Result<fs::path> placeOfExport(const StoreState& state, const fs::path& newFolde
     return target;
 }
 
-// A private copy of what is to be imported, in the newest schema.
+// Makes a private copy of the database to import, in the newest schema.
 Result<std::unique_ptr<Connection>> openForImport(const fs::path& file, const fs::path& copy) {
     const auto translated = [&](const Error& error) {
         const auto trouble = troubleOf(error);
@@ -138,7 +138,8 @@ Result<std::unique_ptr<Connection>> openForImport(const fs::path& file, const fs
     return connection;
 }
 
-// All rows but those of models, which come with their blobs, and of the audit trail, which is this store's.
+// Imports all rows except those of models, which come with their blobs, and of the audit trail, which stays
+// that of this store.
 Result<void> importRows(StoreState& state, Connection& other, SnapshotReport& report) {
     return inTransaction(*state.connection, [&]() -> Result<void> {
         const std::int64_t latestMs = openingMs(state);
@@ -162,8 +163,8 @@ Result<void> importRows(StoreState& state, Connection& other, SnapshotReport& re
     });
 }
 
-// The imported model is of its old time, so it may be the first to go. The cap is asked before a byte is
-// read: a folder of somebody else may say what it likes of its sizes.
+// The imported model keeps its old time of use, so it may be the first to be evicted. Checks its stated size
+// against the cap before reading anything, because a foreign folder may state any size.
 Result<void> importModel(StoreState& state, const ModelInfo& info, const BlobFiles& from,
                          SnapshotReport& report) {
     if (info.bytes > state.options.modelCapBytes) {
@@ -197,10 +198,10 @@ Result<SnapshotReport> StoreSnapshots::exportTo(const fs::path& newFolder, Progr
     MACULA_TRY(const fs::path target, placeOfExport(state_, newFolder));
     MACULA_TRY(const Draft draft, Draft::beside(target, Draft::Kind::folder));
     MACULA_TRY(const SnapshotReport report, fillSnapshot(state_, draft.path(), progress));
-    // The audit trail comes first: better an export on it that failed than one that is missing there.
+    // The audit trail is written first: an entry for a failed export is better than an export without one.
     MACULA_TRY_VOID(AuditTrail(state_).add(AuditAction::exported, AuditKind::store, {}, 1));
     if (rename(draft.path().c_str(), target.c_str()) != 0) return errorOf(troubleOfErrno(errno), target);
-    static_cast<void>(syncToDisk(target.parent_path()));  // it is there, whether or not a power cut takes it
+    static_cast<void>(syncToDisk(target.parent_path()));  // best effort: the folder is in place even so
     return report;
 }
 

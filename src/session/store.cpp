@@ -30,7 +30,7 @@ bool isOurName(const std::string& name) {
            name == kDamagedName || name == kPurgeName || name.starts_with(".sessions.");
 }
 
-// A folder with nothing but files of a store, which is then closed to others.
+// Requires a folder that holds nothing but files of a store, and closes it to other users.
 Result<void> prepareFolder(const fs::path& folder, OpeningNotes& notes) {
     MACULA_TRY_VOID(makePrivateFolder(folder));
     std::error_code error;
@@ -42,7 +42,7 @@ Result<void> prepareFolder(const fs::path& folder, OpeningNotes& notes) {
         return stat(folder.c_str(), &status) != 0 || (status.st_mode & 077u) != 0;
     };
     if (isForOthers()) {
-        // Only taken away: a folder that somebody made read-only stays so.
+        // Only removes permissions: a folder that somebody made read-only stays so.
         fs::permissions(folder, fs::perms::group_all | fs::perms::others_all, fs::perm_options::remove,
                         error);
         notes.othersMayRead = isForOthers();
@@ -50,11 +50,12 @@ Result<void> prepareFolder(const fs::path& folder, OpeningNotes& notes) {
     return {};
 }
 
-// The newest schema, checked; fails with damaged where it is not what was written.
+// Opens the database, checks it, and migrates it to the newest schema. Fails with damaged if it is not what
+// was written.
 Result<std::unique_ptr<Connection>> openDatabase(const StoreOptions& options, const fs::path& file,
                                                  const BlobFiles& blobs, OpeningNotes& notes) {
-    // Looked for before the database is: blobs come after the tables, so an empty file beside them has lost
-    // its own.
+    // Lists blobs before opening the database: blobs exist only after tables do, so an empty file next to
+    // blobs has lost its tables.
     MACULA_TRY(const auto blobsBefore, blobs.list());
     MACULA_TRY(auto connection,
                connect(file, {.patience = options.patience, .vfs = options.vfs, .isOurs = false}));
@@ -71,11 +72,11 @@ Result<std::unique_ptr<Connection>> openDatabase(const StoreOptions& options, co
     return connection;
 }
 
-// With nobody else in the store the damaged file is set aside, unless somebody else has done so meanwhile.
+// Sets the damaged file aside once no other process has the store open, unless another has done so meanwhile.
 Result<std::unique_ptr<Connection>> rescueDatabase(const StoreOptions& options, const fs::path& file,
                                                    const std::shared_ptr<LockFile>& locks,
                                                    const BlobFiles& blobs, OpeningNotes& notes) {
-    // Two that wait for each other's shared lock would wait for ever.
+    // Two processes that each kept their shared lock and waited for the exclusive one would wait for ever.
     locks->release(LockFile::kPresence);
     auto result = [&]() -> Result<std::unique_ptr<Connection>> {
         MACULA_TRY_VOID(locks->acquire(LockFile::kPresence, Hold::exclusive, options.patience));

@@ -43,7 +43,7 @@ std::filesystem::path defaultFolder();
 
 struct StoreOptions {
     std::filesystem::path folder = defaultFolder();
-    // Limit of all blobs together. Above it, the least recently used models go first; open ones stay.
+    // The limit for all blobs together. Above it, the least recently used models are evicted; open ones stay.
     std::uint64_t modelCapBytes = 2'000'000'000;
     std::chrono::milliseconds patience{5000};
     // `full` checks indexes too; use it to have a damaged file set aside, see verify().
@@ -72,8 +72,8 @@ class OpenMark {
 class Store {
   public:
     // Creates what is missing, migrates an old schema, and checks the database. Sets a damaged database aside
-    // and rescues what can be read of it; see notes(). Fails, changing no existing file, if the folder cannot
-    // be used, is somebody else's, or was written by a newer version.
+    // and rescues its readable rows; see notes(). Fails, changing no existing file, if the folder cannot be
+    // used, belongs to somebody else, or was written by a newer version.
     static Result<Store> open(const StoreOptions& options);
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
@@ -84,8 +84,8 @@ class Store {
 
     // Studies. -------------------------------------------------------------------------------------------
 
-    // Records that this was opened now, in the audit trail too. Stores readable texts as given, and removes
-    // those that are missing: pass them only if the site allows it.
+    // Records in the store and its audit trail that the volume was opened now. Stores readable texts as
+    // given, and removes those that are missing: pass them only if the site allows it.
     Result<void> recordOpened(const OpenedVolume& opened);
     // Latest opened first.
     Result<Listing<StudyEntry>> listStudies();
@@ -99,18 +99,18 @@ class Store {
     // The model of exactly this key. If its row is damaged, sets it aside and fails with modelDamaged.
     Result<std::optional<ModelInfo>> findModel(const ModelKey& key);
     // At most `most` models of the same volume with other keys: those that differ in the fewest parts first,
-    // then the last used.
+    // then the most recently used.
     Result<std::vector<ModelCandidate>> nearestModels(const ModelKey& key, std::size_t most);
     // The blob as last saved: the returned `info` may be newer than the one given. With a wrong size or
     // checksum, sets the row aside, so that it is no longer found, and fails with modelDamaged.
     Result<LoadedModel> readModel(const ModelInfo& info);
     // The file of the blob, to read its beginning alone. The content is not checked, so it must have its own
     // checksums. The file may vanish at any moment; while an OpenMark is held, only when the key is saved
-    // anew. An open descriptor keeps it. Fails with modelGone if there is no file.
+    // again. An open descriptor keeps the content. Fails with modelGone if there is no file.
     Result<std::filesystem::path> modelFile(const ModelInfo& info) const;
     // For a caller that finds the content damaged or cannot read it: the row is no longer found, and is
     // evicted first. `why` is a word of letters a to z and '-', without patient data. Does nothing if the key
-    // was saved anew since.
+    // has been saved again since.
     Result<void> setModelAside(const ModelInfo& info, std::string_view why);
     // Latest used first, including those set aside; of one volume, or of all if `volume` is empty.
     Result<Listing<ModelInfo>> listModels(const std::string& volume = {});
@@ -134,9 +134,9 @@ class Store {
     Result<void> changeDocument(const DocumentId& id, std::int64_t version, const DocumentEdit& edit,
                                 std::span<const std::string_view> known);
     Result<std::optional<Document>> getDocument(const DocumentId& id);
-    // By name, without their JSON. `study` empty: documents of the machine.
+    // Ordered by name, without their JSON. `study` empty: the documents that belong to the machine.
     Result<Listing<DocumentEntry>> listDocuments(DocumentKind kind, const std::string& study);
-    // False if there was none.
+    // False if there was no such document.
     Result<bool> removeDocument(const DocumentId& id);
 
     // Audit trail: append-only. The store itself adds openings, purges, exports, imports and clock doubts.
@@ -156,16 +156,16 @@ class Store {
     // purge again or call collectGarbage(), which finish a purge that was stopped.
     Result<PurgeReport> purgeStudy(const std::string& study, DamagedFiles damaged);
     Result<PurgeReport> purgeVolume(const std::string& volume, DamagedFiles damaged);
-    // Deletes all studies, and volumes without one, that were not opened for so many days. While the clock is
-    // doubted (age_clock.h), deletes nothing, or only what was old at the last trusted time; report and audit
-    // trail say so. A `trusted` clock is not checked, and openings later than it are set to it.
+    // Deletes all studies, and volumes without a study, that were not opened for `retention`. While the clock
+    // is doubted (age_clock.h), deletes nothing, or only what was old at the last trusted time; report and
+    // audit trail say so. A `trusted` clock is not checked, and openings later than it are set to it.
     enum class Clock { checked, trusted };
     Result<PurgeReport> purgeUnused(std::chrono::days retention, DamagedFiles damaged,
                                     Clock clock = Clock::checked);
     // The doubt about the clock that purgeUnused would report.
     Result<ClockDoubt> clockDoubt(std::chrono::days retention);
-    // Deletes all studies, and volumes without one, except those with an open model. Keeps the audit trail,
-    // and the machine's documents that are of no volume.
+    // Deletes all studies, and volumes without a study, except those with an open model. Keeps the audit
+    // trail, and the machine's documents that belong to no volume.
     Result<PurgeReport> purgeAll(DamagedFiles damaged);
 
     // Reads everything: pages, indexes, references, rows, blobs. Sets damaged models and documents aside. If
@@ -174,8 +174,8 @@ class Store {
     // Removes blobs without a row, and what killed programs left half written or half purged.
     Result<GcReport> collectGarbage();
 
-    // Makes a copy of one moment, by SQLite and not by copying its file: a new folder (0700) with the
-    // database and its blobs, not below the store's own. Leaves nothing there if it fails.
+    // Copies the store as it is at one moment, through SQLite and not by copying its file: makes a new folder
+    // (0700) with the database and its blobs, not below the store's own. Leaves nothing there if it fails.
     Result<SnapshotReport> exportTo(const std::filesystem::path& newFolder, Progress& progress);
     // Adds what such a folder holds and this store lacks; of entries in both, the newer stays. Leaves out the
     // other audit trail, and does not change the folder. If it fails or is stopped, entries added by then

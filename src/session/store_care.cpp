@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Reads all rows of a table; damaged models and documents are set aside. What was set aside before counts as
-// that alone.
+// Reads all rows of a table and sets damaged models and documents aside. Rows that were set aside earlier
+// count only as set aside.
 void verifyRows(StoreState& state, const Table& table, VerifyReport& report) {
     Connection& connection = *state.connection;
     const bool hasAside = table.columns.back().name == "aside";

@@ -1,4 +1,4 @@
-// Verification and garbage of a store. Private to src/session.
+// Verification and garbage collection of a store. Private to src/session.
 #pragma once
 
 #include "base/progress.h"

@@ -27,7 +27,7 @@ struct Found {
     std::optional<std::int64_t> damagedId;
 };
 
-// The model that has this key. A row that a damaged index led to belongs to another one.
+// The model with this key. If a damaged index leads to another model's row, that row counts as damaged.
 Found findByKey(Connection& connection, const std::string& digest) {
     SQLite::Statement statement = modelOfKey(connection, digest);
     if (!statement.executeStep()) return {};
@@ -37,8 +37,8 @@ Found findByKey(Connection& connection, const std::string& digest) {
     return {.damagedId = statement.getColumn(0).getInt64()};
 }
 
-// Later than that of all others, even where the clock was put back. A time that no clock shows is from a
-// damaged row.
+// A time of use later than all others, even if the clock was set back. Ignores times a century ahead, which
+// come from damaged rows.
 std::int64_t nextUse(StoreState& state) {
     constexpr std::int64_t kCentury = std::int64_t{100} * 365 * 86'400'000;
     const std::int64_t now = state.nowMs();
@@ -47,7 +47,7 @@ std::int64_t nextUse(StoreState& state) {
     return std::max(now, last + 1);
 }
 
-// As "checksum": no sentence, so nothing of a patient either.
+// A single word such as "checksum", which cannot hold patient data as a sentence could.
 bool isAsideWord(std::string_view why) {
     return !why.empty() && why.size() <= 40 &&
            why.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string_view::npos;
@@ -57,7 +57,7 @@ Error modelDamaged(const StoreState& state) {
     return errorOf(Trouble::modelDamaged, state.blobs.folder());
 }
 
-// The row under which the blob is saved: that of before with its id, or a new one.
+// The row for the blob: the previous one with its id, or a new one.
 ModelInfo infoToSave(StoreState& state, const ModelKey& key, std::optional<ModelInfo> before) {
     const std::int64_t now = state.nowMs();
     ModelInfo info = before.value_or(ModelInfo{.key = key, .createdMs = now});
@@ -67,7 +67,7 @@ ModelInfo infoToSave(StoreState& state, const ModelKey& key, std::optional<Model
     return info;
 }
 
-// In a transaction. `unused` gets the blobs that no row needs any more.
+// Call in a transaction. Appends to `unused` the blobs that no row needs any more.
 Result<void> saveRow(StoreState& state, const ModelKey& key, const BlobFiles::Prepared& prepared,
                      std::uint64_t bytes, SaveReport& report, std::vector<std::string>& unused) {
     Connection& connection = *state.connection;
@@ -79,7 +79,7 @@ Result<void> saveRow(StoreState& state, const ModelKey& key, const BlobFiles::Pr
     report.info.bytes = bytes;
     report.info.checksum = prepared.digest;
     MACULA_TRY_VOID(state.blobs.putInPlace(prepared));
-    unused.push_back(prepared.digest);  // until its row is committed
+    unused.push_back(prepared.digest);  // counts as unused until its row is committed
     putRow(connection, kModels, rowOf(report.info));
     Evicted evicted = evictRows(state, state.options.modelCapBytes, report.info.id);
     report.evicted = evicted.report;
@@ -136,7 +136,7 @@ Result<SaveReport> StoreModels::save(const ModelKey& key, std::span<const std::b
     const auto saved = inTransaction(
         *state_.connection, [&] { return saveRow(state_, key, prepared, blob.size(), report, unused); });
     if (saved) std::erase(unused, prepared.digest);
-    // A blob that cannot be removed now is garbage, and collected as such.
+    // A blob that cannot be removed now is left for collectGarbage().
     static_cast<void>(removeBlobs(state_, unused, BlobFiles::Removal::plain, {}));
     if (!saved) return saved.error();
     return report;
@@ -182,7 +182,7 @@ Result<LoadedModel> StoreModels::read(const ModelInfo& info) {
     std::optional<ModelInfo> found;
     ReadBlob blob;
     {
-        // Nobody removes the blob between row and file.
+        // Keeps other processes from removing the blob after its row is read.
         MACULA_TRY(const HeldLock reading,
                    HeldLock::take(state_.locks, LockFile::kBlobs, Hold::shared, state_.options.patience));
         MACULA_TRY(found, guarded(*state_.connection, [&]() -> Result<std::optional<ModelInfo>> {
@@ -272,7 +272,8 @@ Result<OpenMark> StoreModels::markOpen(const ModelKey& key) {
     const off_t byte = LockFile::byteOf(key.digest());
     MACULA_TRY_VOID(state_.locks->addMark(byte));
     OpenMark mark(std::unique_ptr<OpenMark::Held>(new OpenMark::Held{state_.locks, byte}));
-    // Who evicts at this moment may have looked for marks before this one came: an empty transaction waits.
+    // A process that is evicting right now may have looked for marks before this one was set: the empty
+    // transaction waits until it has finished.
     MACULA_TRY_VOID(inTransaction(*state_.connection, [] { return Result<void>(); }));
     return Result<OpenMark>(std::move(mark));
 }

@@ -40,12 +40,13 @@ std::vector<std::string> volumesOfStudy(Connection& connection, const std::strin
         texts);
 }
 
-// Documents of volumes without a study, and the digest of the volume (DocumentId::name).
+// SQL for documents that belong to volumes without a study, and for the digest of their volume
+// (DocumentId::name).
 constexpr std::string_view kAreOfVolumes =
     "study IS NULL AND kind IN ('view', 'session', 'layout', 'measurement') AND substr(name, 65, 1) = ' '";
 constexpr std::string_view kTheirVolume = "substr(name, 1, 64)";
 
-// A volume that some study still has stays.
+// Keeps a volume that some study still has.
 void deleteVolume(StoreState& state, const std::string& volume, PurgeReport& report) {
     Connection& connection = *state.connection;
     const std::string texts[]{volume};
@@ -73,8 +74,8 @@ void deleteStudy(StoreState& state, const std::string& study, PurgeReport& repor
     for (const std::string& volume : volumes) deleteVolume(state, volume, report);
 }
 
-// Unallocated bytes of pages can hold rows that were moved before they were deleted: writing the file anew
-// leaves none. The copy that SQLite makes on the way is in memory.
+// Unallocated bytes of pages can hold rows that were moved before they were deleted: rewriting the file
+// leaves none. SQLite's temporary copy is in memory.
 Result<void> compact(StoreState& state) {
     return guarded(*state.connection, [&]() -> Result<void> {
         state.connection->sqlite.exec("VACUUM");
@@ -149,7 +150,7 @@ Result<void> deleteTargets(StoreState& state, const Targets& targets, AuditActio
     return {};
 }
 
-// Targets are looked for in the transaction that deletes them: what is opened meanwhile is not among them.
+// Finds the targets in the transaction that deletes them, so that nothing opened meanwhile is among them.
 Result<PurgeReport> purge(StoreState& state, const std::function<Targets()>& targetsNow, DamagedFiles damaged,
                           AuditAction action) {
     const fs::path damagedFolder = state.folder / kDamagedName;
@@ -171,7 +172,8 @@ Result<PurgeReport> purge(StoreState& state, const std::function<Targets()>& tar
     return report;
 }
 
-// Earlier versions deleted volumes without their documents. `before` is compared with the time of a change.
+// Volumes that have documents but no row: earlier versions deleted volumes without their documents. `before`
+// is an SQL comparison for the time of change.
 std::vector<std::string> volumesOfDocumentsAlone(Connection& connection, const std::string& before) {
     std::vector<std::string> volumes = textsOf(
         connection,
@@ -205,7 +207,7 @@ Targets unusedSince(StoreState& state, std::int64_t timeMs) {
     return targets;
 }
 
-// What is old by the clock, as far as it is believed.
+// The studies and volumes that are old by the clock, as far as it is trusted.
 Targets unusedFor(StoreState& state, std::chrono::days retention) {
     const AgeClock clock = ageClock(state, retention);
     if (clock.doubt != ClockDoubt::none && !clock.isOnTheTrail)

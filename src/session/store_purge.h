@@ -1,4 +1,4 @@
-// What a store deletes for good. Private to src/session.
+// Deletes data of a store for good. Private to src/session.
 #pragma once
 
 #include <chrono>

@@ -22,7 +22,8 @@ inline constexpr std::string_view kDatabaseName = "sessions.db";
 inline constexpr std::string_view kLockName = "sessions.lock";
 inline constexpr std::string_view kModelsName = "models";
 inline constexpr std::string_view kDamagedName = "damaged";
-// An empty file that exists from the first row that a purge deletes until no trace of it is left.
+// An empty file that marks an unfinished purge: it exists from the first deleted row until no trace of the
+// deleted data is left.
 inline constexpr std::string_view kPurgeName = "sessions.purge";
 
 struct StoreState {
@@ -37,7 +38,7 @@ struct StoreState {
     std::int64_t nowMs() const;
 };
 
-// Inside of a transaction: -------------------------------------------------------------------------------
+// Within a transaction: ----------------------------------------------------------------------------------
 
 void addAuditRow(StoreState& state, AuditAction action, AuditKind kind, const std::string& subject,
                  std::int64_t amount);
@@ -49,7 +50,8 @@ std::optional<Row> findRow(Connection& connection, const Table& table, const std
 void rememberStudy(Connection& connection, const std::string& identity, std::int64_t atMs);
 void rememberVolume(Connection& connection, const std::string& digest, std::int64_t atMs);
 
-// Damaged rows keep their row_check, so they still fail it; aside only keeps them out of the way.
+// Sets `aside` of a damaged row, to keep it out of the way. Its row_check stays, so the row still fails the
+// check.
 void setRowAside(Connection& connection, const Table& table, std::int64_t id);
 
 // Models. ------------------------------------------------------------------------------------------------
@@ -65,8 +67,8 @@ struct Evicted {
 // Call in a transaction: deletes rows, not blobs, and never the row with the id `kept`.
 Evicted evictRows(StoreState& state, std::uint64_t capBytes, std::int64_t kept);
 
-// In its own transaction, removes those blobs that no row names. If other processes read blobs for longer
-// than `patience`, leaves them for collectGarbage(), and returns false.
+// In its own transaction, removes those of the blobs that no row names. If other processes read blobs for
+// longer than `patience`, leaves them for collectGarbage(), and returns false.
 Result<bool> removeBlobs(StoreState& state, std::span<const std::string> digests, BlobFiles::Removal removal,
                          std::chrono::milliseconds patience);
 

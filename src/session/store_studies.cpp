@@ -17,7 +17,8 @@ namespace macula::session {
 
 namespace {
 
-// Into a list that neither grows nor moves. Texts of statements are looked up where they lie, and not copied.
+// Points into a list that neither grows nor moves. The keys are views, so that looking up a column's text
+// copies nothing.
 using EntriesByStudy = std::unordered_map<std::string_view, StudyEntry*>;
 EntriesByStudy byStudy(std::vector<StudyEntry>& entries) {
     EntriesByStudy found;
@@ -26,7 +27,7 @@ EntriesByStudy byStudy(std::vector<StudyEntry>& entries) {
     return found;
 }
 
-// `sql` gives studies, and a number for each.
+// `sql` selects studies, and a number for each.
 void putCounts(Connection& connection, const std::string& sql, const EntriesByStudy& entries,
                std::size_t StudyEntry::*count) {
     SQLite::Statement statement(connection.sqlite, sql);
@@ -37,7 +38,7 @@ void putCounts(Connection& connection, const std::string& sql, const EntriesBySt
     }
 }
 
-// The models of each study. Their sizes come from rows that were checked.
+// Adds the models of each study. Their sizes come from rows with a valid checksum.
 void putModels(Connection& connection, const EntriesByStudy& entries) {
     struct Share {
         std::size_t models = 0;
@@ -78,7 +79,7 @@ struct Opened {
     std::int64_t lastMs;
 };
 
-// First opened when it was first, and last at no earlier time than before, whatever the clock shows now.
+// Keeps the time of the first opening; the last opening never becomes earlier, whatever the clock shows now.
 Opened openedAt(Connection& connection, const Table& table, const std::string& identity, std::size_t first,
                 std::size_t last, std::int64_t nowMs) {
     const auto before = findRow(connection, table, identity);
@@ -106,7 +107,7 @@ void putOpened(StoreState& state, const OpenedVolume& opened) {
     addAuditRow(state, AuditAction::opened, AuditKind::study, opened.study, 1);
 }
 
-// Of a sound row.
+// The row must be sound.
 StudyEntry studyAt(SQLite::Statement& statement) {
     const SQLite::Column readable = statement.getColumn(int{column::studyReadable});
     StudyEntry entry{.identity = statement.getColumn(int{column::studyIdentity}).getString(),

@@ -70,7 +70,8 @@ struct ModelInfo {
     std::string checksum;  // SHA-256 of the blob
     std::int64_t createdMs = 0;
     std::int64_t savedMs = 0;
-    // The time of last use, which orders uses: if the clock was set back, it goes on from the last one.
+    // The time of last use, by which models are ordered: if the clock was set back, counts on from the last
+    // use.
     std::int64_t usedMs = 0;
     // Why it was set aside: "missing", "size", "checksum", or the word given to setModelAside(). Empty: it
     // was not.
@@ -79,7 +80,7 @@ struct ModelInfo {
 
 struct ModelCandidate {
     ModelInfo info;
-    std::vector<std::string> differing;  // names of parts, "trainer" among them
+    std::vector<std::string> differing;  // names of the parts that differ; may include "trainer"
 };
 
 struct LoadedModel {
@@ -98,15 +99,15 @@ struct SaveReport {
     EvictionReport evicted;
 };
 
-// Kinds of documents. `preset` to `clip` are the user's own; `view` is a bookmark; `session` is the state of
-// a study; `calibration` is of the machine.
+// Kinds of documents. `preset` to `clip` are the user's own; `view` is a bookmark; `studyState` is the state
+// of a study, stored as "session"; `calibration` belongs to the machine.
 enum class DocumentKind { preset, favourite, clip, view, studyState, layout, measurement, calibration };
 std::string_view nameOf(DocumentKind kind);
 
 struct DocumentId {
     DocumentKind kind = DocumentKind::studyState;
-    std::string study;  // identity; empty: of the machine, for all studies
-    // 1 to 200 bytes; other names are never found, and putting one fails. A view, session, layout or
+    std::string study;  // identity; empty: the document belongs to the machine and is for all studies
+    // 1 to 200 bytes; other names are never found, and putting one fails. A view, study state, layout or
     // measurement without a study belongs to a volume, and is purged with it, if its name begins with the
     // volume's digest and a space.
     std::string name;
@@ -138,7 +139,7 @@ struct AuditEntry {
     std::string action;
     std::string kind;
     std::string subject;      // a digest or identity, or empty
-    std::int64_t amount = 0;  // how many
+    std::int64_t amount = 0;  // number of things
 };
 
 // What a purge does with damaged data, whose study is unknown: database files that were set aside, and rows
@@ -155,9 +156,9 @@ struct PurgeReport {
     std::size_t volumes = 0;
     std::size_t models = 0;  // includes damaged ones that were removed; so does `documents`
     std::size_t documents = 0;
-    std::size_t skippedOpen = 0;          // of purgeUnused and purgeAll: with an open model
-    std::size_t damagedFolders = 0;       // that are left
-    ClockDoubt clock = ClockDoubt::none;  // of purgeUnused: why old entries may have stayed
+    std::size_t skippedOpen = 0;          // left alone by purgeUnused or purgeAll, with an open model
+    std::size_t damagedFolders = 0;       // damaged databases that are still set aside
+    ClockDoubt clock = ClockDoubt::none;  // purgeUnused: why old entries may have stayed
 };
 
 struct VerifyReport {
@@ -181,7 +182,7 @@ struct SnapshotReport {
     std::size_t studies = 0;
     std::size_t models = 0;
     std::size_t documents = 0;
-    std::size_t skipped = 0;  // models and documents: the store's own was newer, or it had no room
+    std::size_t skipped = 0;  // models and documents: newer in the store, or no room for them
     std::size_t damaged = 0;  // rows and blobs left out
 };
 

@@ -24,8 +24,8 @@ enum class Trouble {
     modelGone,        // removed since it was looked up
     documentDamaged,  // its row is not what was saved
     documentInvalid,  // not a JSON object, too long or too deep, or without a usable name
-    snapshotInvalid,  // the folder to import is no snapshot
-    purgeIncomplete,  // deleted, but bytes may still lie in a file that another process reads
+    snapshotInvalid,  // the folder to import is not a snapshot
+    purgeIncomplete,  // the rows are deleted, but another process kept their bytes from being overwritten
 };
 inline constexpr int kTroubles = 16;
 

@@ -1,4 +1,4 @@
-// What a dispatch gives to a shader.
+// The resources that a dispatch binds to a shader.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -10,12 +10,12 @@
 
 namespace macula::gpu {
 
-// A resource for one binding. Which kind of descriptor it becomes is for the shader to say.
+// A resource for one binding. The shader decides which kind of descriptor it becomes.
 class Binding {
   public:
     Binding(const Buffer& buffer);                         // buffer (std430, scalar) or uniform block
     Binding(const TexelBuffer& texels);                    // samplerBuffer or imageBuffer
-    Binding(const TexelBuffer& texels, std::size_t view);  // likewise, one of its views
+    Binding(const TexelBuffer& texels, std::size_t view);  // the same, of one view
     Binding(const Image& image);                           // image2D, image3D, texture2D
     Binding(const Image& image, const Sampler& sampler);   // sampler2D, sampler3D
 

@@ -1,4 +1,4 @@
-// Command buffers that are used again once the device is done with them.
+// Command buffers that are reused once the device is done with them.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -17,11 +17,11 @@ class CommandPool {
     struct Commands {  // what one recording needs
         VkCommandPool pool = VK_NULL_HANDLE;
         VkCommandBuffer buffer = VK_NULL_HANDLE;
-        VkQueryPool queries = VK_NULL_HANDLE;  // kQueries
+        VkQueryPool queries = VK_NULL_HANDLE;  // kQueries timestamps
         Ticket busyUntil = 0;
     };
 
-    // Gives commands whose work is completed, or makes new ones. A negative result when that fails.
+    // Gives commands whose work is completed, or makes new ones. Returns a negative VkResult when that fails.
     VkResult take(VkDevice device, std::uint32_t queueFamily, Ticket completed, Commands& commands);
     void give(const Commands& commands) { free_.push_back(commands); }
     void destroyAll(VkDevice device);  // once the device is idle

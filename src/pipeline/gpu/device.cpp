@@ -30,7 +30,7 @@ Result<void> Device::initialise(const Instance& instance, const DeviceOptions& o
     const Text doing = Text("open the device {}", info_.name);
     if (options.lent) {
         MACULA_TRY(opened_, borrowDevice(*options.lent, options.physical));
-        // Nobody knows whether these were enabled.
+        // A host may not have enabled subgroup size control, and Vulkan cannot be asked.
         info_.minSubgroupSize = 0;
         info_.maxSubgroupSize = 0;
     } else {
@@ -49,7 +49,7 @@ Result<void> Device::initialise(const Instance& instance, const DeviceOptions& o
     const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &timeline, 0};
     MACULA_VK_TRY(vkCreateSemaphore(opened_.handle, &semaphore, nullptr, &timeline_), doing);
     setName(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<std::uint64_t>(timeline_), "timeline");
-    // The files of a host's device are the host's business.
+    // No cache file for a lent device: files are the host's business.
     if (!options.kernelsFolder.empty() && !opened_.isLent)
         pipelineCache_ = PipelineCache::open(opened_.handle, info_.physical, options.kernelsFolder);
     return {};
@@ -95,9 +95,9 @@ Ticket Device::completedTicket() const {
         if (result == VK_ERROR_DEVICE_LOST)
             loseIt();
         else if (result < 0)
-            return 0;  // nobody knows
+            return 0;  // unknown: counts as nothing done
     }
-    // A lost device runs nothing any more: all is as done as it will ever be.
+    // A lost device runs nothing any more: all submissions count as completed.
     return lost() ? submitted_.load() : value;
 }
 
@@ -146,13 +146,13 @@ void Device::setName(VkObjectType type, std::uint64_t object, std::string_view n
 }
 
 void Device::loseIt() const {
-    // The work in flight when the device was lost may still end; nothing it uses may be freed before. This
-    // returns in finite time on a lost device, too.
+    // Work in flight when the device was lost may still be ending, and nothing that it uses may be freed
+    // before. This wait returns in finite time on a lost device, too.
     if (!lost_.exchange(true)) waitUntilIdle();
 }
 
-// A lost device is idle, too. Of a lent one only what was submitted here is waited for: what else is on its
-// queue may wait for its host, which may need the guard to go on.
+// Works on a lost device, too. On a lent device, waits only for Macula's own submissions: other work on its
+// queue may wait for its host, which may need the guard to continue.
 void Device::waitUntilIdle() const {
     if (!opened_.isLent) {
         vkDeviceWaitIdle(opened_.handle);
@@ -213,7 +213,7 @@ Result<Ticket> Device::submit(VkCommandBuffer commands, VkSemaphore wait, VkSema
     info.pSignalSemaphoreInfos = signals;
     auto held = opened_.guard ? std::unique_lock(*opened_.guard) : std::unique_lock<QueueGuard>();
     const VkResult result = vkQueueSubmit2(opened_.queue, 1, &info, VK_NULL_HANDLE);
-    if (held) held.unlock();  // a loss waits for the queue
+    if (held) held.unlock();  // before failed(), which waits for the queue after a loss
     if (result < 0) return failed(result, Text("submit work to the graphics device"));
     submitted_.store(ticket);
     return ticket;

@@ -1,4 +1,4 @@
-// A device, its queue, and the timeline that says what is done.
+// A device, its queue, and the timeline semaphore that tells which submissions are done.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -32,14 +32,14 @@ inline constexpr std::uint64_t kForever = UINT64_MAX;
 // A VkDevice with one queue for everything (compute, transfer, graphics where there is any).
 //
 // Held by shared_ptr: each resource keeps its device alive, and the device keeps the VkInstance alive. Thread
-// rule: one thread at a time uses a Device, its recorders and its resources; only dropping resources is free
-// of that rule.
+// rule: one thread at a time uses a Device, its recorders and its resources; only dropping resources is
+// exempt.
 //
-// Lost: after a driver reset every call gives the error deviceLost at once, and lost() is true. To recover,
-// drop all that is on the device and create another one: recovery.h.
+// Lost: after a driver reset every call fails with deviceLost at once, and lost() is true. To recover, drop
+// everything that is on the device and create another one: recovery.h.
 class Device : public std::enable_shared_from_this<Device> {
   public:
-    // Announces the chosen device: who reads a picture or a timing must know what made it.
+    // Announces the chosen device: whoever reads a picture or a timing must know which device made it.
     // Errors: those of chooseDevice; deviceNotUsable when an extension is missing or the driver refuses.
     static Result<std::shared_ptr<Device>> create(const Instance& instance,
                                                   const DeviceOptions& options = {});
@@ -50,7 +50,7 @@ class Device : public std::enable_shared_from_this<Device> {
 
     const DeviceInfo& info() const { return info_; }
     bool isCpu() const { return info_.type == DeviceType::cpu; }
-    // Device-local memory is host memory, and mapped.
+    // Whether device-local memory is host memory, and mapped.
     bool hasUnifiedMemory() const { return unifiedMemory_; }
     VkInstance instance() const;
     VkPhysicalDevice physical() const { return info_.physical; }
@@ -58,8 +58,8 @@ class Device : public std::enable_shared_from_this<Device> {
     VkQueue queue() const { return opened_.queue; }
     std::uint32_t queueFamily() const { return opened_.queueFamily; }
 
-    // Free device-local memory now, by VK_EXT_memory_budget; the size of the heap where the driver does not
-    // tell.
+    // Free device-local memory now, by VK_EXT_memory_budget; the size of the heap if the driver does not
+    // report it.
     std::uint64_t memoryAvailableBytes() const;
 
     Ticket submittedTicket() const { return submitted_.load(); }
@@ -68,31 +68,32 @@ class Device : public std::enable_shared_from_this<Device> {
     Result<bool> waitFor(Ticket ticket, std::uint64_t timeoutNs = kForever);
     Result<void> waitForAll();
     bool lost() const { return lost_.load(); }
-    // The error deviceLost when the device is lost. Called before anything is created or copied. `doing` as
+    // Fails with deviceLost when the device is lost. Called before anything is created or copied. `doing` as
     // in vulkanError.
     Result<void> checkNotLost(const Text& doing) const;
 
-    // Bytes read back to the host so far (transfer.h). Tests ask, to prove that drawing a frame reads nothing
-    // back.
+    // Bytes read back to the host so far (transfer.h). Tests use this to prove that drawing a frame reads
+    // nothing back.
     std::uint64_t bytesRead() const { return bytesRead_; }
     void countRead(std::uint64_t bytes) { bytesRead_ += bytes; }
 
     // Whether this version of Macula starts for the first time on this device and driver:
-    // DeviceOptions::kernelsFolder holds no pipeline cache (VkPipelineCache) of them. False without a folder.
+    // DeviceOptions::kernelsFolder then holds no pipeline cache (VkPipelineCache) for them. False without a
+    // folder.
     bool isFirstStart() const;
 
-    // What transfer.h copies through.
+    // The host memory through which transfer.h copies.
     StagingPool& staging() { return *staging_; }
 
-    // Destroys what was dropped and is no longer in use. Submitting and waiting do it as well.
+    // Destroys the dropped objects that the device no longer uses. Submitting and waiting do so as well.
     void destroyUnused();
     std::size_t pendingDestructions() const { return dropped_.count(); }
 
-    // Names an object for validation messages and debuggers; nothing where debug utils are missing.
+    // Names an object for validation messages and debuggers; does nothing without debug utils.
     void setName(VkObjectType type, std::uint64_t object, std::string_view name) const;
 
-    // Turns a failed call into an Error, and remembers a lost device: whatever fails on one, fails because of
-    // that.
+    // Turns a failed call into an Error, and notes a loss of the device. On a lost device every failure is
+    // reported as deviceLost, its cause.
     Error failed(VkResult result, const Text& doing) const;
 
   private:
@@ -101,7 +102,7 @@ class Device : public std::enable_shared_from_this<Device> {
     friend class Swapchain;
     friend void destroyLater(Device& device, DestroyFunction destroy, std::uint64_t object);
 
-    struct Functions {  // not exported by the loader
+    struct Functions {  // extension functions, which the loader does not export
         PFN_vkCmdPushDescriptorSetKHR cmdPushDescriptorSet = nullptr;
         PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr;
         PFN_vkCmdBeginDebugUtilsLabelEXT cmdBeginLabel = nullptr;
@@ -110,7 +111,7 @@ class Device : public std::enable_shared_from_this<Device> {
     Device();
     Result<void> initialise(const Instance& instance, const DeviceOptions& options);
     Result<void> loadFunctions(bool hasDebugUtils);
-    // What one recording needs, until recorderClosed() and giveCommandsBack().
+    // The commands for one recording, until recorderClosed() and giveCommandsBack().
     Result<CommandPool::Commands> takeCommands();
     void giveCommandsBack(const CommandPool::Commands& commands) { commands_.give(commands); }
     void loseIt() const;
@@ -131,7 +132,7 @@ class Device : public std::enable_shared_from_this<Device> {
     // The cache of compiled kernels. Its key is the address of the shader's words, which are static data, and
     // its specialization constants as text.
     std::map<std::pair<const std::uint32_t*, std::string>, std::shared_ptr<const CompiledKernel>> kernels_;
-    std::unique_ptr<PipelineCache> pipelineCache_;  // null: none is kept on disk
+    std::unique_ptr<PipelineCache> pipelineCache_;  // null: compiled kernels are not kept on disk
     std::unique_ptr<StagingPool> staging_;
     CommandPool commands_;
     std::atomic<Ticket> submitted_{0};

@@ -71,7 +71,7 @@ DeviceInfo infoOf(VkPhysicalDevice device, std::size_t index) {
     info.memoryBytes = budget.bytes;
     info.memoryAvailableBytes = budget.availableBytes;
     info.maxAllocationBytes = budget.bytes;
-    if (basic.apiVersion < VK_API_VERSION_1_3) return info;  // the rest cannot be asked
+    if (basic.apiVersion < VK_API_VERSION_1_3) return info;  // older drivers cannot answer the rest
 
     VkPhysicalDeviceVulkan13Properties properties13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
     VkPhysicalDeviceVulkan12Properties properties12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES,

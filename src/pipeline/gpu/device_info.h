@@ -1,4 +1,4 @@
-// What devices there are, and which one to use.
+// Lists the devices of this computer, and chooses one.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -27,44 +27,45 @@ struct DeviceInfo {
 
     std::uint64_t memoryBytes = 0;  // the largest device-local heap
     std::uint64_t memoryAvailableBytes =
-        0;  // of that heap, by VK_EXT_memory_budget when asked; else memoryBytes
+        0;  // of that heap, by VK_EXT_memory_budget if the device has it; else memoryBytes
     std::uint64_t maxAllocationBytes = 0;  // of one buffer or image
     std::uint32_t maxStorageBufferBytes = 0;
     std::uint32_t maxTexelBufferElements = 0;
     std::uint32_t maxPushConstantBytes = 0;
-    std::uint32_t maxSharedBytes = 0;  // of the threads of a group
+    std::uint32_t maxSharedBytes = 0;  // shared by the threads of a workgroup
     std::uint32_t maxImageEdge2D = 0;
     std::uint32_t maxImageEdge3D = 0;
-    std::uint32_t subgroupSize = 0;  // of kernels that require none; where the driver may choose, the largest
-    std::uint32_t minSubgroupSize = 0;  // what KernelOptions::subgroupSize may require; 0: nothing
+    std::uint32_t subgroupSize = 0;  // of kernels that require no size; if the driver may choose, the largest
+    std::uint32_t minSubgroupSize = 0;  // the least that KernelOptions::subgroupSize may require; 0: nothing
     std::uint32_t maxSubgroupSize = 0;
     std::uint32_t maxGroupsX = 0;  // of one dispatch
-    // That it can hold at a time, so that each core has others to turn to while one waits for memory; by the
-    // driver where it tells, else a guess by the type. 0 on CPU devices, which hold as many as they have
-    // lanes.
+    // How many threads the device holds at a time: enough for each core to switch to others while one waits
+    // for memory. Reported by the driver, else guessed from the type. 0 on CPU devices, which hold as many
+    // threads as they have SIMD lanes.
     std::uint32_t threadsAtOnce = 0;
 
-    Text whyNotUsable;  // empty when usable; else what it lacks: "Vulkan 1.3"
+    Text whyNotUsable;  // empty when usable; else the reason: "it lacks maintenance4"
     VkPhysicalDevice physical = VK_NULL_HANDLE;
 
     bool usable() const { return whyNotUsable.empty(); }
 };
 
-// The subgroup size to require (KernelOptions) of kernels whose threads part ways, as paths do: 32 where the
-// driver would choose more and 32 can be had, as on AMD's cards; else 0, what the driver chooses.
+// The subgroup size to require (KernelOptions) for kernels whose threads diverge, as light paths do: 32 if
+// the driver would choose more and allows 32, as on AMD's cards; else 0, which leaves the choice to the
+// driver.
 std::uint32_t subgroupSizeForDivergence(const DeviceInfo& device);
 
 // One line for people: "llvmpipe (LLVM 15.0.6, 256 bits), CPU, 2.0 GiB, llvmpipe Mesa 22.3.6".
 std::string describe(const DeviceInfo& device);
 
-// All devices in the driver's order; an unusable one has the reason in whyNotUsable. Empty when there is no
+// All devices in the driver's order; for an unusable one whyNotUsable says why. Empty when there is no
 // driver.
 std::vector<DeviceInfo> listDevices(const Instance& instance);
 
 // The device to use: the first usable one of the best type (discrete, integrated, virtual, CPU), or the one
-// `preferred` names by index ("1") or by a part of its name, in any case ("llvmpipe"; the first usable one
-// that has it). Pure. usage when nothing has that name (the hint lists what there is), deviceNotUsable when
-// there is no device, the preferred one is not usable, or none is.
+// that `preferred` names by index ("1") or by a part of its name, in any case ("llvmpipe": the first usable
+// device whose name contains it). Pure. Fails with usage when no device has that name (the hint lists all);
+// with deviceNotUsable when there is no device, the preferred one is not usable, or none is.
 Result<DeviceInfo> chooseDevice(std::span<const DeviceInfo> devices, std::string_view preferred);
 
 }  // namespace macula::gpu

@@ -11,7 +11,8 @@ namespace macula::gpu {
 
 namespace {
 
-// Which of our optional features the device has; all required ones were checked by listDevices.
+// Macula's required features, which listDevices has checked, and those of its optional ones that the device
+// has.
 struct Features {
     VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13};
@@ -87,7 +88,7 @@ Result<OpenedDevice> openDevice(const DeviceInfo& info, const DeviceOptions& opt
             return Error{ErrorCode::deviceNotUsable,
                          Text("The device {} does not offer {}.", info.name, extension), "",
                          Text("Update its driver, or choose another device with MACULA_DEVICE.")};
-    // What is good to have: memoryAvailableBytes, and images that other devices share (shared_image.h).
+    // Optional: for memoryAvailableBytes, and for images that other devices share (shared_image.h).
     for (const char* extension :
          {VK_EXT_MEMORY_BUDGET_EXTENSION_NAME, VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME,
           VK_KHR_EXTERNAL_SEMAPHORE_FD_EXTENSION_NAME})

@@ -1,5 +1,5 @@
-// Choosing a device, and opening it with what Macula needs of it. Not for users of macula::gpu: they create a
-// Device.
+// Chooses a device, and opens it with the features that Macula needs. Not for users of macula::gpu: they
+// create a Device.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -19,14 +19,15 @@ struct OpenedDevice {
     VkDevice handle = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queueFamily = 0;
-    bool isLent = false;                // a host destroys it
-    std::shared_ptr<QueueGuard> guard;  // of the host that lends the queue
+    bool isLent = false;                // the host program destroys it
+    std::shared_ptr<QueueGuard> guard;  // the lock of the host that lends the queue
 };
 
-// deviceNotUsable as chooseDevice, and where DeviceOptions::physical is not one of the instance's.
+// Fails as chooseDevice does, and with deviceNotUsable if DeviceOptions::physical is not one of the
+// instance's.
 Result<DeviceInfo> chosenDevice(const Instance& instance, const DeviceOptions& options);
 
-// deviceNotUsable when an extension is missing or the driver refuses. `doing` as in vulkanError.
+// Fails with deviceNotUsable when an extension is missing or the driver refuses. `doing` as in vulkanError.
 Result<OpenedDevice> openDevice(const DeviceInfo& info, const DeviceOptions& options, const Text& doing);
 Result<OpenedDevice> borrowDevice(const LentDevice& lent, VkPhysicalDevice physical);
 

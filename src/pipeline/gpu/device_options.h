@@ -1,4 +1,4 @@
-// How a device is opened, or that of a host used.
+// How to open a device, or use that of a host program.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -13,8 +13,8 @@
 
 namespace macula::gpu {
 
-// The lock of a queue that others use too. As std::mutex: held by one thread at a time, for moments; throws
-// nothing.
+// The lock of a queue that others use too. Works like std::mutex: one thread at a time holds it, briefly; its
+// functions must not throw.
 class QueueGuard {
   public:
     QueueGuard() = default;
@@ -26,33 +26,35 @@ class QueueGuard {
     virtual void unlock() = 0;
 };
 
-// A device that a host has made of DeviceOptions::physical and destroys after all that is made from it: with
-// VK_KHR_push_descriptor, timeline semaphores, scalar block layout, synchronization2 and maintenance4.
+// A device that a host program has made from DeviceOptions::physical, and destroys after everything that is
+// made from it. It must have VK_KHR_push_descriptor, timeline semaphores, scalar block layout,
+// synchronization2 and maintenance4.
 struct LentDevice {
     VkDevice handle = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE;  // with compute
+    VkQueue queue = VK_NULL_HANDLE;  // must support compute
     std::uint32_t queueFamily = 0;
-    // Held while the queue is used; null: the host does not use it meanwhile.
+    // Held while Macula uses the queue. Null: the host does not use the queue at the same time.
     std::shared_ptr<QueueGuard> guard = nullptr;
 };
 
 struct DeviceOptions {
     std::string preferred;                // see chooseDevice; when empty, the environment MACULA_DEVICE
-    std::vector<const char*> extensions;  // on top of ours: VK_KHR_SWAPCHAIN_EXTENSION_NAME for a window
+    std::vector<const char*> extensions;  // besides Macula's: VK_KHR_SWAPCHAIN_EXTENSION_NAME for a window
     // OpenXR dictates the device (xrGetVulkanGraphicsDevice2KHR) and creates it itself
     // (xrCreateVulkanDeviceKHR).
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     std::function<VkResult(VkPhysicalDevice, const VkDeviceCreateInfo&, VkDevice*)> createDevice;
-    std::optional<LentDevice> lent;  // nothing is created
-    // Where the driver's compiled kernels are kept for the next start (pipeline_cache.h); made when missing.
-    // Empty: no file is read or written. Never of a lent device.
+    std::optional<LentDevice> lent;  // used instead of creating a device
+    // The folder that keeps the driver's compiled kernels for the next start (pipeline_cache.h); made if
+    // missing. Empty: no file is read or written. Ignored for a lent device.
     std::filesystem::path kernelsFolder;
-    // Where the device is the processor, this thread and those of the driver let a window's go first
-    // (give_way.h), for good. On a card a thread that submits frames must not be late.
+    // If the device is the CPU, lowers the priority of this thread and of the driver's threads for good
+    // (give_way.h), so that a window stays responsive. Has no effect on a graphics card, where a thread that
+    // submits frames must not be late.
     bool givesWay = false;
-    // Takes device memory for unmapped, as on a graphics card, to test staging copies without one.
+    // Treats device memory as unmapped, as on a graphics card, to test staging copies without one.
     bool separateMemory = false;
-    bool isAnnounced = true;  // log::announce
+    bool isAnnounced = true;  // log the device by log::announce
 };
 
 }  // namespace macula::gpu

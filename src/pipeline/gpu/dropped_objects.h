@@ -1,4 +1,4 @@
-// Vulkan objects that nobody holds any more, until the device is done with them.
+// Keeps Vulkan objects that have no owner any more until the device is done with them.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -19,12 +19,13 @@ namespace macula::gpu {
 class DroppedObjects {
   public:
     void add(DestroyFunction destroy, std::uint64_t object, const std::atomic<Ticket>& submitted);
-    // While one is open it may have recorded what is dropped, and what it submits has no ticket yet.
+    // While a recorder is open, it may have recorded a use of a dropped object, and its submission has no
+    // ticket yet.
     void recorderOpened();
     void recorderClosed(const std::atomic<Ticket>& submitted);
 
-    // Those that no submission after `completed` uses, in the order in which they were dropped: views before
-    // images.
+    // Destroys the objects that no submission after `completed` uses, in the order in which they were
+    // dropped: views before images.
     void destroyDone(VkDevice device, Ticket completed);
     void destroyAll(VkDevice device);  // once the device is idle
     std::size_t count() const;

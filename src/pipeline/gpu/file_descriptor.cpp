@@ -8,8 +8,8 @@
 namespace macula::gpu {
 
 Result<FileDescriptor> FileDescriptor::copyOf(int descriptor) {
-    // Above those of stdin, stdout and stderr: where a program has closed them, a log must not be written
-    // here.
+    // Above stdin, stdout and stderr: if a program has closed these, output meant for them must not be
+    // written into the copy.
     const int copy = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
     if (copy >= 0) return FileDescriptor(copy);
     if (errno == EMFILE || errno == ENFILE)

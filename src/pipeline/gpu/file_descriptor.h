@@ -1,4 +1,4 @@
-// An open file of the system, owned: what others give as a number is duplicated, and theirs stays open.
+// An owned file descriptor. Descriptors of other owners are duplicated, so theirs stay open.
 #pragma once
 
 #include <utility>
@@ -9,9 +9,9 @@ namespace macula::gpu {
 
 class FileDescriptor {
   public:
-    FileDescriptor() = default;  // none
-    // Of its own, for the same file; not inherited by programs that are started. usage when there is none
-    // such.
+    FileDescriptor() = default;  // owns nothing
+    // Duplicates the descriptor; child processes do not inherit the copy. Fails with usage when `descriptor`
+    // is not open.
     static Result<FileDescriptor> copyOf(int descriptor);
 
     FileDescriptor(FileDescriptor&& other) noexcept : descriptor_(other.release()) {}
@@ -23,7 +23,7 @@ class FileDescriptor {
 
     explicit operator bool() const { return descriptor_ >= 0; }
     int get() const { return descriptor_; }
-    // From here on somebody else closes it.
+    // Gives up ownership: the caller closes it.
     int release() { return std::exchange(descriptor_, -1); }
 
   private:

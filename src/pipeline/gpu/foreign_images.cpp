@@ -40,8 +40,8 @@ void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
     record(commands, imageBarrier(image, layer, from, to, access));
 }
 
-// To another device, which acquires it with that layout before and after. It was not acquired from there:
-// what it held is lost.
+// Releases the layer to another device, which must acquire it with the same layouts. Macula never acquired it
+// from there, so its previous content is lost.
 void release(VkCommandBuffer commands, const LentLayer& layer, std::uint32_t queueFamily) {
     VkImageMemoryBarrier2 barrier =
         imageBarrier(layer.image, layer.layer, layer.layout, layer.layout, VK_ACCESS_2_NONE);
@@ -50,9 +50,9 @@ void release(VkCommandBuffer commands, const LentLayer& layer, std::uint32_t que
     record(commands, barrier);
 }
 
-// The blit of a part of the source to a place in the target; nothing where they do not meet.
+// The blit of a part of the source to a place in the target; nothing if the part lies outside the target.
 std::optional<VkImageBlit> placed(const VkRect2D& part, VkOffset2D place, VkExtent2D target) {
-    // Of the part, along one side.
+    // The visible part, along one axis.
     struct Span {
         std::int32_t begin;
         std::int32_t end;

@@ -1,4 +1,4 @@
-// The one class that owns Vulkan objects. All else in this folder is rule-of-zero on top of it.
+// The class that owns Vulkan objects. All other classes of this folder follow the rule of zero on top of it.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -14,8 +14,8 @@ class Device;
 
 using DestroyFunction = void (*)(VkDevice, std::uint64_t object);
 
-// Destroys the object once all work that may use it is done: all that is submitted so far, and all that
-// recorders open now will submit. Thread-safe.
+// Destroys the object once all work that may use it is done: everything submitted so far, and everything that
+// the recorders open now will submit. Thread-safe.
 void destroyLater(Device& device, DestroyFunction destroy, std::uint64_t object);
 
 // vkDestroyX for each X. Non-dispatchable handles are distinct pointer types on every 64-bit platform.
@@ -73,7 +73,7 @@ class Handle {
     }
 
     VkObject get() const { return object_; }
-    // From here on somebody else sees to it that it is destroyed.
+    // Gives up ownership: the caller destroys the object.
     VkObject release() {
         device_.reset();
         return std::exchange(object_, VkObject{});

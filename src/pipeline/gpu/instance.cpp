@@ -45,7 +45,7 @@ bool contains(const std::vector<std::string>& names, const char* wanted) {
 VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                               VkDebugUtilsMessageTypeFlagsEXT type,
                               const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    // The loader's own remarks (say, on a driver for hardware that is not there) are not about what we did.
+    // Remarks of the loader itself (say, on a driver without its hardware) are not about Macula's calls.
     if (type == VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT) {
         log::debug("Vulkan: {}", data->pMessage);
         return VK_FALSE;
@@ -62,7 +62,7 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationMessages& messages) {
     VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
     info.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    // No performance advice: it would warn of each use of GENERAL, the layout that all our images are in.
+    // No performance warnings: they would complain about each use of GENERAL, the layout of all our images.
     info.messageType =
         VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
     info.pfnUserCallback = onMessage;
@@ -70,9 +70,9 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationMessages& messages) {
     return info;
 }
 
-// The loader unloads a driver with the last instance. A driver cannot be loaded any number of times in a
-// process: after 37 of them NVIDIA's (580.159) was refused, probably for want of static thread-local storage,
-// and then there seems to be no driver. An instance that is never destroyed keeps drivers loaded.
+// Keeps one instance for ever, because the loader unloads a driver with its last instance, and a process can
+// load a driver only so many times: NVIDIA's (580.159) was refused after 37 times, probably for lack of
+// static thread-local storage, and then the computer seems to have no driver.
 void keepDriversLoaded() {
     [[maybe_unused]] static const VkInstance kept = [] {
         VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
@@ -153,7 +153,7 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
     info.ppEnabledLayerNames = layers.data();
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     info.ppEnabledExtensionNames = extensions.data();
-    if (state->validating && state->debugUtils) info.pNext = &messenger;  // also for creation itself
+    if (state->validating && state->debugUtils) info.pNext = &messenger;  // also for creation
     if (checksSynchronization) {
         features.pNext = info.pNext;
         info.pNext = &features;
@@ -178,7 +178,7 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
     return finished(std::move(state));
 }
 
-// The rest, once there is a handle.
+// Completes an instance that has its handle.
 Result<Instance> Instance::finished(std::shared_ptr<State> state) {
     if (state->validating && state->debugUtils) {
         const auto createMessenger = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(

@@ -15,22 +15,23 @@ namespace macula::gpu {
 enum class Validation { off, on };
 
 struct InstanceOptions {
-    std::vector<const char*> extensions;      // what a window system or OpenXR needs: "VK_KHR_xcb_surface"
+    std::vector<const char*> extensions;      // those of a window system or OpenXR: "VK_KHR_xcb_surface"
     Validation validation = Validation::off;  // the environment MACULA_VALIDATION=1 turns it on, too
     // OpenXR creates the instance itself (xrCreateVulkanInstanceKHR); default vkCreateInstance.
     std::function<VkResult(const VkInstanceCreateInfo&, VkInstance*)> createInstance;
-    // An instance that a host has made for Vulkan 1.3, with `extensions`, and destroys after all that is made
-    // from this. Whether it validates, the host knows: then VK_EXT_debug_utils makes us hear of it.
+    // An instance that a host program has made for Vulkan 1.3, with `extensions`, and destroys after
+    // everything that is made from it. With `validation` on and VK_EXT_debug_utils among `extensions`, its
+    // validation messages are collected.
     VkInstance lent = VK_NULL_HANDLE;
 };
 
-// The VkInstance and what the validation layer said so far. Devices keep it alive, so an Instance may be
-// dropped once they are made. The handle may be adopted by others (QVulkanInstance::setVkInstance); they must
-// not destroy it. Thread-safe.
+// The VkInstance and the messages of the validation layer so far. Devices keep it alive, so an Instance may
+// be dropped once they are made. Others may adopt the handle (QVulkanInstance::setVkInstance), but must not
+// destroy it. Thread-safe.
 class Instance {
   public:
-    // deviceNotUsable when there is no Vulkan driver, an extension is missing, or validation is wanted and
-    // its layer is not installed.
+    // Fails with deviceNotUsable when there is no Vulkan driver, an extension is missing, or validation is
+    // requested and its layer is not installed.
     static Result<Instance> create(const InstanceOptions& options = {});
 
     Instance(Instance&&) noexcept = default;
@@ -40,8 +41,8 @@ class Instance {
     bool validating() const;
     bool hasDebugUtils() const;  // object names and labels reach debuggers such as RenderDoc
 
-    // Warnings and errors of the validation layer since the start, also logged when they came. A test suite
-    // expects 0.
+    // Warnings and errors of the validation layer since the start; each was also logged. A test suite expects
+    // 0.
     std::size_t validationMessageCount() const;
     std::vector<std::string> validationMessages() const;
 

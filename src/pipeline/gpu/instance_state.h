@@ -1,4 +1,4 @@
-// What an Instance and the devices made from it share. Not for users of macula::gpu.
+// The state that an Instance shares with the devices made from it. Not for users of macula::gpu.
 #pragma once
 
 #include <mutex>

@@ -12,7 +12,7 @@ void require(bool condition, const char* kernel, const std::string& what) {
     if (!condition) checkFailed(__FILE__, __LINE__, kernel, what);
 }
 
-// The id of the specialization constant that is wanted; the shader must have it.
+// The id of the requested specialization constant; the shader must have it.
 std::uint32_t resolve(const Specialization& wanted, const Reflection& reflection, const char* kernel) {
     for (const ReflectedSpecialization& offered : reflection.specializations)
         if (wanted.name.empty() ? offered.id == wanted.id : offered.name == wanted.name) return offered.id;
@@ -21,7 +21,7 @@ std::uint32_t resolve(const Specialization& wanted, const Reflection& reflection
         fmt::format("the shader has no specialization constant \"{}\" (or id {})", wanted.name, wanted.id));
 }
 
-// The values given to specialization constants, as Vulkan takes them.
+// The values of specialization constants in Vulkan's form.
 struct SpecializationData {
     std::vector<std::uint32_t> values;
     std::vector<VkSpecializationMapEntry> entries;
@@ -54,7 +54,7 @@ void setLocalSize(CompiledKernel& kernel, const SpecializationData& constants, c
     }
 }
 
-// One set of push descriptors, in which each resource is alone at its binding.
+// Creates one set of push descriptors, with a single resource at each binding.
 VkResult createSetLayout(CompiledKernel& kernel, const char* name) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
     for (const ReflectedBinding& reflected : kernel.reflection.bindings) {

@@ -27,7 +27,7 @@ struct Specialization {
     Specialization(std::uint32_t constantId, auto constantValue)
         : id(constantId), bits(bitsOf(constantValue)) {}
 
-    std::string_view name;  // when empty, by id
+    std::string_view name;  // when empty, `id` counts
     std::uint32_t id = 0;
     std::uint32_t bits = 0;
 
@@ -43,14 +43,14 @@ struct Specialization {
 
 struct KernelOptions {
     std::vector<Specialization>
-        specializations;  // a variant of the shader; a name it does not have is a failed check
+        specializations;  // choose a variant of the shader; an unknown name is a failed check
     // The subgroup size that the kernel requires: a power of two from DeviceInfo::minSubgroupSize to
     // maxSubgroupSize. 0: the driver chooses, perhaps another than DeviceInfo::subgroupSize.
     std::uint32_t subgroupSize = 0;
 };
 
-// A compiled pipeline. The device caches it as long as it lives: the next Kernel of the same shader and
-// constants is there at once.
+// A compiled pipeline. The device caches it as long as the device lives: another Kernel of the same shader
+// and constants is not compiled again.
 struct CompiledKernel {
     explicit CompiledKernel(VkDevice on) : device(on) {}
     CompiledKernel(const CompiledKernel&) = delete;

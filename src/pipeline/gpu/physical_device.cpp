@@ -48,10 +48,10 @@ std::optional<std::uint32_t> universalQueueFamily(VkPhysicalDevice device) {
 }
 
 std::uint32_t threadsAtOnce(VkPhysicalDevice device, VkPhysicalDeviceType type) {
-    // A card of some years ago, and a chip beside a CPU: their drivers do not tell.
+    // Guesses for drivers that report nothing: a card of some years ago, and a GPU next to a CPU.
     constexpr std::uint32_t kDiscreteGuess = 1 << 16;
     constexpr std::uint32_t kOtherGuess = 1 << 13;
-    constexpr std::uint32_t kWarp = 32;  // threads, of every card with VK_NV_shader_sm_builtins
+    constexpr std::uint32_t kWarp = 32;  // threads, on every card with VK_NV_shader_sm_builtins
     if (type == VK_PHYSICAL_DEVICE_TYPE_CPU) return 0;
     const auto ask = [device](auto& answer) {
         VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &answer, {}};

@@ -1,4 +1,4 @@
-// Questions to a physical device. Not for users of macula::gpu: they read DeviceInfo.
+// Queries of a physical device. Not for users of macula::gpu: they read DeviceInfo.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -10,16 +10,16 @@ namespace macula::gpu {
 
 bool hasExtension(VkPhysicalDevice device, const char* name);
 
-// A family with compute and, if there is one, graphics (blits and presentation want it).
+// A queue family with compute and, if possible, graphics, which blits and presentation need.
 std::optional<std::uint32_t> universalQueueFamily(VkPhysicalDevice device);
 
-// False where there is no such family, too.
+// Also false if there is no such family.
 bool hasCompute(VkPhysicalDevice device, std::uint32_t queueFamily);
 
-// Valid bits of a timestamp of the family's queues; 0 when they have none.
+// The number of valid bits in the timestamps of the family's queues; 0 without timestamps.
 std::uint32_t timestampBits(VkPhysicalDevice device, std::uint32_t queueFamily);
 
-std::uint32_t threadsAtOnce(VkPhysicalDevice device, VkPhysicalDeviceType type);  // as DeviceInfo
+std::uint32_t threadsAtOnce(VkPhysicalDevice device, VkPhysicalDeviceType type);  // see DeviceInfo
 
 struct HeapBudget {
     std::uint64_t bytes = 0;

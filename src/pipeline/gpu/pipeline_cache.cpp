@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kMagic = "Macula kernels 1\n";
 constexpr std::size_t kDigestLetters = 64;
 constexpr std::size_t kMostBytes = std::size_t(256) << 20;
-constexpr std::size_t kMostFiles = 8;  // of devices, drivers and versions
+constexpr std::size_t kMostFiles = 8;  // one for each device, driver and version
 constexpr const char* kExtension = ".kernels";
 
 template <class T>
@@ -29,7 +29,7 @@ std::string_view bytesOf(const T& value) {
     return {reinterpret_cast<const char*>(&value), sizeof(value)};
 }
 
-// All but the newest: those of drivers and versions of before are never read again.
+// Removes all files but the newest: files of earlier drivers and versions are never read again.
 void removeOldFiles(const fs::path& folder) {
     std::vector<std::pair<fs::file_time_type, fs::path>> files;
     std::error_code error;
@@ -103,7 +103,7 @@ std::unique_ptr<PipelineCache> PipelineCache::open(VkDevice device, VkPhysicalDe
     info.pInitialData = data.empty() ? nullptr : data.data();
     VkPipelineCache cache = VK_NULL_HANDLE;
     VkResult made = vkCreatePipelineCache(device, &info, nullptr, &cache);
-    if (made < 0 && !data.empty()) {  // it does not like what it wrote itself
+    if (made < 0 && !data.empty()) {  // the driver rejects its own data
         info.initialDataSize = 0;
         info.pInitialData = nullptr;
         made = vkCreatePipelineCache(device, &info, nullptr, &cache);
@@ -117,7 +117,7 @@ void PipelineCache::close(bool keeps) noexcept {
     try {
         if (keeps) write();
     } catch (const std::exception&) {
-        // There is no memory for it: the next start compiles.
+        // Out of memory: nothing is kept, and the next start compiles.
     }
     vkDestroyPipelineCache(device_, std::exchange(cache_, VkPipelineCache{VK_NULL_HANDLE}), nullptr);
 }

@@ -1,5 +1,5 @@
-// What the driver has compiled, kept in a file for the next start: a graphics card's driver takes about a
-// second for all of Macula's kernels.
+// Keeps the driver's compiled kernels in a file for the next start: the driver of a graphics card takes about
+// a second to compile all of Macula's kernels.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -12,20 +12,20 @@
 
 namespace macula::gpu {
 
-// The file of a device, its driver and this version of Macula, in that folder.
+// The file in `folder` for a device, its driver and this version of Macula.
 std::filesystem::path kernelsFile(VkPhysicalDevice physical, const std::filesystem::path& folder);
 
-// What such a file holds: drivers trust what they are given, so nothing reaches one that is not as it was
-// written. Nothing of a file that is cut short, changed, or of something else.
+// The content of such a file: the data behind a digest, because drivers trust the data that they are given.
+// unsealedKernels returns nothing for a file that is cut short, changed, or of another kind.
 std::string sealedKernels(std::string_view data);
 std::optional<std::string> unsealedKernels(std::string_view file);
-// Whether a cache of this device and driver wrote it (VkPipelineCacheHeaderVersionOne).
+// Whether a cache of this device and driver wrote the data (VkPipelineCacheHeaderVersionOne).
 bool isOfDriver(std::string_view data, const VkPhysicalDeviceProperties& driver);
 
-// A VkPipelineCache. What cannot be read or written is no error: kernels are compiled then.
+// A VkPipelineCache. A file that cannot be read or written is not an error: the kernels are compiled instead.
 class PipelineCache {
   public:
-    // Null when the driver has none to give.
+    // Null when the driver cannot create one.
     static std::unique_ptr<PipelineCache> open(VkDevice device, VkPhysicalDevice physical,
                                                const std::filesystem::path& folder);
 
@@ -33,9 +33,10 @@ class PipelineCache {
     PipelineCache& operator=(const PipelineCache&) = delete;
 
     VkPipelineCache handle() const { return cache_; }
-    // Whether no file held anything of this device, its driver and this version.
+    // Whether no file held data for this device, its driver and this version.
     bool beganEmpty() const { return beganEmpty_; }
-    // Before the device goes: writes the file when anything is new and `keeps`. Throws nothing.
+    // Call before the device is destroyed: writes the file if the data changed and `keeps` is true. Throws
+    // nothing.
     void close(bool keeps) noexcept;
 
   private:
@@ -51,7 +52,7 @@ class PipelineCache {
     VkDevice device_;
     VkPipelineCache cache_;
     std::filesystem::path file_;
-    std::string read_;  // what the file held, sealed
+    std::string read_;  // the content of the file, sealed
     bool beganEmpty_;
 };
 

@@ -9,7 +9,7 @@ namespace macula::gpu {
 
 namespace {
 
-// Parts begin where any value may.
+// Parts begin at offsets that suit any type.
 constexpr std::size_t kAlignment = 64;
 
 bool isInHostMemory(const Buffer* buffer) {

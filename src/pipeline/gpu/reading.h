@@ -1,4 +1,4 @@
-// Bytes on their way from the device to the host, while the device and this thread do something else.
+// Reads bytes from the device to the host while the device and this thread do something else.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +16,21 @@
 
 namespace macula::gpu {
 
-// Reads some buffers again and again. Begun, finished and dropped by the thread that uses the device; what
-// has come may be read by any thread, until it is begun again.
+// Reads some buffers repeatedly. The thread that uses the device begins, finishes and drops it; any thread
+// may read the parts between finish() and the next begin().
 class Reading {
   public:
     Reading() = default;
 
-    // Begins to copy what the buffers hold once all that is submitted by now is done; they may be written
-    // over as soon as this returns. All copies are one submission, to staging memory that is kept for the
-    // next time. Buffers in host memory are read here and now, which waits; likewise all where there is no
-    // staging memory. What was read before is lost.
+    // Begins to copy the buffers as they are once all work submitted so far is done; later work may overwrite
+    // them. All copies are one submission, to staging memory that is kept for the next time. If all buffers
+    // are in host memory, or there is no staging memory, this reads them at once, and waits. The parts of the
+    // previous reading are lost.
     Result<void> begin(std::initializer_list<const Buffer*> buffers);
-    // Waits for what was begun; nothing else does.
+    // Waits for the copies that begin() submitted. The next begin() waits for them too.
     Result<void> finish();
 
-    // Of the buffer at that place in the list, once it is finished.
+    // The bytes of the buffer at `index` of the list given to begin(), once it is finished.
     template <class T>
     std::span<const T> part(std::size_t index) const {
         const std::span<const std::byte> bytes = bytesOf(index);
@@ -47,11 +47,11 @@ class Reading {
     Result<void> readNow(std::initializer_list<const Buffer*> buffers, std::size_t bytes);
 
     std::vector<Part> parts_;
-    std::optional<Staging> staging_;  // where they come to
-    std::vector<std::byte> own_;      // instead, where they were read at once
+    std::optional<Staging> staging_;  // the target of the copies
+    std::vector<std::byte> own_;      // the target if they were read at once
     bool isOwn_ = false;
     std::shared_ptr<Device> device_;
-    Ticket ticket_ = 0;  // 0: all has come
+    Ticket ticket_ = 0;  // 0: no copy is under way
 };
 
 }  // namespace macula::gpu

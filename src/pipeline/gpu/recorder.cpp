@@ -61,7 +61,7 @@ Recorder::Recorder(Recorder&& other) noexcept
       timers_(std::move(other.timers_)),
       dirty_(other.dirty_),
       ticket_(other.ticket_) {
-    MACULA_CHECK_EQ(other.openScopes_, 0);  // they point to the recorder
+    MACULA_CHECK_EQ(other.openScopes_, 0);  // scopes point to their recorder
 }
 
 Recorder::~Recorder() {
@@ -251,7 +251,7 @@ void Recorder::endScope(int timer) {
 Result<Ticket> Recorder::submit(const SubmitOptions& options) {
     MACULA_CHECK(state_ == State::recording);
     MACULA_CHECK_EQ(openScopes_, 0);
-    // So that what is submitted later, and the host, sees all that was written here.
+    // Makes everything written here visible to later submissions and to the host.
     memoryBarrier(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT,
                   VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_READ_BIT);
     if (const VkResult result = vkEndCommandBuffer(commands_.buffer); result < 0)

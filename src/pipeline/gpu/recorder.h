@@ -7,8 +7,8 @@
 //   }
 //   MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
 //
-// A dispatch that does not fit its shader (push constants of another size, another number or kind of
-// bindings) is a failed check: it names the kernel and the binding.
+// A dispatch that does not match its shader (another size of push constants, another number or kind of
+// bindings) is a failed check that names the kernel and the binding.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -32,7 +32,7 @@
 
 namespace macula::gpu {
 
-// Threads, not groups; rounded up to whole groups, so a shader must test its invocation against the real
+// Threads, not groups; rounded up to whole groups, so a shader must test its invocation against the actual
 // size.
 struct Threads {
     std::uint32_t x = 1;
@@ -40,13 +40,13 @@ struct Threads {
     std::uint32_t z = 1;
 };
 
-// Whether a command waits for those before it. `concurrent` saves a barrier where the commands touch
-// different data.
+// Whether a command waits for the commands before it. `concurrent` saves a barrier between commands that
+// touch different data.
 enum class Order { afterPrevious, concurrent };
 
 struct SubmitOptions {
     VkSemaphore wait =
-        VK_NULL_HANDLE;  // binary, waited for before anything runs: Swapchain::Frame::available
+        VK_NULL_HANDLE;  // binary, awaited before any command runs: Swapchain::Frame::available
     VkSemaphore signal = VK_NULL_HANDLE;  // binary, signalled when all is done: Swapchain::Frame::rendered
 };
 
@@ -106,9 +106,10 @@ class Recorder {
     void dispatchBytes(const Kernel& kernel, Threads threads, std::span<const std::byte> push,
                        std::span<const Binding> bindings, Order order = Order::afterPrevious);
 
-    // An indirect dispatch: as many groups (not threads) as a VkDispatchIndirectCommand, three uints, says
-    // when its turn comes, at a multiple of 4 bytes in a buffer with VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT. Who
-    // writes it keeps to the device's limits: every device allows 65535 groups along each axis.
+    // An indirect dispatch. When the device reaches it, it reads the number of groups (not threads) from a
+    // VkDispatchIndirectCommand, three uints, at a multiple of 4 bytes in a buffer with
+    // VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT. Whoever writes them must keep to the device's limits: every device
+    // allows 65535 groups along each axis.
     struct Groups {
         const Buffer& buffer;
         std::uint64_t offset = 0;
@@ -132,36 +133,35 @@ class Recorder {
               Order order = Order::afterPrevious);
     // Both images have the same size and format.
     void copy(const Image& from, const Image& to, Order order = Order::afterPrevious);
-    // A part of the image, bit by bit, to the top left corner of a layer of the same texel size: what is
-    // encoded for display stays so in an sRGB image. What the layer held is lost. The image is ready for who
-    // owns it once that is done.
+    // Copies a part of the image, bit by bit, to the top left corner of a layer of the same texel size:
+    // display-encoded values stay so in an sRGB image. The layer's previous content is lost. Afterwards the
+    // image is ready for its owner.
     void copy(const Image& from, const VkRect2D& part, const LentLayer& to);
     // Writes a few bytes that travel in the command buffer itself: at most kMaxUpdateBytes, a multiple of 4.
-    // So nobody has to wait until earlier work has read what was there before.
+    // So the host need not wait until earlier work has read the previous content.
     void update(const Buffer& buffer, std::span<const std::byte> bytes, Order order = Order::afterPrevious);
     void fill(const Buffer& buffer, std::uint32_t value, Order order = Order::afterPrevious);  // all of it
     void clear(const Image& image, const VkClearColorValue& value, Order order = Order::afterPrevious);
 
-    // Scales the whole 2D image over the whole target, whose content before is lost and which is then ready
-    // to be presented. Values are converted to the target's format, not encoded: write display-encoded
+    // Scales the whole 2D image over the whole target, whose previous content is lost, and which is then
+    // ready to be presented. Values are converted to the target's format, not encoded: write display-encoded
     // values.
     void blit(const Image& from, const BlitTarget& to, VkFilter filter = VK_FILTER_NEAREST,
               std::span<const BlitOverlay> overlays = {});
 
-    // What follows waits for what came before. Only needed around Order::concurrent and commands().
+    // Makes later commands wait for earlier ones. Only needed around Order::concurrent and commands().
     void barrier();
 
     [[nodiscard]] Scope label(std::string_view name);  // for debuggers
-    [[nodiscard]] Scope timed(std::string_view name);  // a label that is timed; at most kMaxTimers
+    [[nodiscard]] Scope timed(std::string_view name);  // a label whose time is measured; at most kMaxTimers
 
     static constexpr int kMaxTimers = CommandPool::kQueries / 2;
     static constexpr std::size_t kMaxUpdateBytes = 65536;  // Vulkan's own limit
 
-    // The command buffer, for what this class does not offer. Put barrier() before and after.
+    // The command buffer, for commands that this class does not offer. Put barrier() before and after.
     VkCommandBuffer commands() const { return commands_.buffer; }
 
-    // May be called once. The work starts now; the recorder may be dropped at once, or kept to ask for
-    // timings.
+    // May be called once. The work starts now; the recorder may be dropped at once, or kept to read timings.
     Result<Ticket> submit(const SubmitOptions& options = {});
 
     // The timed sections in order of their start; none where the queue has no timestamps. Waits for the

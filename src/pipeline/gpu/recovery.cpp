@@ -42,7 +42,7 @@ Result<void> LastingDevice::ensureDevice() {
 }
 
 Result<void> LastingDevice::countLoss() {
-    device_.reset();  // some drivers allow no new one before the old one is gone
+    device_.reset();  // some drivers allow no new device before the old one is gone
     if (!losses_.mayGoOn()) return lostTooOften();
     tell_(Text("The graphics device stopped responding; the work begins anew on a new one."));
     return {};

@@ -18,7 +18,7 @@ Error tooLarge(const Device& device, const Text& what, const Text& needs, const 
             "", Text("Open a smaller series, or choose a device with more memory by MACULA_DEVICE.")};
 }
 
-// The first type that has the flags of the earliest alternative possible.
+// The first memory type that has all flags of an alternative; earlier alternatives come first.
 std::optional<std::uint32_t> findMemoryType(const VkPhysicalDeviceMemoryProperties& memory,
                                             std::uint32_t allowedTypes,
                                             std::initializer_list<VkMemoryPropertyFlags> alternatives) {
@@ -77,12 +77,12 @@ Result<Allocation> allocate(const std::shared_ptr<Device>& device, const VkMemor
     VkDeviceMemory handle = VK_NULL_HANDLE;
     VkResult result = tryAllocate(&handle);
     const bool isFull = result == VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    // Where both are the same memory. On a graphics card it would not help, and what was kept may be all that
-    // is left to read results back through.
+    // Frees kept staging memory where it is the same memory. On a graphics card that would not help, and it
+    // may be the only staging memory left for reading results back.
     if (isFull && kind == MemoryKind::deviceLocal && device->hasUnifiedMemory())
         device->staging().clear(device);
     if (isFull && device->pendingDestructions() > 0) {
-        // What was dropped may still hold the memory: worth one wait before giving up.
+        // Dropped objects may still hold the memory: worth one wait before giving up.
         MACULA_TRY_VOID(device->waitForAll());
         result = tryAllocate(&handle);
     }
@@ -153,7 +153,7 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
         return tooLarge(*device, what, Text("{} elements", options.elements),
                         Text::verbatim(std::to_string(limit)));
     const std::uint64_t viewBytes = ofView * bytesPerTexel(options.format);
-    // The most that minTexelBufferOffsetAlignment may be.
+    // 256 is the largest minTexelBufferOffsetAlignment that Vulkan allows.
     MACULA_CHECK(ofView >= options.elements || viewBytes % 256 == 0);
 
     VkFormatProperties properties{};
@@ -190,7 +190,7 @@ namespace {
 
 constexpr VkImageSubresourceRange kWholeImage{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
 
-// An error too where the device cannot use the format so.
+// Also fails if the device cannot use the format in this way.
 VkResult createImage(const Device& device, const ImageOptions& options, VkExtent3D extent, VkImage& handle) {
     VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
     info.imageType = options.shape == ImageShape::volume ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
@@ -218,7 +218,7 @@ VkResult createView(const Device& device, const ImageOptions& options, VkImage i
     return vkCreateImageView(device.handle(), &info, nullptr, &view);
 }
 
-// Submits the move; what is submitted later waits for it.
+// Submits the transition; later submissions wait for it.
 Result<void> moveToGeneral(const std::shared_ptr<Device>& device, VkImage image) {
     MACULA_TRY(auto recorder, Recorder::create(device, "image to GENERAL"));
     VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};

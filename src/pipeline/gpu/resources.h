@@ -1,8 +1,8 @@
 // Buffers, images and samplers: move-only values, each with a memory allocation of its own.
 //
 // All may be dropped at any time, on any thread, also while the GPU uses them. Creation fails with
-// outOfMemory, and a sentence that has the numbers, when the memory or a limit of the device does not
-// suffice; with deviceLost on a lost device.
+// outOfMemory, and a sentence with the numbers, when the memory or a limit of the device does not suffice;
+// with deviceLost on a lost device.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -29,9 +29,9 @@ enum class MemoryKind {
 struct BufferOptions {
     std::string label = "buffer";
     std::uint64_t bytes = 0;  // above 0
-    // Copies from and to it are always allowed. A storage buffer is limited to
-    // DeviceInfo::maxStorageBufferBytes, which is only 128 MiB on lavapipe; larger data is read through texel
-    // buffers.
+    // Copies from and to the buffer are always allowed. A storage buffer is limited to
+    // DeviceInfo::maxStorageBufferBytes, which is only 128 MiB on lavapipe; shaders read larger data through
+    // texel buffers.
     VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     MemoryKind memory = MemoryKind::deviceLocal;
 };
@@ -47,9 +47,9 @@ class Buffer {
     std::uint64_t bytes() const { return bytes_; }
     VkBufferUsageFlags usage() const { return usage_; }
 
-    // The whole buffer, coherent; empty when it is not in host memory (only ever so for deviceLocal). What
-    // the GPU writes is there once its ticket is done; what the host writes is seen by what is submitted
-    // later.
+    // The whole buffer, coherent; empty when it is not in host memory, which happens only for deviceLocal.
+    // The GPU's writes are visible here once their ticket is done; work submitted after the host's writes
+    // sees these.
     std::span<std::byte> mapped() const { return mapped_; }
     bool hostCached() const { return hostCached_; }  // false: reading `mapped` is very slow
 
@@ -71,10 +71,10 @@ class Buffer {
 struct TexelBufferOptions {
     std::string label = "texel buffer";
     std::uint64_t elements = 0;  // above 0, at most DeviceInfo::maxTexelBufferElements if all are in one view
-    VkFormat format = VK_FORMAT_UNDEFINED;  // one of bytesPerTexel
+    VkFormat format = VK_FORMAT_UNDEFINED;  // a format that bytesPerTexel knows
     VkBufferUsageFlags usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
     MemoryKind memory = MemoryKind::deviceLocal;
-    // Elements of each view but the last, whose bytes are a multiple of 256; 0: there is one view.
+    // Elements of each view except the last; their bytes must be a multiple of 256. 0: one view.
     std::uint64_t elementsOfView = 0;
 };
 
@@ -117,8 +117,8 @@ struct ImageOptions {
 // GENERAL.
 class Image {
   public:
-    // Also submits the move to GENERAL; nobody needs to wait for it. The content is undefined until written.
-    // usage when the device cannot use the format so.
+    // Also submits the transition to GENERAL; nobody needs to wait for it. The content is undefined until
+    // written. Fails with deviceNotUsable when the device cannot use the format in this way.
     static Result<Image> create(const std::shared_ptr<Device>& device, const ImageOptions& options);
 
     VkImage handle() const { return image_.get(); }
@@ -163,8 +163,8 @@ class Sampler {
     Handle<VkSampler> sampler_;
 };
 
-// Size of one texel of the formats Macula uses, else 0: R8, RG8, RGBA8, BGRA8, R16, RG16, RGBA16, R32, RG32,
-// RGBA32 in their UNORM, UINT, SINT and SFLOAT forms.
+// The bytes of one texel of the formats that Macula uses, else 0: R8, RG8, RGBA8, BGRA8, R16, RG16, RGBA16,
+// R32, RG32, RGBA32 in their UNORM, UINT, SINT and SFLOAT forms.
 std::uint32_t bytesPerTexel(VkFormat format);
 
 }  // namespace macula::gpu

@@ -25,7 +25,7 @@ Error refused(Text what, Text advice) {
     return {ErrorCode::usage, std::move(what), "", std::move(advice)};
 }
 
-// Null, too, where the device was opened without the extension that the function is of.
+// Null if the device was opened without the function's extension.
 template <class Function>
 Function functionOf(const Device& device, const char* name) {
     return reinterpret_cast<Function>(vkGetDeviceProcAddr(device.handle(), name));
@@ -60,7 +60,7 @@ VkImageCreateInfo imageInfo(const SharedMemoryHandles& options) {
     return info;
 }
 
-// That the device can import such an image at all.
+// Checks that the device can import such an image at all.
 Result<void> checkImportable(const Device& device, const VkImageCreateInfo& image, bool isDedicated) {
     VkPhysicalDeviceExternalImageFormatInfo external{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTERNAL_IMAGE_FORMAT_INFO};
@@ -99,7 +99,7 @@ Result<Handle<VkImage>> imageLike(const std::shared_ptr<Device>& device, VkImage
     return Handle(device, image);
 }
 
-// That the image lies in the memory as it would lie in memory of ours.
+// Checks that the image fits into the shared memory as it would into our own.
 Result<void> checkFits(const Device& device, VkImage image, const SharedMemoryHandles& options) {
     VkImageMemoryRequirementsInfo2 of{VK_STRUCTURE_TYPE_IMAGE_MEMORY_REQUIREMENTS_INFO_2};
     of.image = image;
@@ -132,8 +132,8 @@ Result<void> checkFits(const Device& device, VkImage image, const SharedMemoryHa
     return {};
 }
 
-// What an opaque handle is of cannot be asked: vkGetMemoryFdPropertiesKHR is for other kinds. Size and type
-// must be those it was made with.
+// Vulkan cannot tell what an opaque handle belongs to (vkGetMemoryFdPropertiesKHR is for other kinds), so
+// size and type must be those of the allocation.
 Result<Handle<VkDeviceMemory>> importMemory(const std::shared_ptr<Device>& device, VkImage image,
                                             const SharedMemory& shared) {
     const SharedMemoryHandles& options = shared.options();
@@ -149,14 +149,15 @@ Result<Handle<VkDeviceMemory>> importMemory(const std::shared_ptr<Device>& devic
     info.memoryTypeIndex = options.memoryType;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     const VkResult result = vkAllocateMemory(device->handle(), &info, nullptr, &memory);
-    // Nothing was to be allocated: where memory is said to be missing, the shared one is smaller.
+    // An import allocates nothing: if the driver reports a lack of memory, the shared memory is smaller than
+    // stated.
     if (result == VK_ERROR_INVALID_EXTERNAL_HANDLE || result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
         return refused(
             Text("What was shared is no memory of this graphics card, or smaller than it is said to be."),
             Text("Give a file descriptor of vkGetMemoryFdKHR with "
                  "VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT, and the size of the allocation."));
     if (result < 0) return device->failed(result, doing());
-    mine.release();  // to the driver, now that it was taken
+    mine.release();  // the driver owns it after a successful import
     return Handle(device, memory);
 }
 
@@ -178,7 +179,7 @@ Result<void> checkSemaphores(const Device& device) {
     return {};
 }
 
-// For good: signals and waits here are those of the other device.
+// Imports permanently: signals and waits on the semaphore are shared with the other device.
 Result<Handle<VkSemaphore>> importSemaphore(const std::shared_ptr<Device>& device,
                                             const FileDescriptor& shared) {
     if (!shared) return Handle<VkSemaphore>();

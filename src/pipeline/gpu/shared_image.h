@@ -1,5 +1,5 @@
-// The image of a SharedMemory on a device of ours: the same texels as on the device that made it, without a
-// copy between them (VK_KHR_external_memory_fd, VK_KHR_external_semaphore_fd).
+// The image of a SharedMemory on one of Macula's devices: the same texels as on the device that made it,
+// without a copy between them (VK_KHR_external_memory_fd, VK_KHR_external_semaphore_fd).
 //
 //   MACULA_TRY(const auto image, gpu::SharedImage::import(device, memory));
 //   recorder.copy(picture, part, image.layer());
@@ -18,19 +18,19 @@
 
 namespace macula::gpu {
 
-// Move-only, and may be dropped at any time as all resources may; the other device's image stays.
+// Move-only; may be dropped at any time as all resources may. The other device's image stays.
 class SharedImage {
   public:
-    // usage when the memory is of another card or driver, does not fit the image, or is none that can be
-    // imported; deviceNotUsable when the device cannot import; deviceLost.
+    // Fails with usage when the memory belongs to another card or driver, does not fit the image, or cannot
+    // be imported; with deviceNotUsable when the device cannot import; with deviceLost.
     static Result<SharedImage> import(const std::shared_ptr<Device>& device, const SharedMemory& memory);
 
     const std::shared_ptr<Device>& device() const { return image_.device(); }
-    // What a picture of the same size is copied to.
+    // The target for Recorder::copy of a picture of the same size.
     LentLayer layer() const { return {image_.get(), 0, layout_, true}; }
-    // Of the submission that writes it; each submission uses each of them once.
+    // For the submission that writes the image; each submission uses each semaphore once.
     SubmitOptions semaphores() const { return {wait_.get(), signal_.get()}; }
-    // Whether its owner learns from a semaphore when it is written.
+    // Whether a semaphore tells the image's owner when it is written.
     bool signals() const { return bool(signal_); }
 
   private:

@@ -23,7 +23,7 @@ Error refused(Text what, Text advice) {
     return {ErrorCode::usage, std::move(what), "", std::move(advice)};
 }
 
-// What an image must be used for to be left in a layout; nothing where it cannot be left so.
+// The usages of which an image needs one to be left in `layout`; 0 if it cannot be left so.
 std::uint32_t usagesOf(std::uint32_t layout) {
     switch (layout) {
         case VK_IMAGE_LAYOUT_GENERAL:
@@ -89,9 +89,9 @@ Result<void> checkAllocation(const SharedMemoryHandles& options) {
     return {};
 }
 
-// A copy of what a driver may be given, as far as the system can tell. A driver that reads from a pipe waits
-// for ever, and that of NVIDIA opens no memory any more once it was given a file of a disk (580.159.04).
-// Drivers on a CPU share files that are in memory, which alone can have seals.
+// A copy of the descriptor, if a driver may be given it, as far as the system can tell. A driver that reads
+// from a pipe waits for ever, and NVIDIA's (580.159.04) opens no memory any more once it was given a file on
+// disk. Drivers on a CPU share files in memory; only those can have seals.
 Result<FileDescriptor> copyFor(int descriptor, const Text& what, const char* madeBy) {
     MACULA_TRY(FileDescriptor copy, FileDescriptor::copyOf(descriptor));
     struct stat file {};

@@ -1,5 +1,5 @@
-// Memory of an image that a program has on another device object of the same card, and shares: what has to be
-// known to have the same image here. It outlives devices: SharedImage is that image on one of them.
+// Memory of an image that a program made on another device object of the same card, and shares: everything
+// needed to open the same image here. It outlives devices: SharedImage is that image on one of them.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace macula::gpu {
 
 class Device;
 
-// What a card and its driver are known by to every program: VkPhysicalDeviceIDProperties.
+// Identifies a card and its driver for every program: VkPhysicalDeviceIDProperties.
 struct CardIdentity {
     std::array<std::uint8_t, 16> device{};
     std::array<std::uint8_t, 16> driver{};
@@ -21,32 +21,33 @@ struct CardIdentity {
 };
 CardIdentity identityOf(const Device& device);
 
-// As the other program made it. Numbers: none is taken for one of Vulkan before it was checked.
+// How the other program made the memory and the image. Plain numbers: none is used as a Vulkan enumerator
+// before it is checked.
 struct SharedMemoryHandles {
     // Opaque file descriptors of VkDeviceMemory and of binary VkSemaphores; 0 and below: none.
     int memory = 0;
-    int wait = 0;    // waited for before the image is written
-    int signal = 0;  // signalled when it is written
+    int wait = 0;    // awaited before the image is written
+    int signal = 0;  // signalled when the image is written
     CardIdentity card;
-    std::uint64_t bytes = 0;        // of the allocation
-    std::uint64_t offsetBytes = 0;  // of the image in it
-    std::uint32_t memoryType = 0;   // index
-    bool isDedicated = false;       // VkMemoryDedicatedAllocateInfo
+    std::uint64_t bytes = 0;        // size of the allocation
+    std::uint64_t offsetBytes = 0;  // where the image begins in the allocation
+    std::uint32_t memoryType = 0;   // index of the memory type
+    bool isDedicated = false;       // allocated with VkMemoryDedicatedAllocateInfo
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::uint32_t format = 0;  // VkFormat: R8G8B8A8, UNORM or SRGB
     std::uint32_t tiling = 0;  // VkImageTiling
-    std::uint32_t usage = 0;   // VkImageUsageFlags, VK_IMAGE_USAGE_TRANSFER_DST_BIT among them
+    std::uint32_t usage = 0;   // VkImageUsageFlags, including VK_IMAGE_USAGE_TRANSFER_DST_BIT
     std::uint32_t flags = 0;   // VkImageCreateFlags
-    std::uint32_t layout = 0;  // VkImageLayout that it is left in; 0: VK_IMAGE_LAYOUT_GENERAL
+    std::uint32_t layout = 0;  // VkImageLayout in which the image is left; 0: VK_IMAGE_LAYOUT_GENERAL
 };
 
 class SharedMemory {
   public:
-    // Duplicates the descriptors. usage when something is missing, or can be of no image.
+    // Duplicates the descriptors. Fails with usage when something is missing, or cannot belong to an image.
     static Result<SharedMemory> create(const SharedMemoryHandles& options);
 
-    // Checked; the descriptors in it are those of the other program, and may be closed by now.
+    // Checked. Its descriptors are those of the other program, which may have closed them by now.
     const SharedMemoryHandles& options() const { return options_; }
     const FileDescriptor& memory() const { return memory_; }
     const FileDescriptor& wait() const { return wait_; }      // may be none

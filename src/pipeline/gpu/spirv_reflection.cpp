@@ -7,7 +7,7 @@
 namespace macula::gpu {
 namespace {
 
-// The numbers of the SPIR-V specification (1.6, unified1) that matter here.
+// Numbers of the SPIR-V specification (1.6, unified1) that the parser needs.
 constexpr std::uint32_t kMagic = 0x07230203;
 constexpr std::size_t kHeaderWords = 5;
 enum Op : std::uint32_t {
@@ -54,7 +54,7 @@ constexpr std::uint32_t kStoragePushConstant = 9;
 constexpr std::uint32_t kStorageStorageBuffer = 12;
 constexpr std::uint32_t kDimBuffer = 5;
 constexpr std::uint32_t kImageIsStorage = 2;
-constexpr int kMaxDepth = 16;  // of nested types: valid modules do not come near
+constexpr int kMaxDepth = 16;  // of nested types: valid modules stay far below it
 
 struct MemberInfo {
     std::string name;
@@ -62,10 +62,10 @@ struct MemberInfo {
     std::uint32_t matrixStride = 0;
 };
 
-// What is known of one result id.
+// What the module says about one result id.
 struct Id {
     std::uint32_t op = 0;
-    std::span<const std::uint32_t> operands;  // all words after the first
+    std::span<const std::uint32_t> operands;  // all words of the instruction after the first
     std::string name;
     std::vector<MemberInfo> members;
     std::uint32_t arrayStride = 0;
@@ -117,7 +117,7 @@ class Parser {
     void readInstructions() {
         if (words_.size() < kHeaderWords || words_[0] != kMagic)
             throw Malformed{"it does not start as SPIR-V does"};
-        // Every id is made by an instruction, so that more ids than words are nonsense.
+        // Every id is made by an instruction, so a module cannot have more ids than words.
         if (words_[3] > words_.size()) throw Malformed{"its bound is larger than the module"};
         ids_.resize(words_[3]);
         for (std::size_t at = kHeaderWords; at < words_.size();) {
@@ -246,7 +246,7 @@ class Parser {
                 reflection_.localSize[axis] = byId ? localSizeOf(id(value)) : LocalSize{value, {}};
             }
         }
-        // The built-in overrides the execution mode. glslang gives it also where it is constant.
+        // The built-in overrides the execution mode. glslang emits it even if it is constant.
         for (const Id& composite : ids_) {
             if (!composite.isWorkgroupSize || composite.op != opSpecConstantComposite) continue;
             for (std::size_t axis = 0; axis < 3; ++axis)
@@ -254,7 +254,7 @@ class Parser {
         }
     }
 
-    // glslang gives local_size_x_id twice: for the execution mode and for gl_WorkGroupSize.
+    // glslang emits local_size_x_id twice: for the execution mode and for gl_WorkGroupSize.
     void addSpecialization(const Id& constant) {
         auto& known = reflection_.specializations;
         const auto same = std::find_if(known.begin(), known.end(),

@@ -30,7 +30,7 @@ Result<Buffer> StagingPool::take(const std::shared_ptr<Device>& device, MemoryKi
         if (best == kept_.end() || kept->bytes < best->bytes) best = kept;
     }
     if (best != kept_.end()) return taken(device, best);
-    // What is too large to be kept is no larger than it has to be.
+    // A buffer too large to be kept gets exactly the size requested.
     const std::uint64_t size =
         bytes > kMostBytes ? bytes : (bytes + kLeastBytes - 1) / kLeastBytes * kLeastBytes;
     MACULA_TRY(Buffer made,
@@ -71,7 +71,7 @@ void StagingPool::giveBack(Buffer buffer, MemoryKind kind) {
                .hostCached = buffer.hostCached_,
                .kind = kind,
                .busyUntil = device->submittedTicket()};
-    kept_.reserve(kept_.size() + 1);  // from here on nothing throws, and no object is left without an owner
+    kept_.reserve(kept_.size() + 1);  // after this nothing throws, so no object is left without an owner
     given.buffer = buffer.buffer_.release();
     given.memory = buffer.memory_.release();
     kept_.push_back(std::move(given));

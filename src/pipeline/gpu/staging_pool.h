@@ -1,5 +1,5 @@
-// Host memory that bytes pass through on their way to a device or from it, kept for the next ones: on a
-// graphics card, getting it takes longer than the copy.
+// Host memory for copies to and from a device, kept for the next copies: on a graphics card, allocating it
+// takes longer than the copy.
 #pragma once
 
 #include <cstddef>
@@ -14,28 +14,28 @@
 
 namespace macula::gpu {
 
-// Belongs to a device, and so holds bare Vulkan objects: a Buffer would keep its device alive. Used by the
-// thread that uses the device.
+// Belongs to a device, and therefore holds bare Vulkan objects: a Buffer would keep its device alive. Used by
+// the thread that uses the device.
 class StagingPool {
   public:
     static constexpr std::size_t kMostOfAKind = 4;
-    static constexpr std::uint64_t kMostBytes = 16u << 20;   // of one that is kept
-    static constexpr std::uint64_t kLeastBytes = 64u << 10;  // sizes are multiples of it
+    static constexpr std::uint64_t kMostBytes = 16u << 20;   // the largest buffer that is kept
+    static constexpr std::uint64_t kLeastBytes = 64u << 10;  // sizes of kept buffers are multiples of it
 
-    // One of at least so many bytes that no submitted work uses. `kind` is upload or readback.
+    // A buffer of at least `bytes` bytes that no submitted work uses. `kind` is upload or readback.
     Result<Buffer> take(const std::shared_ptr<Device>& device, MemoryKind kind, std::uint64_t bytes);
-    // The same where memory is short: what there is, but not less than kLeastBytes or `bytes`.
+    // The same; when memory is short, a smaller buffer, of at least kLeastBytes or `bytes`.
     Result<Buffer> takeUpTo(const std::shared_ptr<Device>& device, MemoryKind kind, std::uint64_t bytes);
-    // It is taken again only when all that is submitted by now is done. Of more than are kept the smallest
-    // goes.
+    // The buffer is reused only when all work submitted so far is done. Of more than kMostOfAKind buffers of
+    // a kind, the smallest is freed.
     void giveBack(Buffer buffer, MemoryKind kind);
-    // Frees what is kept, as soon as nothing uses it.
+    // Frees the kept buffers, each as soon as no work uses it.
     void clear(const std::shared_ptr<Device>& device);
-    // When the device is idle and about to go.
+    // Call when the device is idle and about to be destroyed.
     void destroyAll(VkDevice device);
 
     std::size_t kept() const { return kept_.size(); }
-    std::uint64_t made() const { return made_; }  // since the device was opened
+    std::uint64_t made() const { return made_; }  // buffers allocated since the device was opened
 
   private:
     struct Kept {
@@ -56,7 +56,7 @@ class StagingPool {
     std::uint64_t made_ = 0;
 };
 
-// One that is given back at the end of its scope.
+// A staging buffer that is given back to the pool at the end of its scope.
 class Staging {
   public:
     static Result<Staging> take(const std::shared_ptr<Device>& device, MemoryKind kind, std::uint64_t bytes);

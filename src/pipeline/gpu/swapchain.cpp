@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kWantedImages = 3;
 
-// What we write is display-encoded already, so UNORM: an SRGB format would encode it again.
+// UNORM, because our pixels are display-encoded already: an SRGB format would encode them again.
 Result<VkSurfaceFormatKHR> chooseFormat(Device& device, VkSurfaceKHR surface) {
     std::uint32_t count = 0;
     VkResult result = vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), surface, &count, nullptr);
@@ -74,7 +74,7 @@ Result<Handle<VkSemaphore>> Swapchain::makeSemaphore() const {
 
 Result<void> Swapchain::resize(VkExtent2D extent) {
     MACULA_TRY_VOID(device_->checkNotLost(Text("resize the window")));
-    isBroken_ = true;  // until all that follows has been made
+    isBroken_ = true;  // until everything below has been made
     if (const VkResult result = vkDeviceWaitIdle(device_->handle()); result < 0)
         return device_->failed(result, Text("resize the window"));
 
@@ -116,7 +116,7 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
     VkSwapchainKHR handle = VK_NULL_HANDLE;
     if (const VkResult result = vkCreateSwapchainKHR(device_->handle(), &info, nullptr, &handle);
         result < 0) {
-        swapchain_.reset();  // retired all the same, and of no use to the next try
+        swapchain_.reset();  // retired all the same, and useless for the next try
         return device_->failed(result, Text("create the images of the window"));
     }
     swapchain_ = std::unique_ptr<VkSwapchainKHR_T, DestroySwapchain>(handle, {device_});
@@ -143,7 +143,7 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
     return {};
 }
 
-// Width UINT32_MAX: the images decide.
+// Width UINT32_MAX: the surface takes the size of the images.
 Result<VkExtent2D> Swapchain::surfaceExtent() const {
     VkSurfaceCapabilitiesKHR surface{};
     const VkResult asked = vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &surface);
@@ -168,7 +168,7 @@ Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
     MACULA_TRY(const bool free, device_->waitFor(slot.usedBy, timeoutNs));
     if (!free) return frame;  // timeout
 
-    // The software presentation of Mesa on X11 goes on silently in a window of another size.
+    // Mesa's software presentation on X11 silently continues after the window's size has changed.
     if (device_->isCpu()) {
         MACULA_TRY(const VkExtent2D now, surfaceExtent());
         if (now.width != UINT32_MAX && (now.width != extent_.width || now.height != extent_.height)) {

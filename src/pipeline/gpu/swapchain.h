@@ -15,12 +15,12 @@
 namespace macula::gpu {
 
 enum class PresentMode {
-    fifo,     // every frame is shown, at the rate of the display; always there
-    mailbox,  // the newest frame is shown; fifo where the surface does not offer it
+    fifo,     // every frame is shown, at the rate of the display; always available
+    mailbox,  // the newest frame is shown; fifo if the surface does not offer it
 };
 
 struct SwapchainOptions {
-    VkExtent2D extent{};  // of the window in pixels; taken where the surface leaves the choice
+    VkExtent2D extent{};  // of the window in pixels; used if the surface leaves the choice
     PresentMode mode = PresentMode::fifo;
 };
 
@@ -44,7 +44,7 @@ class Swapchain {
     };
 
     struct Frame {
-        Status status = Status::timeout;  // the rest is valid for ready and suboptimal only
+        Status status = Status::timeout;  // the other members are valid only for ready and suboptimal
         std::uint32_t index = 0;
         VkImage image = VK_NULL_HANDLE;
         VkExtent2D extent{};
@@ -55,15 +55,16 @@ class Swapchain {
         BlitTarget target() const { return {image, extent}; }
     };
 
-    // deviceNotUsable when the device cannot present on the surface, or the surface is lost.
+    // Fails with deviceNotUsable when the device cannot present on the surface, or the surface is lost.
     static Result<Swapchain> create(const std::shared_ptr<Device>& device, VkSurfaceKHR surface,
                                     const SwapchainOptions& options);
 
-    // Waits for the device. Afterwards extent() is what the surface allows; 0 x 0 while the window is hidden.
+    // Waits for the device. Afterwards extent() is the size that the surface allows; 0 x 0 while the window
+    // is hidden.
     Result<void> resize(VkExtent2D extent);
 
-    // A usable frame must be submitted (waiting for `available`, signalling `rendered`) and presented. Where
-    // that fails, or resize did, the next one is outOfDate: the images have to be made anew.
+    // A usable frame must be submitted (waiting for `available`, signalling `rendered`) and presented. If
+    // that or resize() fails, the next frame is outOfDate, because the images have to be made again.
     Result<Frame> acquire(std::uint64_t timeoutNs = kForever);
     Result<Status> present(const Frame& frame, Ticket rendered);
 
@@ -73,10 +74,10 @@ class Swapchain {
   private:
     struct Slot {
         Handle<VkSemaphore> available;
-        Ticket usedBy = 0;  // the submission that waits for it: done, and the semaphore may be used again
+        Ticket usedBy = 0;  // once this submission is done, `available` may be reused
     };
 
-    // Destroys at once, not deferred: the caller may destroy the surface right after.
+    // Destroys at once instead of later: the caller may destroy the surface right after.
     struct DestroySwapchain {
         std::shared_ptr<Device> device;
         void operator()(VkSwapchainKHR swapchain) const;

@@ -36,7 +36,7 @@ Result<void> uploadTo(const Buffer& buffer, std::uint64_t offsetBytes, std::span
         return {};
     }
 
-    // Of more than one chunk, one is filled while the other is copied.
+    // With more than one chunk, the host fills one while the device copies the other.
     const std::uint64_t chunk = std::min<std::uint64_t>(kChunkBytes, bytes.size());
     std::vector<Staging> stages;
     stages.reserve(2);
@@ -83,7 +83,7 @@ Result<void> readInto(const Buffer& buffer, std::uint64_t offsetBytes, std::span
         return {};
     }
 
-    // In smaller portions where memory is short: results are worth more than the time.
+    // Uses smaller chunks if memory is short: reading results back slowly is better than failing.
     MACULA_TRY(const Staging stage, Staging::takeUpTo(device, MemoryKind::readback,
                                                       std::min<std::uint64_t>(kChunkBytes, target.size())));
     const std::uint64_t chunk = stage.buffer().bytes();

@@ -1,5 +1,5 @@
-// Bytes between host and device, for set-up and for results. In a frame loop record the copies instead
-// (recorder.h).
+// Copies bytes between host and device, for set-up and for results. In a frame loop, record the copies
+// instead (recorder.h).
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 namespace macula::gpu {
 
-// Writes into [offsetBytes, offsetBytes + bytes.size()), ordered after all work submitted so far and before
-// all work submitted later; `bytes` may be dropped on return. Direct where the buffer is mapped and the
-// device idle, else by copies in chunks of 16 MiB. offsetBytes and the number of bytes must be multiples of 4
-// for device-local buffers.
+// Writes into [offsetBytes, offsetBytes + bytes.size()), after all work submitted so far and before all work
+// submitted later; `bytes` may be dropped on return. Writes directly if the buffer is mapped and the device
+// idle, else copies chunks of 16 MiB. For device-local buffers, offsetBytes and the number of bytes must be
+// multiples of 4.
 Result<void> uploadTo(const Buffer& buffer, std::uint64_t offsetBytes, std::span<const std::byte> bytes);
 
-// The whole image, tightly packed: bytes.size() must be image.bytes().
+// Writes the whole image, tightly packed: bytes.size() must be image.bytes().
 Result<void> uploadTo(const Image& image, std::span<const std::byte> bytes);
 
 template <class T>
@@ -26,7 +26,7 @@ Result<void> uploadTo(const Buffer& buffer, std::span<const T> values) {
     return uploadTo(buffer, 0, std::as_bytes(values));
 }
 
-// Reads bytes back after all work submitted so far. Waits.
+// These read bytes back after all work submitted so far, and wait for it.
 Result<std::vector<std::byte>> readBytes(const Buffer& buffer, std::uint64_t offsetBytes,
                                          std::uint64_t bytes);
 Result<std::vector<std::byte>> readBytes(const Image& image);

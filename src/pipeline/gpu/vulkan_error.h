@@ -1,4 +1,4 @@
-// What a VkResult means to a person.
+// Turns a VkResult into an error for a person.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -13,7 +13,7 @@ namespace macula::gpu {
 std::string_view vkResultName(VkResult result);
 
 // `doing` completes "Could not ...": "create the buffer 'volume' of 2.0 GiB". Lack of memory becomes
-// outOfMemory, a lost device deviceLost, all else deviceNotUsable.
+// outOfMemory, a lost device deviceLost, everything else deviceNotUsable.
 Error vulkanError(VkResult result, const Text& doing);
 
 // "512 bytes", "16.0 KiB", "1.5 GiB".

@@ -1,5 +1,5 @@
-// A picture on the device: premultiplied RGBA in float, row 0 on top. What the rasterizer draws, the loss
-// compares, and a gradient with respect to such a picture.
+// A picture on the device: premultiplied RGBA in float, row 0 on top. The rasterizer draws it and the loss
+// compares it; the gradient with respect to such a picture has the same form.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,19 +16,19 @@ namespace macula::splat {
 struct DevicePicture {
     int width = 0;
     int height = 0;
-    // vec4 for each pixel, y * width + x; there may be room for more. Kernels write it as a storage buffer
-    // and read it as a samplerBuffer.
+    // vec4 for each pixel, at y * width + x; the buffer may have room for more. Kernels write it as a storage
+    // buffer and read it as a samplerBuffer.
     gpu::TexelBuffer texels;
 
-    // A picture that is not initialised. Sizes above 0; outOfMemory when the device cannot hold 16 bytes for
+    // Makes a picture without content. Sizes above 0; outOfMemory when the device cannot hold 16 bytes for
     // each pixel.
     static Result<DevicePicture> create(const std::shared_ptr<gpu::Device>& device, const std::string& label,
                                         int width, int height);
-    // Ordered after all work submitted so far.
+    // Makes a picture of `pixels`, uploaded after all work submitted so far.
     static Result<DevicePicture> upload(const std::shared_ptr<gpu::Device>& device, const std::string& label,
                                         int width, int height, std::span<const glm::vec4> pixels);
 
-    // Waits.
+    // Reads the pixels back. Waits.
     Result<std::vector<glm::vec4>> read() const;
 };
 

@@ -21,8 +21,8 @@ using shared::SplatListState;
 constexpr std::uint64_t kItemBytes = 8;
 constexpr int kDepthBits = 32;
 
-// Room before any picture was drawn: the splats of large models are small, and a pair takes 29 bytes here and
-// in the lists of tiles, its derivatives more.
+// The room for pairs before any picture was drawn. The splats of large models are small, so few pairs for
+// each suffice; a pair takes 29 bytes here and in the tile lists, and its derivatives take more.
 std::uint64_t firstRoom(std::uint64_t splats) {
     return std::max({std::min<std::uint64_t>(8 * splats, 1u << 18), 2 * splats, std::uint64_t(4096)});
 }

@@ -1,9 +1,11 @@
-// Tile binning on the device (shaders/splat/tile_*.comp): what sortIntoTiles makes on the host, without
-// anything being read back on the way. Splats are sorted by depth; those that show are counted with each of
-// their tiles, by the same exact test; the pairs, which are then in the order of depth, are sorted by tile.
+// Tile binning on the device (shaders/splat/tile_*.comp): makes the lists that sortIntoTiles makes on the
+// host, without reading anything back on the way. Sorts the splats by depth; counts each visible splat once
+// for each of its tiles, by the same exact test; and sorts these pairs, which are then in order of depth,
+// stably by tile.
 //
-// The lists are those of the host but for tiles that a splat only just misses, where logarithm and division
-// of the device may round otherwise: such a pair shows nothing, and changes neither picture nor derivatives.
+// The lists equal those of the host except for tiles that a splat only just misses, where the device's
+// logarithm and division may round differently: such a pair shows nothing, and changes neither picture nor
+// derivatives.
 #pragma once
 
 #include <cstdint>
@@ -18,35 +20,36 @@
 
 namespace macula::splat {
 
-// The splats of larger models are binned on the host.
+// Larger models are binned on the host.
 inline constexpr std::uint32_t kMostSplatsInDeviceLists =
     65535u * (shared::kListThreads / shared::kTileParts);
 
 class DeviceTileLists {
   public:
-    // For at most as many splats, up to kMostSplatsInDeviceLists, and pairs (0: as the device allows).
+    // For up to `splats` splats, at most kMostSplatsInDeviceLists, and up to `mostPairs` pairs (0: as many as
+    // the device allows).
     static Result<DeviceTileLists> create(const std::shared_ptr<gpu::Device>& device, std::uint32_t splats,
                                           std::uint64_t mostPairs);
 
-    // Lists of the first `count` splats, above 0, in `screen`, for the tiles of the SplatFrame in `frame`.
-    // When there are more pairs than there is room for, or more than `most`, no tile shows anything and no
-    // splat is in any.
+    // Records the lists of the first `count` splats, above 0, in `screen`, for the tiles of the SplatFrame in
+    // `frame`. When there are more pairs than room, or more than `most`, all lists are empty: no tile shows
+    // anything.
     Result<void> record(gpu::Recorder& recorder, const gpu::Buffer& frame, const gpu::TexelBuffer& screen,
                         std::uint32_t count, const glm::ivec2& tiles, std::uint64_t most, TileBuffers& lists);
 
-    // The number of pairs in what was recorded last, whether there was room for them or not. Waits until it
-    // is done.
+    // The number of pairs that the last recorded lists need, whether or not there was room for them. Waits
+    // until they are done.
     Result<std::uint64_t> wanted() const;
-    // Pairs there is room for.
+    // The number of pairs for which there is room.
     std::uint64_t capacity() const { return capacity_; }
-    // outOfMemory as tooManyPairs.
+    // Fails with tooManyPairs (outOfMemory).
     Result<void> makeRoomForPairs(std::uint64_t pairs);
 
   private:
     struct Kernels {
         gpu::Kernel keys, count, starts, emit, entries, ranges;
     };
-    // Buffers by splat, and by pair of splat and tile.
+    // Buffers with an entry for each splat, and with one for each pair of splat and tile.
     struct SplatBuffers {
         gpu::Buffer state, items, otherItems, tileCounts, groupStarts;
     };

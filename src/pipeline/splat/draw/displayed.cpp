@@ -28,7 +28,7 @@ std::uint8_t byteOf(float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
-// The colours as displayed, not clamped.
+// Computes display colours, not clamped.
 class Display {
   public:
     Display(ColourSpace space, const DisplayOptions& options)
@@ -96,8 +96,8 @@ std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourS
 
 Splats asDisplayed(Splats splats) {
     if (splats.colourSpace == ColourSpace::display) return splats;
-    // The most that a coefficient of the first degree moves a colour: over this span the slope of the display
-    // curve is taken.
+    // The most by which a coefficient of the first degree changes a colour: the slope of the display curve is
+    // taken over this span.
     constexpr float kReach = 0.48860251f;
     Host host({}, {});
     const auto shown = [&](const glm::vec3& linear) {

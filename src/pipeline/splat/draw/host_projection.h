@@ -1,5 +1,5 @@
-// From splats in space to splats in the picture, on the host: for models that are larger than a device's
-// buffers, of which one view usually shows a part.
+// Projects splats into the picture on the host: for models that are larger than a device's buffers, of which
+// one view usually shows only a part.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,8 +10,8 @@
 
 namespace macula::splat {
 
-// What shaders/splat/project.comp writes, kScreenTexels for each splat, of those that show only, in their
-// order. The view and the blending must be valid.
+// Returns what shaders/splat/project.comp writes, kScreenTexels for each splat, but only for visible splats,
+// in their order. The view and the blending must be valid.
 std::vector<glm::vec4> projectOnHost(const Splats& splats, const RasterView& view, const Blending& blending);
 
 }  // namespace macula::splat

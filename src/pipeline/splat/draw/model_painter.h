@@ -1,4 +1,4 @@
-// Pictures of one model that does not change, of whatever size: for those who only look.
+// Draws pictures of any size of one model that does not change: for viewing, not for training.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,9 @@ struct SplatPicture {
     std::vector<float> depthSums;  // sum of weight times depth of the centre in mm
 };
 
-// A model that fits the device's buffers is kept there; of a larger one (on lavapipe more than 2.3 million
-// splats of degree 0, 0.5 of degree 3) the host projects what each view shows. Pictures differ by rounding
-// only.
+// Keeps a model that fits the device's buffers there; of a larger one (on lavapipe more than 2.3 million
+// splats of degree 0, 0.5 of degree 3), the host projects the splats that each view shows. The two pictures
+// differ only by rounding.
 class ModelPainter {
   public:
     // `splats` must be valid, and outlive the painter unchanged; it may be empty.
@@ -30,23 +30,23 @@ class ModelPainter {
     static Result<ModelPainter> create(const std::shared_ptr<gpu::Device>& device, const Splats& splats,
                                        Projection projection = Projection::wherever);
 
-    // The view must be valid. It stays on the device, in the model's colour space, until the next one is
-    // drawn; done when what was submitted is. outOfMemory when the picture, or what shows in it, is too large
-    // for the device.
+    // Draws a picture that stays on the device, in the model's colour space, until the next one is drawn; it
+    // is done when the submitted work is. The view must be valid. outOfMemory when the picture, or the
+    // visible part of the model, is too large for the device.
     Result<const DevicePicture*> drawOnDevice(const RasterView& view);
-    // Of that picture: Rasterizer::depths.
+    // The depths of that picture: see Rasterizer::depths.
     const gpu::Buffer& depthsOnDevice() const { return rasterizer_.depths(); }
-    // The same, read, of any size: a picture of more than `mostPixels` is drawn in bands of whole rows, from
-    // top to bottom, and no more than one is held. What `take` returns as an error ends it. outOfMemory when
-    // what shows in a band is too much for the device.
+    // Draws a picture of any size and reads it back: one of more than `mostPixels` is drawn in bands of whole
+    // rows, from top to bottom, and only one band is in memory at a time. An error from `take` ends this.
+    // outOfMemory when the visible part of a band is too large for the device.
     using Take = std::function<Result<void>(const SplatPicture& band)>;
     Result<void> drawBands(const RasterView& view, const Take& take,
                            std::uint64_t mostPixels = kMostPixelsAtOnce);
     // Draws the whole picture at once.
     Result<SplatPicture> draw(const RasterView& view);
 
-    // The pixels that fit the smallest buffers that Vulkan allows, 128 MiB; one row of kMaxRasterSide is
-    // less.
+    // The number of pixels that fit the smallest buffers that Vulkan allows, 128 MiB; more than a row of
+    // kMaxRasterSide.
     static constexpr std::uint64_t kMostPixelsAtOnce = (std::uint64_t(1) << 27) / sizeof(glm::vec4);
 
     bool projectsOnHost() const { return !parameters_.has_value(); }

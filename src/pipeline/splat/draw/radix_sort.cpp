@@ -14,8 +14,8 @@ namespace {
 constexpr int kDigitBits = 8;
 static_assert(1u << kDigitBits == shared::kSortDigits && shared::kSortDigits == shared::kListThreads);
 
-// Up to so many blocks the scatter kernel sums the counts of all blocks itself, so that a pass of the radix
-// sort needs no prefix sum of its own. Nobody has measured on a card which of the two is faster.
+// Up to this number of blocks, the scatter kernel sums the counts of all blocks itself, so that a pass of the
+// radix sort needs no prefix sum. Which of the two is faster on a graphics card has not been measured.
 constexpr std::uint64_t kFewBlocks = 128;
 constexpr std::uint64_t kBytesOfBlock = shared::kSortDigits * 4;
 

@@ -1,4 +1,4 @@
-// A stable sort of pairs of numbers on the device, by the first of them: shaders/splat/sort_*.comp.
+// A stable sort of key-value pairs on the device, by key: shaders/splat/sort_*.comp.
 #pragma once
 
 #include <cstdint>
@@ -16,17 +16,17 @@ inline constexpr std::uint64_t kMostSorted = 65535ull * shared::kSortBlock;
 
 class RadixSort {
   public:
-    // A sort of at most `most` items, up to kMostSorted. outOfMemory when the device has no room for a byte
-    // for each.
+    // For at most `most` items, up to kMostSorted. outOfMemory when the device has no room for a byte for
+    // each.
     static Result<RadixSort> create(const std::shared_ptr<gpu::Device>& device, std::uint64_t most);
 
-    // Makes room for as many; what was recorded before stays right.
+    // Makes room for `most` items; sorts recorded before remain valid.
     Result<void> makeRoom(std::uint64_t most);
 
-    // Sorts the items (uvec2: key, value) by the lowest `bits` bits of their keys, the others being 0 or of
-    // no matter; equal ones keep their order. How many there are is read from `state`, a SplatListState that
-    // may also be used for indirect dispatches, when the turn comes. Returns where the result is: in `items`
-    // or in `other`, which has as much room.
+    // Sorts the items (uvec2: key, value) by the lowest `bits` bits of their keys; the other bits must be 0
+    // or not matter. Items with equal keys keep their order. When the device executes this, it reads the
+    // number of items from `state`, a SplatListState that may also be used for indirect dispatches. Returns
+    // the buffer with the result: `items` or `other`, which needs as much room.
     const gpu::Buffer& record(gpu::Recorder& recorder, const gpu::Buffer& state, const gpu::Buffer& items,
                               const gpu::Buffer& other, int bits) const;
 
@@ -34,7 +34,7 @@ class RadixSort {
     struct Kernels {
         gpu::Kernel count;
         gpu::Kernel scan;
-        gpu::Kernel scatter;  // after scan
+        gpu::Kernel scatter;  // used after scan
         gpu::Kernel scatterWithoutScan;
     };
     RadixSort(std::shared_ptr<gpu::Device> device, Kernels kernels, gpu::Buffer counts, gpu::Buffer totals);

@@ -13,8 +13,8 @@ namespace macula::splat {
 
 namespace {
 
-// The subgroup size of the kernel whose sums are laid out by it: 32 where that can be had. A device that has
-// several sizes may choose another for each kernel unless it is told.
+// The subgroup size to require of the backward kernel, whose sums are laid out by it: 32 if the device allows
+// it. Without a requirement, a device with several sizes may choose another for each kernel.
 std::uint32_t askedSubgroupSize(const gpu::DeviceInfo& info) {
     return info.maxSubgroupSize == 0 ? 0 : std::clamp(32u, info.minSubgroupSize, info.maxSubgroupSize);
 }

@@ -16,17 +16,17 @@ namespace macula::splat {
 struct RasterKernels {
     gpu::Kernel project;
     gpu::Kernel raster;
-    std::optional<gpu::Kernel> rasterBack;  // not of degrees that are only drawn
+    std::optional<gpu::Kernel> rasterBack;  // none for degrees that are only drawn
     std::optional<gpu::Kernel> gather;
-    int slots = 1;  // subgroups of a tile: each writes sums of its own for a pair
+    int slots = 1;  // subgroups of a tile: each writes its own sums for a pair
 
-    // Of a shape without zeros. deviceNotUsable when the device cannot find derivatives of that degree.
+    // `shape` must have no zeros. deviceNotUsable when the device cannot compute derivatives for that degree.
     static Result<RasterKernels> create(const std::shared_ptr<gpu::Device>& device, int shDegree,
                                         const RasterShape& shape);
 
-    // Floats in the buffer of derivatives for each pair of splat and tile.
+    // The floats that each pair of splat and tile has in the buffer of derivatives.
     std::uint64_t floatsOfPair() const;
-    // The most pairs for whose derivatives a buffer of that device can have room.
+    // The largest number of pairs whose derivatives fit into a buffer of the device.
     std::uint64_t mostPairs(const gpu::DeviceInfo& info) const;
 };
 

@@ -22,8 +22,8 @@ bool isRotation(const glm::dmat3& m) {
     return worst < 1e-4 && glm::determinant(m) > 0.0;
 }
 
-// What lies farther out than so many sides of the picture is projected as if it lay there: its true
-// projection there may fill the picture, far from what the splat is in space.
+// Splats farther outside the picture than this, in sides of the picture, are projected as if they were there:
+// their true projection may fill the picture, although the splat is far from it in space.
 constexpr double kBeyondPicture = 0.15;
 
 glm::dvec2 wholeSize(const RasterView& view) {
@@ -89,7 +89,7 @@ Result<void> validate(const RasterView& view) {
         return notUsable(Text("The camera's position is not usable."),
                          Text("Give a position within 1000 km of the model."));
     for (int i = 0; i < 2; ++i) {
-        const double least = view.isParallel ? 1e-6 : 1e-2;  // pixels per mm may be few
+        const double least = view.isParallel ? 1e-6 : 1e-2;  // focalPx is in pixels per mm, which may be few
         if (!(view.focalPx[i] >= least && view.focalPx[i] <= 1e8))
             return notUsable(Text("The camera's focal length is not usable."),
                              Text("Choose 0.01 to 100000000 pixels."));

@@ -15,7 +15,7 @@ using shared::kScreenTexels;
 RasterShape chosenShape(const RasterShape& asked, const gpu::Device& device) {
     RasterShape shape = asked;
     if (shape.tileRows > 0) return shape;
-    // A tile of a graphics card is as many threads as it runs together: 8 x 4.
+    // On a graphics card, a tile has as many threads as run together: 8 x 4.
     shape.tileRows = device.isCpu() ? 16 : 8;
     shape.rowsPerThread = device.isCpu() ? 16 : 2;
     return shape;
@@ -87,8 +87,8 @@ shared::SplatFrame Rasterizer::frameOf(const RasterView& view, const Blending& b
             .tileRows = shape_.tileRows};
 }
 
-// Records and submits. Buffers that grow while commands are recorded are freed only afterwards: when old and
-// new together exceed the memory, recording is done once more.
+// Records and submits. Buffers that are replaced by larger ones while commands are recorded are freed only
+// afterwards: if both together exceed the memory, this records once more.
 Result<void> Rasterizer::inOne(const char* label, const std::function<Result<void>(gpu::Recorder&)>& record) {
     const auto once = [&]() -> Result<void> {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device_, label));
@@ -136,8 +136,8 @@ Result<void> Rasterizer::recordLists(gpu::Recorder& recorder, std::uint64_t most
     return {};
 }
 
-// One work group for each tile. The kernel requires its subgroup size: with another, sums of derivatives
-// would lie in wrong places.
+// The threads of one workgroup for each tile. The backward kernel requires its subgroup size: with another,
+// sums of derivatives would be in wrong places.
 gpu::Threads Rasterizer::tileThreads() const {
     const int threads = shared::kTileColumns * shape_.tileRows / shape_.rowsPerThread;
     return {static_cast<std::uint32_t>(tiles_.x * threads), static_cast<std::uint32_t>(tiles_.y)};
@@ -172,7 +172,7 @@ Result<bool> Rasterizer::settle(RasterPass& pass) {
         pass.pairs_ = wanted;
         return true;
     }
-    serial_ = pass.serial_ + 1;  // it ends here: nothing of it can be differentiated
+    serial_ = pass.serial_ + 1;  // invalidates the pass: it has no backward pass
     if (wanted > pass.mostPairs_) return tooManyPairs();
     MACULA_TRY_VOID(deviceLists_->makeRoomForPairs(wanted));
     return false;
@@ -180,7 +180,7 @@ Result<bool> Rasterizer::settle(RasterPass& pass) {
 
 Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
     const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
-    // The buffers stay for smaller pictures, so that sizes that take turns need no new memory.
+    // The buffers are kept for smaller pictures, so that alternating sizes need no new memory.
     if (depths_ && picture_ && picture_->texels.elements() >= pixels) {
         picture_->width = sizePx.x;
         picture_->height = sizePx.y;
@@ -203,8 +203,8 @@ Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
     return {};
 }
 
-// The projected splats on the host. A CPU device's memory is read in place: for a million splats that saves
-// as much as sorting takes.
+// The projected splats on the host. A CPU device's memory is read in place: for a million splats a copy would
+// take as long as sorting.
 Result<std::span<const glm::vec4>> Rasterizer::readScreen(std::uint32_t count) {
     const std::size_t texels = std::size_t(count) * kScreenTexels;
     const gpu::Buffer& buffer = screen_.buffer();
@@ -269,7 +269,7 @@ Result<void> Rasterizer::drawProjected(std::span<const glm::vec4> screen, const 
 
 Result<void> Rasterizer::sortOnHost(std::span<const glm::vec4> screen, const RasterView& view,
                                     const Blending& blending, bool withPairs, RasterPass& pass) {
-    // The most pairs that the lists can hold; the backward pass needs more memory, and asks for it then.
+    // The most pairs that the lists can hold. The backward pass needs more memory, and requests it later.
     std::uint64_t mostPairs = std::min<std::uint64_t>(
         device_->info().maxTexelBufferElements, device_->info().maxAllocationBytes / sizeof(glm::uvec2));
     if (shape_.mostPairs > 0) mostPairs = std::min(mostPairs, shape_.mostPairs);
@@ -288,7 +288,7 @@ Result<void> Rasterizer::recordBackward(gpu::Recorder& recorder, const RasterPas
     MACULA_CHECK_EQ(gradient.width, picture_->width);
     MACULA_CHECK_EQ(gradient.height, picture_->height);
     if (pass.splats_ == 0) return {};
-    // For a picture that is not settled, pairs_ is all that lists on the device have room for.
+    // While the picture is not settled, pairs_ is the room in the device's lists.
     MACULA_TRY_VOID(makeRoom(pairs_, device_, "derivatives of pairs", VK_FORMAT_R32_SFLOAT,
                              pass.pairs_ * kernels_.floatsOfPair(), kReadAndWritten,
                              pass.isSettled_ ? Room::toGrow : Room::exact));

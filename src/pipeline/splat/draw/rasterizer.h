@@ -1,7 +1,6 @@
-// Draws splats on the device, and finds how each parameter would have to change for the picture to change:
-// the same kernels for showing a model and for training it. What a picture of splats is exactly is told by
-// shaders/lib/splat_projection.glsl and splat_blend.glsl; reference_rasterizer.h is the slow form of the
-// same.
+// Draws splats on the device, and computes the derivatives of the loss by their parameters: the same kernels
+// serve viewing and training. shaders/lib/splat_projection.glsl and splat_blend.glsl define the picture
+// exactly; reference_rasterizer.h is its slow implementation.
 #pragma once
 
 #include <cstdint>
@@ -27,68 +26,69 @@ namespace macula::splat {
 // The stages of drawing.
 enum class DrawStage { project, lists, raster };
 
-// A picture of splats that was recorded: what finding its derivatives, and asking whether it is right, need.
-// It ends with the next picture of its rasterizer.
+// A recorded picture of splats, as needed to compute its derivatives and to check whether it is complete. It
+// is valid until its rasterizer draws the next picture.
 class RasterPass {
   public:
-    // Pairs of splats and tiles in it; of one that is not settled 0.
+    // The number of pairs of splat and tile in it; 0 while it is not settled.
     std::uint64_t pairCount() const { return isSettled_ ? pairs_ : 0; }
 
   private:
     friend class Rasterizer;
     std::uint64_t serial_ = 0;
     std::uint32_t splats_ = 0;
-    std::uint64_t pairs_ = 0;      // of one that is not settled: for how many the lists have room
-    std::uint64_t mostPairs_ = 0;  // that the lists may be made to have room for
+    std::uint64_t pairs_ = 0;      // while it is not settled: the room in the lists
+    std::uint64_t mostPairs_ = 0;  // to which the lists may grow
     bool isSettled_ = true;
 };
 
 // Used by one thread at a time, the one that uses the device.
 class Rasterizer {
   public:
-    // For models of that capacity and degree.
+    // For models of up to `capacity` splats, and of that degree.
     static Result<Rasterizer> create(const std::shared_ptr<gpu::Device>& device, std::uint32_t capacity,
                                      int shDegree, const RasterShape& shape = {});
 
-    // Draws the first `count` splats. The view and the blending must be valid. Waits, for the projection,
-    // whose result is sorted on the host, or for all where the device makes the lists; the picture is done
-    // when what was submitted is. outOfMemory when there are too many pairs of splats and tiles, or the
-    // picture is too large; then there is no picture until the next draw that succeeds. `submitted` (may be
-    // empty) is told after the work of each stage was submitted, to measure it: where it fails, so does this.
+    // Draws the first `count` splats. The view and the blending must be valid. If the host makes the lists,
+    // waits for the projection, which it sorts, and the picture is done when the submitted work is; if the
+    // device makes them, waits for the whole picture. outOfMemory when there are too many pairs of splat and
+    // tile, or the picture is too large; then there is no picture until the next draw succeeds. Calls
+    // `submitted` (may be empty) after submitting each stage, to measure it; its error ends this.
     using Submitted = std::function<Result<void>(DrawStage)>;
     Result<RasterPass> draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
                             const Blending& blending, const Submitted& submitted = {});
 
-    // Lists are made on the device, and recordDraw is there.
+    // Whether the device makes the lists; only then recordDraw may be called.
     bool listsOnDevice() const { return deviceLists_.has_value(); }
-    // Draws as draw does, without waiting for anything. Whether there was room for all pairs is known when it
-    // is done; if not, the picture is empty and no splat shows in it.
+    // Draws as draw does, without waiting for anything. Whether there was room for all pairs is known only
+    // once the picture is done; without room it is empty, and no splat shows in it.
     Result<RasterPass> recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
                                   const RasterView& view, const Blending& blending);
-    // After what was recorded is submitted, waits: true when the picture is right. False: now there is room,
-    // record it again. outOfMemory as draw. True of what draw made.
+    // Call after submitting the recorded picture; waits. True if the picture is complete. False if it had no
+    // room: now there is room, so record it again. outOfMemory as draw. Always true for a picture from draw.
     Result<bool> settle(RasterPass& pass);
 
-    // Draws splats that projectOnHost has projected. Nothing can be differentiated then.
+    // Draws splats that projectOnHost has projected. Such a picture has no backward pass.
     Result<void> drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
                                const Blending& blending);
 
     // The picture of the last view, until the next is drawn. Premultiplied; a is the coverage.
     const DevicePicture& picture() const { return *picture_; }
-    // Float for each pixel, perhaps more: sum of weight times depth of the centre, mm; over a, the mean.
+    // Float for each pixel, in a buffer that may have more: sum of weight times depth of the centre, in mm;
+    // divided by the coverage, the mean depth.
     const gpu::Buffer& depths() const { return *depths_; }
-    // The tile lists on the device, with room for more than there are: TileLists has their order.
+    // The tile lists on the device, in buffers that may have more room; in the order of TileLists.
     const TileBuffers& tileLists() const { return tileBuffers_; }
 
-    // The backward pass of the last picture, with the same parameters: the derivative of the loss by each
-    // parameter, from that by the picture (its rgb, and its coverage in a). Splats that do not show keep the
-    // gradients they had. Of degree 0 or 1.
+    // The backward pass of the last picture, with the same parameters: from `gradient`, the derivative of the
+    // loss by the picture (its rgb, and its coverage in a), computes the derivative by each parameter.
+    // Gradients of splats that do not show stay unchanged. For degrees 0 and 1.
     Result<void> recordBackward(gpu::Recorder& recorder, const RasterPass& pass,
                                 const SplatBuffer& parameters, const DevicePicture& gradient,
                                 SplatBuffer& gradients);
-    // A uint for each splat, not 0 for those that showed when recordBackward was last done.
+    // A uint for each splat, not 0 if the splat showed when recordBackward was last done.
     const gpu::Buffer& visible() const { return visible_; }
-    // SplatStatistics for each splat, summed by every recordBackward since they were cleared.
+    // SplatStatistics for each splat, summed by every recordBackward since clearStatistics.
     const gpu::Buffer& statistics() const { return statistics_; }
     void clearStatistics(gpu::Recorder& recorder) { recorder.fill(statistics_, 0u); }
 
@@ -120,14 +120,14 @@ class Rasterizer {
     std::optional<DeviceTileLists> deviceLists_;
     gpu::Buffer visible_;
     gpu::Buffer statistics_;
-    std::optional<gpu::TexelBuffer> hostScreen_;  // what was projected on the host
+    std::optional<gpu::TexelBuffer> hostScreen_;  // splats that the host projected
     std::optional<gpu::TexelBuffer> pairs_;       // the derivatives of pairs of splat and tile
     std::optional<DevicePicture> picture_;
     std::optional<gpu::Buffer> depths_;
-    std::vector<glm::vec4> screenCopy_;  // where the host cannot read the device's
+    std::vector<glm::vec4> screenCopy_;  // a copy, if the host cannot read the device's
     std::uint64_t serial_ = 0;           // of the last pass
-    glm::ivec2 tiles_{0};                // of its picture
-    TileLists lists_;                    // of the host
+    glm::ivec2 tiles_{0};                // of the last pass
+    TileLists lists_;                    // made on the host
 };
 
 }  // namespace macula::splat

@@ -1,7 +1,8 @@
-// The class that shaders/lib/splat_*.glsl becomes in C++. Included twice, with MACULA_HOST its name and MACULA_REAL float or
-// double: by inclusion and not as a template, because `float` in the shaders must mean MACULA_REAL.
+// The class that shaders/lib/splat_*.glsl becomes in C++. Included twice, with MACULA_HOST its name and
+// MACULA_REAL float or double. An included file instead of a template, because `float` in the shaders must
+// mean MACULA_REAL.
 //
-// No include guard, no namespace: the including file gives both.
+// No include guard and no namespace: the including file has both.
 
 #define OUT(type) type&
 #define INOUT(type) type&

@@ -14,8 +14,8 @@ namespace {
 using reference::HostSingle;
 using reference::HostTwofold;
 
-// Bands of rows that are differentiated side by side, each into sums of its own. Their number is fixed, so
-// that the sums do not depend on the cores.
+// Bands of rows that are differentiated in parallel, each into its own sums. Their number is fixed, so that
+// the sums do not depend on the number of cores.
 constexpr std::size_t kBands = 4;
 
 template <class Host>
@@ -40,7 +40,7 @@ typename Host::vec3 colourSum(Host& host, const ReferenceSplats& splats, std::si
     return sum;
 }
 
-// The splats in the picture, front to back.
+// A splat in the picture, and the pixels that it may touch.
 template <class Host>
 struct Layer {
     std::uint32_t index = 0;
@@ -84,7 +84,7 @@ typename Host::vec2 centreOf(int column, int row) {
     return {Real(column) + Real(0.5), Real(row) + Real(0.5)};
 }
 
-// body(layer, column) for all pixels of a row that a splat may touch, front to back.
+// Calls body(layer, column) for all pixels of a row that a splat may touch, front to back.
 template <class Host, class Body>
 void forEachInRow(const std::vector<Layer<Host>>& layers, int row, const Body& body) {
     for (std::size_t n = 0; n < layers.size(); ++n) {
@@ -214,7 +214,7 @@ ReferenceSplats backwardOn(Host host, const ReferenceSplats& splats, const Raste
     return result;
 }
 
-// Calls use(host) with the host of a precision.
+// Calls use(host) with the host class of that precision.
 template <class Use>
 auto withHost(const RasterView& view, const Blending& blending, Precision precision, const Use& use) {
     MACULA_CHECK(validate(view).ok());

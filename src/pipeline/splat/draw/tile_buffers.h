@@ -1,4 +1,5 @@
-// Lists of tiles (tile_lists.h) as the kernels read them. They grow with the picture and with the pairs.
+// Tile lists (tile_lists.h) in buffers that kernels read. The buffers grow with the picture and with the
+// pairs.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +15,8 @@ namespace macula::splat {
 // outOfMemory: the splats are too large and too many.
 Error tooManyPairs();
 
-// How large a buffer is made: larger than asked for, because more will be; or exact, where the caller has
-// added room.
+// How large to make a buffer: larger than requested, because later requests grow, or exactly as large, if the
+// caller has added room.
 enum class Room { toGrow, exact };
 
 // Gives `texels` room for `elements`: keeps the buffer, or makes a larger one.
@@ -28,21 +29,21 @@ inline constexpr VkBufferUsageFlags kReadAndWritten =
     VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 struct TileBuffers {
-    // Where the lists are made. Lists that the device makes are storage buffers too, which are more limited
-    // in size.
+    // Where the lists are made. The device needs storage buffers to write its lists, and these are more
+    // limited in size.
     enum class Maker { host, device };
     Maker maker = Maker::host;
     std::shared_ptr<gpu::Device> device;
-    std::optional<gpu::TexelBuffer> ranges;   // by tile: first entry, and one after the last
-    std::optional<gpu::TexelBuffer> entries;  // by tile, front to back: splat, number of the pair
-    gpu::TexelBuffer pairs;                   // by splat: first pair, and how many
+    std::optional<gpu::TexelBuffer> ranges;   // for each tile: first entry, and one after the last
+    std::optional<gpu::TexelBuffer> entries;  // for each tile, front to back: splat, number of the pair
+    gpu::TexelBuffer pairs;                   // for each splat: first pair, and how many
 
     static Result<TileBuffers> create(const std::shared_ptr<gpu::Device>& device, Maker maker,
                                       std::uint32_t splats);
-    // Makes room for as many; a buffer that is replaced by a larger one loses its content. outOfMemory as
-    // tooManyPairs.
+    // Makes room for `tiles` tiles and `pairCount` pairs; a buffer that is replaced by a larger one loses its
+    // content. Fails with tooManyPairs (outOfMemory).
     Result<void> makeRoomFor(std::uint64_t tiles, std::uint64_t pairCount);
-    // `withPairs`: for recordBackward.
+    // `withPairs`: also uploads `pairs`, which recordBackward needs.
     Result<void> upload(const TileLists& lists, bool withPairs);
 };
 

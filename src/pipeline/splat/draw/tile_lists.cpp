@@ -29,11 +29,11 @@ Host::ScreenSplat screenSplat(std::span<const glm::vec4> screen, std::uint32_t s
             .extent = {t[1].w, t[2].w}};
 }
 
-// Splats are sorted, and their tiles found, in parts on all cores. A part of fewer splats than these is not
-// worth a thread.
+// Splats are sorted, and their tiles found, in parts on all cores. These are the fewest splats that make a
+// part worth a thread.
 constexpr std::size_t kSortedInPart = 1 << 15;
 constexpr std::size_t kTiledInPart = 1 << 12;
-// Counts are kept by part and tile: no more parts than that.
+// Limits the number of parts, because counts are kept for each part and tile.
 constexpr std::size_t kMostCounts = 1 << 24;
 
 std::size_t partCount(std::size_t splats, std::size_t leastEach, std::size_t countsEach) {
@@ -49,8 +49,8 @@ Part partOf(std::size_t part, std::size_t parts, std::size_t count) {
     return {part * count / parts, (part + 1) * count / parts};
 }
 
-// A prefix sum: from the counts of each part and kind to where each begins, by kind, then by part. Returns
-// the total.
+// A prefix sum: turns the counts of each part and kind into the positions where each begins, ordered by kind,
+// then by part. Returns the total.
 std::uint32_t startsOf(std::span<std::uint32_t> counts, std::size_t parts, std::size_t kinds) {
     std::uint32_t sum = 0;
     for (std::size_t kind = 0; kind < kinds; ++kind) {
@@ -62,8 +62,8 @@ std::uint32_t startsOf(std::span<std::uint32_t> counts, std::size_t parts, std::
     return sum;
 }
 
-// Writes the sort keys of splats that show into scratch.keys, in their order: the bits of the depth, and the
-// splat. Depths are above 0, and their bits are in their order.
+// Writes the sort keys of visible splats into scratch.keys, in their order: the bits of the depth, and the
+// splat. Depths are above 0, so their bits sort as they do.
 void collectKeys(std::span<const glm::vec4> screen, TileLists::Scratch& scratch) {
     const std::size_t count = screen.size() / kScreenTexels;
     const std::size_t parts = partCount(count, kSortedInPart, 1);
@@ -127,7 +127,7 @@ void forEachTile(Host& host, const Host::ScreenSplat& s, const glm::ivec2& sizeP
         for (int x = firstTile.x; x <= lastTile.x; ++x) {
             const glm::ivec2 low = glm::ivec2(x, y) * tileSize;
             const glm::ivec2 high = glm::min(low + tileSize, sizePx);
-            // As showsIn, whose logarithm is the same for all tiles.
+            // Does what showsIn does, but computes its logarithm once for all tiles.
             if (!one && !(host.leastPowerIn(s.conic, glm::vec2(low) + 0.5f - s.mean,
                                             glm::vec2(high) - 0.5f - s.mean) <= most))
                 continue;
@@ -136,12 +136,12 @@ void forEachTile(Host& host, const Host::ScreenSplat& s, const glm::ivec2& sizeP
     }
 }
 
-// Collects the pairs of splat and tile in the order of depth, by part. False when there are more than
+// Collects the pairs of splat and tile in order of depth, by part. False when there are more than
 // `mostPairs`.
 bool collectPairs(std::span<const glm::vec4> screen, const Host& prototype, const glm::ivec2& tileSize,
                   std::size_t parts, std::uint64_t mostPairs, TileLists& lists) {
-    constexpr std::size_t kAhead = 12;   // prefetch distance in splats, which lie in memory in no order
-    constexpr std::size_t kTold = 4096;  // a part adds its pairs to the total after so many
+    constexpr std::size_t kAhead = 12;   // prefetch distance in splats, which are scattered in memory
+    constexpr std::size_t kTold = 4096;  // a part adds its new pairs to the total once it has this many
     const std::vector<glm::uvec2>& keys = lists.scratch.keys;
     const std::size_t tiles = lists.ranges.size();
     lists.scratch.counts.assign(parts * tiles, 0);
@@ -196,7 +196,7 @@ Result<void> sortIntoTiles(std::span<const glm::vec4> screen, const RasterView& 
                      {},
                      Text("Draw a smaller picture, or a model of fewer splats.")};
     }
-    // Pairs are numbered through all parts.
+    // Pairs are numbered consecutively over all parts.
     std::vector<std::uint32_t> firstPairs;
     std::uint32_t sum = 0;
     for (std::size_t part = 0; part < parts; ++part) {

@@ -32,7 +32,7 @@ Result<bool> unpack(std::span<const std::byte> packed, std::uint32_t stride, std
     z_stream stream{};
     std::vector<std::byte> planes(data.size());
     if (inflateInit2(&stream, kRawDeflate) != Z_OK) return noMemoryToPack();
-    std::byte none{};  // zlib wants a place even for nothing
+    std::byte none{};  // zlib needs a valid pointer even for no output
     stream.next_in = zlibBytes(packed);
     stream.avail_in = static_cast<uInt>(packed.size());
     stream.next_out = reinterpret_cast<Bytef*>(planes.empty() ? &none : planes.data());
@@ -49,7 +49,7 @@ Result<bool> unpack(std::span<const std::byte> packed, std::uint32_t stride, std
 
 }  // namespace
 
-// Chunks are packed side by side, in threads that no exception may leave.
+// Chunks are packed in parallel, on threads that must not throw.
 Result<std::vector<std::byte>> packPlanes(std::span<const std::byte> data, std::uint32_t stride) {
     try {
         return pack(data, stride);

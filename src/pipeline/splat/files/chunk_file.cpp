@@ -52,7 +52,7 @@ bool readOne(std::istream& stream, T& value) {
     return static_cast<std::size_t>(stream.gcount()) == sizeof(T);
 }
 
-// Whether what its head says can be true in a file that has `left` bytes more.
+// Whether a chunk with this head is possible in a file that has `left` more bytes.
 bool isPossible(const ChunkHead& head, std::uint64_t left) {
     if (head.headCrc != headCrcOf(head) || head.zero != 0 || head.storedBytes > left) return false;
     if (head.stride == 0) return head.plainBytes == head.storedBytes;
@@ -64,7 +64,7 @@ std::string nameOf(const ChunkHead& head) {
     return {head.name.begin(), std::find(head.name.begin(), head.name.end(), '\0')};
 }
 
-// What did not get into memory is an error, not the end of the program.
+// A vector of that size; nothing if memory runs out, so that the caller can return an error.
 std::optional<std::vector<std::byte>> room(std::uint64_t bytes) {
     try {
         return std::vector<std::byte>(bytes);

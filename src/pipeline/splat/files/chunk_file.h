@@ -1,20 +1,20 @@
-// A file of named chunks, each with a checksum: what .macula files (training_file.h) are made of.
+// A file of named chunks, each with a checksum: the format of .macula files (training_file.h).
 //
-// Numbers are little-endian.
-//   8 bytes  "MACULA", 0x1a, 0x0a: a file that was sent as text is told by it
-//   u32      version of the format of what the chunks hold
-//   u32      number of chunks
-// and then for each chunk, one behind the other up to the end of the file:
-//   8 bytes  name in ASCII, filled up with zeros
-//   u64      bytes in the file
-//   u64      bytes unpacked
-//   u32      stride: 0: not packed; else packed in planes of that stride, see byte_planes.h
-//   u32      CRC-32 (that of zlib and gzip) of the bytes in the file
-//   u32      CRC-32 of the 32 bytes of this head so far
-//   u32      0
-//   the bytes
-// So nothing but the version can change unseen in a single byte, and what is wanted can be found without
-// reading the rest.
+//  Numbers are little-endian.
+//    8 bytes  "MACULA", 0x1a, 0x0a: reveals a file that was transferred as text
+//    u32      version of the format of the chunks' content
+//    u32      number of chunks
+//  and then for each chunk, one after another up to the end of the file:
+//    8 bytes  name in ASCII, filled up with zeros
+//    u64      bytes in the file
+//    u64      bytes unpacked
+//    u32      stride: 0: not packed; else packed in planes of that stride, see byte_planes.h
+//    u32      CRC-32 (that of zlib and gzip) of the bytes in the file
+//    u32      CRC-32 of the 32 bytes of this head so far
+//    u32      0
+//    the bytes
+//  So no change of a single byte passes unnoticed, except in the version, and a chunk can be found without
+//  reading the others.
 #pragma once
 
 #include <cstddef>
@@ -36,33 +36,34 @@ namespace macula::splat {
 inline constexpr std::string_view kChunkFileMagic("MACULA\x1a\n", 8);
 
 struct Chunk {
-    std::string name;                  // 1 to 8 characters; need not be the only one of this name
+    std::string name;                  // 1 to 8 characters; several chunks may have the same name
     std::span<const std::byte> bytes;  // whole elements of the stride, below 4 GiB when packed
     std::uint32_t stride = 0;
-    std::span<const std::byte> packed;  // what packPlanes makes of it, if that is known; else empty
+    std::span<const std::byte> packed;  // `bytes` packed by packPlanes, if known; else empty
 };
 
-// Packs on all cores what is not packed yet. outOfMemory; outputNotWritable when the stream fails.
+// Packs chunks that are not packed yet, on all cores. Fails with outOfMemory, or outputNotWritable when the
+// stream fails.
 Result<void> writeChunks(std::ostream& stream, std::uint32_t version, std::span<const Chunk> chunks);
 
 struct ChunkEntry {
     std::string name;
-    std::uint64_t offset = 0;  // of its bytes in the file
+    std::uint64_t offset = 0;  // where its bytes begin in the file
     std::uint64_t storedBytes = 0;
     std::uint64_t plainBytes = 0;
     std::uint32_t stride = 0;
     std::uint32_t crc = 0;
 };
 
-// All fail with inputNotUsable when the file is damaged or cut off, and ask for no more memory than a file of
-// that size can fill.
+// All functions fail with inputNotUsable when the file is damaged or cut off, and allocate no more memory
+// than a file of that size can fill.
 class ChunkFile {
   public:
-    // Reads the heads. The stream, of so many bytes, must outlive this. Also fails when the file is of
-    // another kind or version; the sentence names both versions.
+    // Reads the heads. The stream, of `size` bytes, must outlive this. Also fails when the file is of another
+    // kind or version; the error names both versions.
     static Result<ChunkFile> open(std::istream& stream, std::uint64_t size, std::uint32_t version);
-    // Reads heads only up to the first chunk of that name, all if there is none: whatever lies behind it is
-    // not looked at, be it damaged or cut off.
+    // Reads heads only up to the first chunk named `last`, all if there is none: damage after that chunk goes
+    // unnoticed.
     static Result<ChunkFile> openUntil(std::istream& stream, std::uint64_t size, std::uint32_t version,
                                        std::string_view last);
 
@@ -70,14 +71,14 @@ class ChunkFile {
 
     // The bytes of a chunk as they are in the file.
     Result<std::vector<std::byte>> stored(const ChunkEntry& entry);
-    // Unpacks what stored() gave; on any thread. outOfMemory.
+    // Unpacks the result of stored(). Any thread may call it. Fails with outOfMemory.
     static Result<std::vector<std::byte>> unpacked(const ChunkEntry& entry, std::vector<std::byte> stored);
 
-    // The only chunk of that name, unpacked, of exactly `bytes`.
+    // The only chunk of that name, unpacked; it must have exactly `bytes` bytes.
     Result<std::vector<std::byte>> read(std::string_view name, std::uint64_t bytes);
-    // Likewise, of any size.
+    // The same as text of any size.
     Result<std::string> readText(std::string_view name);
-    // Likewise, of so many elements.
+    // The same as an array of `count` elements.
     template <class T>
     Result<std::vector<T>> readArray(std::string_view name, std::uint64_t count) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -97,13 +98,13 @@ class ChunkFile {
     std::vector<ChunkEntry> entries_;
 };
 
-// body(i) for each, on all cores where `bytes` of data in all are worth that.
+// Calls body(i) for each chunk, on all cores if `bytes`, the size of all chunks, is worth that.
 void forEachChunk(std::size_t count, std::uint64_t bytes, const std::function<void(std::size_t)>& body);
 
 // CRC-32, that of zlib and gzip.
 std::uint32_t checksum(std::span<const std::byte> bytes);
 
-// What every damage is told as.
+// The error for any damage of a model's file.
 Error damagedModel();
 
 }  // namespace macula::splat

@@ -1,4 +1,4 @@
-// deflate (RFC 1951) in memory, all at once, by zlib: what gzip and packed planes have in common.
+// deflate (RFC 1951) in memory, in one call of zlib: shared by gzip and packed planes.
 #pragma once
 
 #include <zlib.h>
@@ -11,7 +11,7 @@
 
 namespace macula::splat {
 
-// zlib's words for it (deflateInit2).
+// The parameters of zlib's deflateInit2.
 struct DeflateSettings {
     int level;
     int windowBits;  // negative: raw; + 16: gzip
@@ -19,13 +19,13 @@ struct DeflateSettings {
     int strategy;
 };
 
-// zlib takes what it only reads without const.
+// Removes const, because zlib's input pointer lacks it although zlib only reads there.
 Bytef* zlibBytes(std::span<const std::byte> data);
 
-// What all of these say when there is no memory.
+// The error of packing and unpacking when memory runs out.
 Error noMemoryToPack();
 
-// `data` is below 4 GiB. The header is of gzip. Fails with noMemoryToPack.
+// Packs `data`, below 4 GiB. `header` is gzip's. Fails with noMemoryToPack.
 Result<std::vector<std::byte>> deflated(std::span<const std::byte> data, const DeflateSettings& settings,
                                         gz_header* header = nullptr);
 

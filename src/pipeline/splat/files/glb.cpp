@@ -23,14 +23,14 @@ static_assert(std::endian::native == std::endian::little, "values are written as
 
 constexpr double kMetresPerMm = 1e-3;
 
-// The attributes of the primitive, one after the other, and what the JSON says of them.
+// The attributes of the primitive, one after another, and their entries in the JSON.
 class Attributes {
   public:
     template <class Value>
     void add(const std::string& name, const char* type, const std::vector<Value>& values) {
         addView(name, type, glb::kFloat, values.size(), values.data(), values.size() * sizeof(Value));
     }
-    // glTF wants a box of positions.
+    // glTF requires the bounding box of positions.
     void addPositions(const std::vector<glm::vec3>& positions) {
         glm::vec3 low(std::numeric_limits<float>::max());
         glm::vec3 high(std::numeric_limits<float>::lowest());
@@ -62,7 +62,7 @@ class Attributes {
         accessors_.push_back(
             {{"bufferView", views_.size()}, {"componentType", component}, {"count", count}, {"type", type}});
         views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes}});
-        bytes_.append(static_cast<const char*>(data), bytes);  // a multiple of 4
+        bytes_.append(static_cast<const char*>(data), bytes);  // always a multiple of 4
     }
 
     Json names_ = Json::object();
@@ -127,7 +127,7 @@ Attributes attributesOf(const Splats& splats, std::size_t& clamped) {
     return attributes;
 }
 
-// From the model to glTF's axes and metres.
+// The node that converts the model to glTF's axes and metres.
 Json nodeOf(const Splats& splats) {
     if (splats.axes == Axes::unknown) return {{"mesh", 0}, {"rotation", {1.0, 0.0, 0.0, 0.0}}};
     const double half = std::sqrt(0.5);

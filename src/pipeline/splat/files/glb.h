@@ -7,13 +7,13 @@
 // in float32.
 //
 // Axes. Coordinates of the primitive are those of the model, mm relative to its origin. Its node turns them
-// by a quarter about x and scales them to metres, as glTF is y up and its assets face z: a patient stands,
-// faces z, and the patient's left is at +x. A model whose axes nobody knows is turned as from PLY's axes
-// (y down, z forward). Both are rotations: nothing is mirrored. Colours of the display are
-// "srgb_rec709_display"; linear radiance is "lin_rec709_display", which other programs show without the tone
-// map. Notes (model_notes.h) lie in `extras` of the asset.
+// by a quarter about x and scales them to metres, because in glTF y is up and assets face z: a patient stands
+// upright, faces z, and the patient's left is at +x. A model with unknown axes is turned as from PLY's axes
+// (y down, z forward). Both are rotations: nothing is mirrored. Display colours are marked
+// "srgb_rec709_display", linear radiance "lin_rec709_display", which other programs show without the tone
+// map. Notes (model_notes.h) are in `extras` of the asset.
 //
-// What is lost: an opacity within 3e-8 of 1 comes back as that of kMaxOpacityLogit, and scales are rounded.
+// Losses: an opacity within 3e-8 of 1 comes back as that of kMaxOpacityLogit, and scales are rounded.
 #pragma once
 
 #include <cstddef>
@@ -27,19 +27,18 @@
 
 namespace macula::splat {
 
-inline constexpr std::uint64_t kMostGlbBytes = 0xffffffffu;  // its own length has 32 bits
+inline constexpr std::uint64_t kMostGlbBytes = 0xffffffffu;  // the format stores its length in 32 bits
 
 // Returns how many splats were clamped to kMaxLogScale and kMaxOpacityLogit. Fails with inputNotUsable when
-// the model is not valid, empty, or larger than such a file may be. The caller looks after the stream's
-// state.
+// the model is not valid, empty, or larger than such a file may be. The caller checks the stream's state.
 Result<std::size_t> writeGlb(std::ostream& stream, const Splats& splats);
 
-// The first primitive with the extension, with attributes of any type that this allows, in the file itself
-// and not compressed. Nodes are not applied: they place a model in somebody's scene. Without notes of ours
-// the model is foreign, and has to have colours of the display. Errors as readModel.
+// Reads the first primitive with the extension, with attributes of any type that the extension allows, stored
+// in the file itself and not compressed. Nodes are ignored: they place a model in somebody's scene. Without
+// Macula's notes the model is foreign, and must have display colours. Errors as readModel.
 Result<ModelFile> decodeGlb(std::span<const std::byte> bytes, BadSplats bad = BadSplats::refuse);
 
-// By the first four bytes of a file.
+// Judges a file by its first four bytes.
 bool looksLikeGlb(std::string_view begin);
 
 }  // namespace macula::splat

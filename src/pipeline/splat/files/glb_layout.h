@@ -16,7 +16,7 @@ inline constexpr std::uint32_t kBinaryChunk = 0x004e4942;  // "BIN"
 inline constexpr std::size_t kHeaderBytes = 12;
 inline constexpr std::size_t kChunkHeaderBytes = 8;
 
-inline constexpr int kByte = 5120;  // types of components
+inline constexpr int kByte = 5120;  // component types, from here to kFloat
 inline constexpr int kUnsignedByte = 5121;
 inline constexpr int kShort = 5122;
 inline constexpr int kUnsignedShort = 5123;
@@ -33,7 +33,7 @@ inline constexpr const char* kNotes = "macula";  // in `extras` of the asset
 inline std::string attribute(std::string_view name) {
     return fmt::format("{}:{}", kExtension, name);
 }
-// Of the coefficient `n` of a degree, 0 to 2 * degree.
+// The attribute of coefficient `n` of a degree, 0 to 2 * degree.
 inline std::string harmonic(int degree, int n) {
     return attribute(fmt::format("SH_DEGREE_{}_COEF_{}", degree, n));
 }

@@ -34,7 +34,7 @@ std::uint32_t numberAt(Bytes bytes, std::size_t at) {
     return number;
 }
 
-// Null where there is no such thing.
+// The member with that key; null if there is none.
 const Json* member(const Json& json, const std::string& key) {
     if (!json.is_object()) return nullptr;
     const auto found = json.find(key);
@@ -57,7 +57,7 @@ std::string textIn(const Json& json, const std::string& key) {
 struct Component {
     int type;
     std::size_t bytes;
-    double high;  // of a normalised one
+    double high;  // the value that means 1 in a normalised attribute
     bool isSigned;
 };
 constexpr std::array<Component, 5> kComponents{{{glb::kByte, 1, 127.0, true},
@@ -85,9 +85,9 @@ double valueOf(const std::byte* from, const Component& component) {
     }
 }
 
-constexpr std::uint64_t kMostJsonBytes = 16u << 20;  // that of a model has a few thousand
+constexpr std::uint64_t kMostJsonBytes = 16u << 20;  // the JSON of a model takes a few thousand
 
-// A file in its two parts.
+// The two parts of a file.
 struct Parts {
     Json json;
     Bytes binary;
@@ -111,7 +111,7 @@ Result<Parts> partsOf(Bytes bytes) {
                              reinterpret_cast<const char*>(text.data()) + text.size(), nullptr, false);
     if (!parts.json.is_object()) return damaged();
     const std::uint64_t binary = kFirst + jsonBytes;
-    if (length < binary + glb::kChunkHeaderBytes) return parts;  // without a binary chunk
+    if (length < binary + glb::kChunkHeaderBytes) return parts;  // has no binary chunk
     if (numberAt(bytes, binary + 4) != glb::kBinaryChunk ||
         numberAt(bytes, binary) > length - binary - glb::kChunkHeaderBytes)
         return damaged();
@@ -145,7 +145,7 @@ class Reader {
     }
 
   private:
-    // What a program has to know to read the file.
+    // Refuses a file that requires extensions other than ours.
     Result<void> checkExtensions() const {
         const Json* required = member(json_, "extensionsRequired");
         if (required == nullptr || !required->is_array()) return {};
@@ -184,7 +184,7 @@ class Reader {
         return lines;
     }
 
-    // Values of an attribute, `columns` for each splat. Nothing where there is no such attribute.
+    // The values of an attribute, `columns` for each splat; nothing if the attribute is missing.
     Result<std::optional<std::vector<float>>> values(const Json& names, const std::string& name,
                                                      std::size_t columns) const {
         using Values = std::optional<std::vector<float>>;
@@ -221,7 +221,7 @@ class Reader {
         const std::byte* first = nullptr;
         std::uint64_t stride = 0;
     };
-    // Checked to lie within the file.
+    // The rows of an accessor, checked to lie within the file.
     Result<Rows> rowsOf(std::uint64_t index, std::uint64_t offset, std::uint64_t count,
                         std::uint64_t rowBytes) const {
         const Json* view = element(json_, "bufferViews", index);
@@ -284,7 +284,7 @@ class Reader {
         return splats;
     }
 
-    // What cannot be an opacity or a scale stays a number that is none, and is refused or repaired.
+    // An impossible opacity or scale becomes a number that is not finite, which is then refused or repaired.
     static float logitOf(float opacity) {
         const double o = opacity;
         if (!(o >= 0.0 && o <= 1.0)) return std::numeric_limits<float>::quiet_NaN();

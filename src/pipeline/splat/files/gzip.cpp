@@ -85,7 +85,7 @@ std::optional<std::vector<std::byte>> Gunzip::rest(std::size_t most) {
 
 std::string Gunzip::headerComment() const {
     const State& s = *state_;
-    if (s.header.comment == Z_NULL) return {};  // inflate's word for none
+    if (s.header.comment == Z_NULL) return {};  // inflate sets this if there is no comment
     const auto end = std::find(s.comment.begin(), s.comment.end(), Bytef{0});
     return {s.comment.begin(), end};
 }

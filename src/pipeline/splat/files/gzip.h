@@ -12,14 +12,14 @@
 
 namespace macula::splat {
 
-// deflate packs at most 1 : 1032 (RFC 1951: 258 bytes in 2 bits).
+// deflate shrinks data by a factor of at most 1032 (RFC 1951: 258 bytes in 2 bits).
 inline constexpr std::uint64_t kMostDeflated = 1032;
 
-// The comment is Latin-1, without zeros. No time and no name is written: the same data give the same bytes.
-// Fails with outOfMemory. `data` is below 4 GiB.
+// Packs `data`, below 4 GiB. The comment is Latin-1, without zeros. Writes no time and no name, so that the
+// same data give the same bytes. Fails with outOfMemory.
 Result<std::vector<std::byte>> gzip(std::span<const std::byte> data, const std::string& comment);
 
-// Unpacks by and by, so that the caller decides how much may come out.
+// Unpacks step by step, so that the caller decides how much may come out.
 class Gunzip {
   public:
     // The bytes, below 4 GiB, must outlive this.
@@ -28,13 +28,14 @@ class Gunzip {
     Gunzip(const Gunzip&) = delete;
     Gunzip& operator=(const Gunzip&) = delete;
 
-    // Exactly so many bytes; false when there are fewer or they are damaged.
+    // Fills `out`; false when the data end before that or are damaged.
     bool read(std::span<std::byte> out);
 
-    // What is left, when it is no more than `most` bytes and ends well: its checksum agrees. Else nothing.
+    // The remaining bytes, if there are at most `most` and the stream ends with the right checksum; else
+    // nothing.
     std::optional<std::vector<std::byte>> rest(std::size_t most);
 
-    // The comment of the header, once something was read. Longer ones than 4 KiB are cut off.
+    // The comment of the header; available after the first read. At most 4 KiB of it.
     std::string headerComment() const;
 
   private:

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// 10 million splats of degree 3 take 650 MB before they are packed.
+// 10 million splats of degree 3 take 650 MB unpacked.
 constexpr std::uint64_t kMostSpzBytes = std::uint64_t{1} << 30;
 
 // "a, b or c".
@@ -106,7 +106,7 @@ Result<std::size_t> writeTo(std::ostream& stream, const Splats& splats, ModelKin
             break;
         }
         case ModelKind::training:
-            MACULA_CHECK(false);  // writeTraining's
+            MACULA_CHECK(false);  // only writeTraining writes this format
     }
     stream.flush();
     if (!stream)

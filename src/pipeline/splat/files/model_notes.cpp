@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "macula ";
 constexpr std::array<std::string_view, kLowPasses.size()> kLowPassNames{"adaptive", "compensated", "classic",
-                                                                        "mip"};  // by LowPass
+                                                                        "mip"};  // indexed by LowPass
 
 std::optional<glm::dvec3> threeNumbers(std::string_view text) {
     glm::dvec3 values(0.0);

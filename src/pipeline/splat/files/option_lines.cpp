@@ -10,8 +10,8 @@ namespace macula::splat {
 
 namespace {
 
-// visit(name, option) for each. The bindings count the members: one more, and this does not compile until it
-// is entered here.
+// Calls visit(name, option) for each option. The structured bindings list all members, so that a new member
+// does not compile until it is entered here.
 template <class Options, class Visit>
 void forEachOption(Options& options, const Visit& visit) {
     auto& [capacity, seed, optimizer, loss, density, stages, keepEveryMs, key] = options;
@@ -66,7 +66,7 @@ std::string text(const std::vector<TrainingStage>& stages) {
     return all;
 }
 
-// The number that the whole of `from` is.
+// Parses the whole of `from` as a number.
 template <class T>
 bool parse(std::string_view from, T& number) {
     const auto [end, error] = std::from_chars(from.data(), from.data() + from.size(), number);

@@ -1,4 +1,4 @@
-// The trainer's options as lines of text, "NAME VALUE", in files of training.
+// The trainer's options as lines of text, "NAME VALUE", in training files.
 #pragma once
 
 #include <string>
@@ -9,12 +9,11 @@
 
 namespace macula::splat {
 
-// A line for each option but the key, which may be any text. Numbers are written so that they read back
-// exactly.
+// A line for each option except the key, which may be any text. Numbers read back exactly.
 std::vector<std::string> linesOf(const TrainerOptions& options);
 
-// Fails with inputNotUsable when a line is missing, twice, unknown or not understood: what would train
-// otherwise than it did is no continuation. Whether the values make sense is for Trainer::create to judge.
+// Fails with inputNotUsable when a line is missing, repeated, unknown or not understood, because training
+// would then continue in another way. Trainer::create checks whether the values make sense.
 Result<TrainerOptions> optionsOf(const std::vector<std::string>& lines);
 
 }  // namespace macula::splat

@@ -1,5 +1,5 @@
-// Pictures of views as a file has them, kept for the next file: the pixels of a view never change, and to
-// pack them takes most of the time in which a state is written.
+// Packed pictures of training views, kept for the next file: the pixels of a view never change, and packing
+// them takes most of the time of writing a state.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@
 
 namespace macula::splat {
 
-// Holds the packed pixels, about a third of them as they are, but no view. Each view has an owner of its own
-// (make_shared). Used by one thread at a time.
+// Holds the packed pixels, about a third of the plain size, but does not keep the views alive. Each view must
+// have its own owner (make_shared). Used by one thread at a time.
 class PackedPictures {
   public:
-    // Packs those that it lacks, on all cores, and forgets all others. outOfMemory: the others are forgotten,
-    // and some may be packed. No view is null.
+    // Packs the views that are not packed yet, on all cores, and forgets all others. On outOfMemory the
+    // others are forgotten all the same, and some views may be packed. No view may be null.
     Result<void> pack(std::span<const std::shared_ptr<const TrainingView>> views);
 
-    // Of a view of the last pack(), until the next.
+    // The packed pixels of a view of the last pack(); valid until the next pack().
     std::span<const std::byte> of(const std::shared_ptr<const TrainingView>& view) const;
 
   private:

@@ -24,13 +24,13 @@ Error unusable(Text message, Text hint = Text("Export the model again from where
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
 }
 
-// Mip-Splatting keeps a splat as it was before it is widened in space by f, and thinned in proportion: only
-// so it is drawn.
+// Mip-Splatting stores a splat before its 3D filter, but draws it after: widened in space by f, with its
+// opacity lowered in proportion. This applies the filter.
 void widen(float filter, glm::vec3& logScale, float& opacityLogit) {
     if (filter == 0.0f) return;
     const double logFilter = std::log(std::abs(double(filter)));
     if (std::isnan(logFilter)) {
-        opacityLogit = filter;  // not finite: repair drops the splat, as it does for any other such number
+        opacityLogit = filter;  // not finite: repair drops the splat, as for any such number
         return;
     }
     double logShare = 0.0;
@@ -124,7 +124,7 @@ Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats b
     MACULA_TRY(const PlyHeader header, readPlyHeader(stream));
     PlyValues values(stream, header.format, bytes - std::min(bytes, header.bytes));
     for (const PlyElement& element : header.elements) {
-        // This is checked before memory is taken for the elements, or they are read.
+        // Checked before memory is allocated for the elements, or they are read.
         if (!values.canHold(element))
             return unusable(
                 Text("The PLY file is cut off: its header counts {} {}, for which it is too small.",
@@ -154,7 +154,7 @@ Result<void> writePly(std::ostream& stream, const Splats& splats) {
     if (splats.size() == 0) return unusable(Text("The model holds no splats."), Text("Train it first."));
     const std::string header = headerOf(splats);
     stream.write(header.data(), static_cast<std::streamsize>(header.size()));
-    constexpr std::size_t kOurs = PlyLayout::kFilter;  // of the slots up to it there is one property each
+    constexpr std::size_t kOurs = PlyLayout::kFilter;  // slots before it have one property each
     constexpr std::size_t kNormal = 3;
     std::vector<float> row(kOurs + kNormal + 3 * shCount(splats.shDegree));
     for (std::size_t i = 0; i < splats.size() && stream; ++i) {

@@ -9,7 +9,7 @@ namespace macula::splat {
 
 namespace {
 
-// Some 10000 properties; ours take 2 KiB.
+// Room for some 10 000 properties; Macula's headers take 2 KiB.
 constexpr std::uint64_t kMostHeaderBytes = std::uint64_t{1} << 20;
 
 struct TypeName {
@@ -44,7 +44,7 @@ Error notPly() {
     return {ErrorCode::inputNotUsable, Text("The file is no PLY."), {}, Text("Choose a model of Gaussians.")};
 }
 
-// Lines as the header has them, ended by \n or \r\n; never more than the header may hold.
+// Reads the lines of the header, ended by \n or \r\n, and no more bytes than a header may have.
 class Lines {
   public:
     explicit Lines(std::istream& stream) : stream_(stream) {}
@@ -69,7 +69,7 @@ class Lines {
     std::uint64_t bytes_ = 0;
 };
 
-// The next word of a line, which is shortened by it.
+// Takes the next word off the front of a line.
 std::string_view word(std::string_view& line) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     const std::string_view found = line.substr(0, line.find_first_of(" \t"));

@@ -1,4 +1,4 @@
-// The header of a PLY file (Turk 1994, "The PLY Polygon File Format"), of any PLY.
+// Reads the header of any PLY file (Turk 1994, "The PLY Polygon File Format").
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ std::size_t bytesOf(PlyType type);
 struct PlyProperty {
     std::string name;
     PlyType type = PlyType::float32;
-    std::optional<PlyType> countType;  // of a list: the type of its length
+    std::optional<PlyType> countType;  // for a list: the type of its length
 };
 
 struct PlyElement {
@@ -27,8 +27,8 @@ struct PlyElement {
     std::uint64_t count = 0;
     std::vector<PlyProperty> properties;
 
-    // The fewest bytes that one of them takes in the file: lists may be empty, an ascii number is one digit
-    // and what parts it from the next.
+    // The fewest bytes that one element takes in the file: lists may be empty, and an ascii number may be one
+    // digit and a separator.
     std::uint64_t leastBytes(PlyFormat format) const;
     bool hasLists() const;
 };
@@ -36,12 +36,13 @@ struct PlyElement {
 struct PlyHeader {
     PlyFormat format = PlyFormat::ascii;
     std::vector<PlyElement> elements;   // in the order of the data
-    std::vector<std::string> comments;  // without the word
-    std::uint64_t bytes = 0;            // where the data begin
+    std::vector<std::string> comments;  // without the word "comment"
+    std::uint64_t bytes = 0;            // length of the header: the data begin here
 };
 
-// Leaves the stream at the data. Fails with inputNotUsable when it is no PLY, larger than 1 MiB, cut off, or
-// has a line that makes no sense: a count below zero, an unknown type, a property before any element.
+// Leaves the stream at the start of the data. Fails with inputNotUsable when the file is not a PLY, the
+// header is larger than 1 MiB or cut off, or a line makes no sense: a count below zero, an unknown type, a
+// property before any element.
 Result<PlyHeader> readPlyHeader(std::istream& stream);
 
 }  // namespace macula::splat

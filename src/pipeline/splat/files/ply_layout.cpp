@@ -11,7 +11,7 @@ namespace macula::splat {
 
 namespace {
 
-// The names of the properties, by slot.
+// The name of the property for each slot.
 constexpr std::array<std::string_view, PlyLayout::kRest> kNames{
     "x",       "y",       "z",     "f_dc_0", "f_dc_1", "f_dc_2", "opacity",  "scale_0",
     "scale_1", "scale_2", "rot_0", "rot_1",  "rot_2",  "rot_3",  "filter_3D"};
@@ -35,7 +35,7 @@ std::optional<std::size_t> indexIn(const std::array<std::string_view, n>& names,
     return static_cast<std::size_t>(found - names.begin());
 }
 
-// The number behind "f_rest_", or nothing.
+// The number after "f_rest_", or nothing.
 std::optional<std::size_t> restIndex(std::string_view name) {
     constexpr std::string_view kRestName = "f_rest_";
     if (!name.starts_with(kRestName)) return std::nullopt;
@@ -54,7 +54,7 @@ std::size_t slotOf(const PlyProperty& property, bool hasColourBytes) {
     return property.name == "filter_3d" ? std::size_t{PlyLayout::kFilter} : PlyLayout::kNone;
 }
 
-// The degree that has so many coefficients of colour beyond the first, over all channels.
+// The degree that has `rest` coefficients of colour besides the constant ones, over all channels.
 std::optional<int> degreeOf(std::size_t rest) {
     for (int degree = 0; degree <= kMaxShDegree; ++degree) {
         if (3 * shCount(degree) == rest) return degree;

@@ -1,5 +1,5 @@
-// Which property of a PLY's vertices is what of a splat: the convention of 3DGS, and what others have made of
-// it.
+// Maps the properties of a PLY's vertices to parameters of splats: by the convention of 3DGS and its
+// variants.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 namespace macula::splat {
 
 struct PlyLayout {
-    // Where a row of a splat's numbers holds what. The bands of spherical harmonics come last, channel by
+    // The positions in a row of a splat's numbers. The bands of spherical harmonics come last, channel by
     // channel.
     enum Slot : std::size_t {
         kPosition = 0,
@@ -26,17 +26,18 @@ struct PlyLayout {
     };
 
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> slots;  // of each property; kNone for those that mean nothing to us
+    std::vector<std::size_t> slots;  // for each property; kNone for one without meaning here
     int shDegree = 0;
     bool hasColourBytes = false;  // red, green, blue of 0 to 255 instead of f_dc (Nerfstudio)
     bool isFlat = false;          // two scales (2DGS)
-    // filter_3D (Mip-Splatting): what is drawn is wider by that, in the unit of positions.
+    // filter_3D (Mip-Splatting): the splat is drawn wider by this, in the unit of positions.
     bool hasFilter = false;
 
     std::size_t size() const { return kRest + 3 * shCount(shDegree); }
 };
 
-// Fails with inputNotUsable when it is no splat: it says what is missing, twice, or too much.
+// Fails with inputNotUsable when the vertices are not splats; the error says what is missing, repeated, or
+// too much.
 Result<PlyLayout> plyLayoutOf(const PlyElement& vertex);
 
 }  // namespace macula::splat

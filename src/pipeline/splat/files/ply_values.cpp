@@ -27,7 +27,7 @@ bool isSpace(int c) {
 
 bool PlyValues::canHold(const PlyElement& element) const {
     const std::uint64_t each = element.leastBytes(format_);
-    // The last number of an ascii file may have nothing behind it.
+    // The last number of an ascii file may have no separator after it.
     const std::uint64_t room = format_ == PlyFormat::ascii ? left_ + 1 : left_;
     return each == 0 || element.count <= room / each;
 }
@@ -114,7 +114,7 @@ bool PlyValues::skip(const PlyProperty& property) {
     double value = 0.0;
     if (!property.countType) return next(property.type, value);
     if (!next(*property.countType, value)) return false;
-    // This is false also where an ascii file says NaN.
+    // Written so that NaN from an ascii file fails too.
     if (!(value >= 0.0 && value <= static_cast<double>(left_)) || value != std::floor(value)) return false;
     const auto length = static_cast<std::uint64_t>(value);
     if (format_ != PlyFormat::ascii) return skipBytes(length * bytesOf(property.type));
@@ -138,7 +138,7 @@ bool PlyValues::skip(const PlyElement& element) {
 
 float toFloat(double value) {
     constexpr double kMost = std::numeric_limits<float>::max();
-    // What rounds beyond the largest float would be undefined.
+    // Converting a value beyond the largest float would be undefined behaviour.
     if (std::abs(value) > kMost && !std::isinf(value))
         return static_cast<float>(std::copysign(kInfinity, value));
     return static_cast<float>(value);

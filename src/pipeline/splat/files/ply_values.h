@@ -1,4 +1,4 @@
-// The numbers behind the header of a PLY file, one after another.
+// Reads the numbers after the header of a PLY file, one by one.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@ namespace macula::splat {
 
 class PlyValues {
   public:
-    // The stream stands at the data, of which there are `bytes`. It must outlive this.
+    // The stream is at the start of the data, of which there are `bytes` bytes, and must outlive this.
     PlyValues(std::istream& stream, PlyFormat format, std::uint64_t bytes)
         : stream_(*stream.rdbuf()), format_(format), left_(bytes) {}
 
-    // Whether the bytes that are left suffice for all elements that the header announces.
+    // Whether the remaining bytes suffice for all elements that the header announces.
     bool canHold(const PlyElement& element) const;
 
-    // False at the end of the data, and for what is no number. Numbers of ascii files that are larger than
-    // any double are infinite.
+    // False at the end of the data, and for text that is not a number. Numbers of ascii files beyond the
+    // range of double become infinite.
     bool next(PlyType type, double& value);
     bool skip(const PlyProperty& property);
     bool skip(const PlyElement& element);
@@ -34,7 +34,7 @@ class PlyValues {
     std::uint64_t left_;
 };
 
-// Infinite where a float32 has no such number.
+// Infinite for a value beyond the range of float32.
 float toFloat(double value);
 
 }  // namespace macula::splat

@@ -1,4 +1,5 @@
-// Splats as two chunks of a .macula file: text that says what they are (model_notes.h), and their numbers.
+// Splats as two chunks of a .macula file: a text with their notes (model_notes.h), number and degree, and
+// their numbers.
 #pragma once
 
 #include <array>
@@ -17,10 +18,10 @@ struct SplatChunkNames {
     std::string_view numbers;
 };
 
-// To write; holds what its chunks point to.
+// For writing; owns the memory of its chunks.
 class SplatChunks {
   public:
-    // The splats are valid.
+    // The splats must be valid.
     explicit SplatChunks(const Splats& splats);
 
     std::array<Chunk, 2> named(const SplatChunkNames& names) const;
@@ -32,8 +33,8 @@ class SplatChunks {
     std::vector<float> numbers_;
 };
 
-// Fails with inputNotUsable when the chunks are missing or damaged, or do not belong together. The splats are
-// not validated.
+// Fails with inputNotUsable when the chunks are missing or damaged, or do not match. The splats are not
+// validated.
 Result<Splats> readSplats(ChunkFile& file, const SplatChunkNames& names);
 
 }  // namespace macula::splat

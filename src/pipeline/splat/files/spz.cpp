@@ -31,16 +31,16 @@ constexpr std::string_view kMagicText = "NGSP";
 constexpr std::uint32_t kLastGzipVersion = 3;
 constexpr std::uint32_t kContainerVersion = 4;
 constexpr std::uint32_t kMostSplats = 10'000'000;
-constexpr int kMostFractionalBits = 20;      // a millionth of a mm; float32 has no more
-constexpr int kMostFractionalBitsRead = 31;  // of models a few thousandths of a unit across
+constexpr int kMostFractionalBits = 20;      // a millionth of a mm; float32 is no finer
+constexpr int kMostFractionalBitsRead = 31;  // for models a few thousandths of a unit across
 constexpr double kMostFixed = (1 << 23) - 1;
 constexpr std::uint8_t kAntialiased = 1;
 constexpr std::uint8_t kHasExtensions = 2;
 constexpr std::size_t kMostExtensionBytes = std::size_t{1} << 24;
 
-// Models that are alike in all their splats are packed by hundreds, and a small file may claim millions of
-// them: what is unpacked may be so many times the file, or as much as nobody's memory lacks. Real ones are
-// packed by less than 15, even point clouds with bands of zeros.
+// Guards against decompression bombs: identical splats pack hundreds of times smaller, so a small file may
+// claim millions of them. The unpacked size may be this many times the file, or a size that any machine has.
+// Real models shrink by a factor below 15, even point clouds with bands of zeros.
 constexpr std::uint64_t kMostPacking = 32;
 constexpr std::uint64_t kAlwaysUnpacked = std::uint64_t{32} << 20;
 
@@ -68,7 +68,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == kSpzHeaderBytes);
 
-// Signs of the real spherical harmonics when y and z change theirs.
+// Signs by which the real spherical harmonics change when y and z change theirs.
 constexpr std::array<float, 15> kTurn{-1, -1, 1, -1, 1, 1, -1, 1, -1, 1, -1, -1, 1, -1, 1};
 
 glm::vec3 turned(const glm::vec3& v) {
@@ -101,7 +101,7 @@ Result<int> fractionalBits(const Splats& splats) {
                     Text("Remove the splats that are so far away, or write a PLY."));
 }
 
-// The constant coefficient as the file has it: of a colour of the display.
+// The constant coefficient as the file stores it: of a display colour.
 glm::vec3 displayed(const Splats& splats, std::size_t i) {
     glm::vec3 dc = splats.dc[i];
     if (splats.colourSpace == ColourSpace::display) return dc;
@@ -109,8 +109,8 @@ glm::vec3 displayed(const Splats& splats, std::size_t i) {
     return dc;
 }
 
-// What the higher coefficients are multiplied by, given the byte of the constant one: a reader divides by the
-// same.
+// The factor of the higher coefficients. Derived from the byte of the constant one, so that a reader divides
+// by the same.
 float slopeOf(std::uint8_t colourByte, ColourSpace space) {
     if (space == ColourSpace::display) return 1.0f;
     return spz::slope(spz::linearOf(colourOfDc(spz::dcOf(colourByte))));
@@ -127,7 +127,7 @@ void toLinear(Splats& splats) {
     }
 }
 
-// Takes bytes from the front.
+// Reads bytes from the front.
 class Reader {
   public:
     explicit Reader(const std::vector<std::uint8_t>& bytes) : next_(bytes.data()) {}
@@ -144,7 +144,7 @@ class Reader {
 
 float position(Reader& in, const Header& header) {
     if (header.version == 1) return glm::unpackHalf1x16(static_cast<std::uint16_t>(in.bytes(2)));
-    // The sign lies in the 24th bit.
+    // The sign is in the 24th bit.
     const auto fixed = static_cast<std::int32_t>(in.bytes(3) << 8) >> 8;
     return static_cast<float>(std::ldexp(static_cast<double>(fixed), -header.fractionalBits));
 }
@@ -221,7 +221,7 @@ std::string commentOf(const Splats& splats) {
     return text;
 }
 
-// The bytes of all but the header, in the order of the file.
+// All bytes after the header, in the order of the file.
 std::vector<std::uint8_t> payload(const Splats& splats, const Header& header, std::size_t& clamped) {
     std::vector<std::uint8_t> out;
     out.reserve(header.bytes());
@@ -320,7 +320,7 @@ Result<ModelFile> decodeContainer(std::span<const std::byte> bytes, BadSplats ba
     if (bytes.size() < sizeof header) return damaged();
     std::memcpy(&header, bytes.data(), sizeof header);
     MACULA_TRY_VOID(check(header, bytes.size()));
-    if (header.version != kContainerVersion) return damaged();  // earlier ones lie in gzip
+    if (header.version != kContainerVersion) return damaged();  // earlier versions are gzip streams
     std::vector<std::uint8_t> data(header.bytes());
     SpzRecords records;
     if (!unpackSpzStreams(bytes, header.streamBytes(), std::as_writable_bytes(std::span(data)), records))

@@ -1,26 +1,26 @@
 // SPZ, Niantic's packed splats (github.com/nianticlabs/spz, README; MIT): the form for transport. A header of
-// 16 bytes (magic "NGSP", version, number of splats, degree, fractional bits of positions, flags, one more;
-// little endian), then by attribute: positions, opacities, colours, scales, rotations, spherical harmonics
-// (per splat coefficient by coefficient, red, green, blue). To version 3 all of it is one gzip stream; from 4
-// on each attribute is one of zstd (spz_container.h).
+// 16 bytes (magic "NGSP", version, number of splats, degree, fractional bits of positions, flags, a reserved
+// byte; little endian), then by attribute: positions, opacities, colours, scales, rotations, spherical
+// harmonics (per splat coefficient by coefficient, red, green, blue). Up to version 3 the whole file is one
+// gzip stream; from version 4 on each attribute is a zstd stream (spz_container.h).
 //
-// Axes. The file's are x right, y up, z back (RUB). The model's x, y, z become x, -y, -z in the file, and the
-// same brings them back: a half turn about x, so left stays left and nothing is mirrored; rotations and
-// spherical harmonics turn with it. It is the turn from PLY's axes (x right, y down, z forward), so a model
-// has the same coordinates in memory whichever format it came in. A patient is x left, y anterior, z inferior
-// in the file. A record of another
-// vendor may say that a file is in other axes, some of them of the other hand: they are heeded
-// (spz_records.h). Units are those of the model, mm in ours. Origin, axes and colour space (model_notes.h)
-// lie in the comment of the gzip header, or in a record of the container: other programs skip both.
+// Axes. In the file they are x right, y up, z back (RUB). The model's x, y, z become x, -y, -z in the file,
+// and the same turn brings them back: a half turn about x, so left stays left and nothing is mirrored;
+// rotations and spherical harmonics turn as well. It is the turn from PLY's axes (x right, y down, z
+// forward), so a model has the same coordinates in memory whichever format it came in. A patient is x left, y
+// anterior, z inferior in the file. A vendor's record may say that a file has other axes, even left-handed
+// ones: Macula then converts them (spz_records.h). Units are those of the model, mm in Macula's files.
+// Origin, axes and colour space (model_notes.h) are in the comment of the gzip header, or in a record of the
+// container: other programs skip both.
 //
-// Version 4 is written, 3 for those who ask: their rotations are off by 0.005 rad at most, those of version 2
+// Macula writes version 4, or 3 on request: their rotations are off by 0.005 rad at most, those of version 2
 // by 0.2 rad where w is near 0, which shows in needles.
 //
-// What is lost, at most: position 2^-(b + 1) mm in each axis, with as many fractional bits b <= 20 as the
-// farthest splat leaves (0.00002 mm within 256 mm of the origin); a factor of exp(1/32) in scale; 1/510 in
-// opacity; 0.0037 in colour; 1/256 in a coefficient of higher degree. Colours of linear radiance are encoded
-// as sRGB first, their higher coefficients scaled by its slope, because 8 linear bits would show steps in the
-// dark; others see colours about right.
+// Largest errors: position 2^-(b + 1) mm in each axis, with as many fractional bits b <= 20 as the farthest
+// splat leaves (0.00002 mm within 256 mm of the origin); a factor of exp(1/32) in scale; 1/510 in opacity;
+// 0.0037 in colour; 1/256 in a coefficient of higher degree. Linear colours are first encoded as sRGB and
+// their higher coefficients scaled by its slope, because 8 linear bits would show steps in the dark; other
+// programs then show about the right colours.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,7 @@ namespace macula::splat {
 
 struct SpzBytes {
     std::vector<std::byte> bytes;
-    std::size_t clamped = 0;  // splats with a scale, colour or coefficient beyond what 8 bits reach
+    std::size_t clamped = 0;  // splats with a scale, colour or coefficient beyond the range of 8 bits
 };
 
 enum class SpzVersion { gzip = 3, zstd = 4 };
@@ -45,9 +45,9 @@ enum class SpzVersion { gzip = 3, zstd = 4 };
 // than 8 km from its origin, or compresses so well that decodeSpz would take it for a decompression bomb.
 Result<SpzBytes> encodeSpz(const Splats& splats, SpzVersion version = SpzVersion::zstd);
 
-// Versions 1 to 4, degrees 0 to 3; degree 4 is refused. Without notes of ours the model is foreign: axes
-// unknown, colours of the display, low-pass by the file's flag for antialiasing. Errors as readModel; never
-// unpacks more than the header says, and of that no more than 32 times the file, or 32 MiB.
+// Reads versions 1 to 4, degrees 0 to 3; refuses degree 4. Without Macula's notes the model is foreign: axes
+// unknown, display colours, low-pass by the file's flag for antialiasing. Errors as readModel; never unpacks
+// more than the header says, and at most 32 times the file's size, or 32 MiB.
 Result<ModelFile> decodeSpz(std::span<const std::byte> bytes, BadSplats bad = BadSplats::refuse);
 
 // Whether a file is SPZ by its first four bytes: gzip, or version 4.

@@ -20,7 +20,7 @@ std::uint8_t rounded(float value, bool& held) {
     return static_cast<std::uint8_t>(std::clamp(whole, 0.0f, 255.0f));
 }
 
-// The place in our order of each component in the file's order x, y, z, w.
+// The index in our order (w, x, y, z) of each component in the file's order (x, y, z, w).
 constexpr std::array<int, 4> kOurs{1, 2, 3, 0};
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr std::size_t kTableOffset = 16;
 constexpr std::size_t kTableEntryBytes = 16;
 constexpr std::byte kHasExtensions{2};
 
-// One of the compression levels that the reference writer uses; higher ones take much longer for a percent.
+// A compression level that the reference writer uses too; higher ones take much longer to save one percent.
 constexpr int kLevel = 12;
 
 template <class T>
@@ -49,7 +49,7 @@ Result<std::vector<std::byte>> packSpzStreams(std::array<std::byte, kSpzHeaderBy
     const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
     if (!context) return noMemory();
     ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kLevel);
-    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);  // damage is found
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);  // reveals damage
 
     std::vector<std::byte> table;
     std::vector<std::byte> streams;
@@ -63,7 +63,7 @@ Result<std::vector<std::byte>> packSpzStreams(std::array<std::byte, kSpzHeaderBy
         streams.resize(before + ZSTD_compressBound(size));
         const std::size_t packed = ZSTD_compress2(context.get(), streams.data() + before,
                                                   streams.size() - before, stream.data(), stream.size());
-        // Room and parameters are right, so only memory is left to fail.
+        // Room and parameters are right, so only a lack of memory can fail here.
         if (ZSTD_isError(packed) != 0) return noMemory();
         streams.resize(before + packed);
         add(table, std::uint64_t{packed});
@@ -103,7 +103,7 @@ bool unpackSpzStreams(std::span<const std::byte> file, std::span<const std::size
         ++entry;
         if (packedSize > packed.size() || unpackedSize != size) return false;
         MACULA_CHECK_LE(size, data.size());
-        // Never writes beyond the room it is given, whatever the frame says of itself.
+        // Never writes more than `size` bytes, whatever the frame claims.
         if (ZSTD_decompress(data.data(), size, packed.data(), packedSize) != size) return false;
         packed = packed.subspan(packedSize);
         data = data.subspan(size);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kRecordHeaderBytes = 8;
 
-// "MA" as the vendor above, 1 as the kind below.
+// "MA", the vendor, in the upper 16 bits, and 1, the kind of record, in the lower 16.
 constexpr std::uint32_t kNotesType = 0x4d410001;
 constexpr std::size_t kMostNotes = 4096;
 constexpr std::uint32_t kCoordinateSystemType = 0xadbe0003;
@@ -65,17 +65,17 @@ Result<void> heedSpzAxes(std::uint32_t axes, Splats& splats) {
     const double up = (bits & 2) != 0 ? 1.0 : -1.0;
     const bool isUpThird = (bits & 8) != 0;
     const double third = (bits & 4) != 0 ? 1.0 : -1.0;
-    // x right, y up, z back of what the file means, by its own x, y, z: columns.
+    // Columns: the file's x, y and z, in the axes right, up, back that it means.
     glm::dmat3 meantFromFile(0.0);
     meantFromFile[0] = {right, 0.0, 0.0};
     if (isUpThird) {
-        meantFromFile[1] = {0.0, 0.0, third};  // front without the bit, back with it
+        meantFromFile[1] = {0.0, 0.0, third};  // the third axis is front without the bit, back with it
         meantFromFile[2] = {0.0, up, 0.0};
     } else {
         meantFromFile[1] = {0.0, up, 0.0};
         meantFromFile[2] = {0.0, 0.0, -third};  // back without the bit, front with it
     }
-    // The model's y and z are those of the file turned (spz.h).
+    // The model is turned from the file by half a turn about x (spz.h).
     const glm::dmat3 modelFromMeant(glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1));
     turnAxes(splats, modelFromMeant * meantFromFile * glm::transpose(modelFromMeant));
     return {};

@@ -12,7 +12,7 @@ namespace macula::splat {
 
 namespace {
 
-// What stands behind "NAME " in the only line that begins so.
+// The text after "NAME " in the only line that begins with it.
 std::optional<std::string_view> valueOf(const std::vector<std::string>& lines, std::string_view name) {
     std::optional<std::string_view> value;
     for (const std::string_view line : lines) {
@@ -23,7 +23,7 @@ std::optional<std::string_view> valueOf(const std::vector<std::string>& lines, s
     return value;
 }
 
-// The number that the whole of `text` is.
+// Parses the whole of `text` as a number.
 template <class T>
 bool parseWhole(std::string_view text, T& value) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

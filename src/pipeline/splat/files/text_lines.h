@@ -11,18 +11,18 @@
 
 namespace macula::splat {
 
-// Each with its line feed; and back, where the last one may lack it.
+// joinLines ends each line with a line feed; splitLines accepts a last line without one.
 std::string joinLines(const std::vector<std::string>& lines);
 std::vector<std::string> splitLines(std::string_view text);
 
 // The shortest text that reads back to the same bits.
 std::string exactText(double value);
 
-// The number behind "NAME " in the only line that begins so. Fails with inputNotUsable when there is none, or
-// several, or it is above `most`.
+// The number after "NAME " in the only line that begins with it. Fails with inputNotUsable when there is no
+// such line, there are several, or the number is above `most`.
 Result<std::uint64_t> numberIn(const std::vector<std::string>& lines, std::string_view name,
                                std::uint64_t most);
-// Likewise exactly `count` numbers, finite, with a space between two.
+// The same for exactly `count` finite numbers, separated by single spaces.
 Result<std::vector<double>> numbersIn(const std::vector<std::string>& lines, std::string_view name,
                                       std::size_t count);
 

@@ -22,13 +22,13 @@ constexpr std::string_view kOption = "option ";
 
 constexpr std::uint32_t strideOf(std::string_view name) {
     const auto* found = std::ranges::find(kTrainingChunks, name, &TrainingChunk::name);
-    return found->stride;  // not a chunk of the table: no constant expression
+    return found->stride;  // for a name that is not in the table, this is not a constant expression
 }
 static_assert(strideOf("splats") == sizeof(float) && strideOf("steps") == sizeof(std::uint32_t));
 static_assert(strideOf("stats") == sizeof(shared::SplatStatistics));
 static_assert(strideOf("views") == kViewRecordBytes && strideOf("pixels") == kPixelBytes);
 
-// A chunk of the table, with its stride.
+// A chunk with the stride of kTrainingChunks.
 Chunk chunkOf(std::string_view name, std::span<const std::byte> bytes) {
     return {std::string(name), bytes, strideOf(name)};
 }
@@ -49,7 +49,7 @@ Result<void> checkTrainer(std::uint64_t version) {
 Result<void> writeTraining(std::ostream& stream, const TrainingState& state, const FurtherChunks& further,
                            const PackedPictures& packed) {
     MACULA_TRY_VOID(state.validate());
-    // The bindings count the members: one more, and this does not compile until it is written.
+    // The structured bindings list all members, so that a new member does not compile until it is written.
     const auto& [trainerVersion, options, steps, splats, optimizer, statistics, views] = state;
     const auto& [stepsDone, stepsOfEach, first, second] = optimizer;
     std::vector<std::string> lines{fmt::format("trainer {}", trainerVersion), fmt::format("steps {}", steps),

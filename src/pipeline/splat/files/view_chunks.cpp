@@ -8,9 +8,9 @@ namespace macula::splat {
 
 namespace {
 
-// A view in the file: RasterView, its weight, and what its loss was.
+// A view in the file: its RasterView, kind, weight and last loss.
 struct ViewRecord {
-    double cameraFromWorld[9];  // by columns
+    double cameraFromWorld[9];  // column by column
     double eyeMm[3];
     double focalPx[2];
     double principalPx[2];
@@ -52,7 +52,7 @@ RasterView viewOf(const ViewRecord& record) {
     return v;
 }
 
-// Without pixels.
+// The view without its pixels.
 Result<TrainingView> emptyViewOf(const ViewRecord& record) {
     TrainingView view{.view = viewOf(record), .weight = record.weight, .kind = record.kind};
     if (!validate(view.view).ok() || record.kind > ViewKind::standIn) return damagedModel();
@@ -70,7 +70,7 @@ std::vector<std::byte> viewRecords(std::span<const TrainingState::View> views) {
     return bytes;
 }
 
-// The chunks of pixels are read one by one, and then unpacked together.
+// Reads the chunks of pixels one by one, and then unpacks them in parallel.
 Result<std::vector<TrainingState::View>> readViews(ChunkFile& file, const ViewChunkNames& names,
                                                    std::uint64_t count) {
     std::vector<const ChunkEntry*> entries;

@@ -1,4 +1,4 @@
-// Views as chunks of a .macula file: a chunk with a record of each, and one for the pixels of each.
+// Views as chunks of a .macula file: one chunk with a record for each view, and a chunk of pixels for each.
 #pragma once
 
 #include <cstddef>
@@ -24,11 +24,12 @@ struct ViewChunkNames {
     std::string_view pixels;
 };
 
-// A record for each view; docs/model-files.md says of what. They are whole, and not parts of pictures.
+// A record for each view; docs/model-files.md describes it. The views must be whole, not parts of pictures.
 std::vector<std::byte> viewRecords(std::span<const TrainingState::View> views);
 
-// Unpacks pixels on all cores. Fails with inputNotUsable when chunks are missing or damaged or there are not
-// as many, at most kMostViews, or a picture is not of its view's size; outOfMemory.
+// Reads `count` views, and unpacks their pixels on all cores. Fails with inputNotUsable when chunks are
+// missing or damaged, there are more or fewer views, or more than kMostViews, or a picture is not of its
+// view's size; with outOfMemory.
 Result<std::vector<TrainingState::View>> readViews(ChunkFile& file, const ViewChunkNames& names,
                                                    std::uint64_t count);
 

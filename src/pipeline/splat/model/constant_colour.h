@@ -1,5 +1,5 @@
-// The part of a splat's colour that all directions share, and the coefficient that holds it (Splats::dc):
-// linear radiance or display values, as the model's colours are.
+// Converts between the part of a splat's colour that all directions share and the coefficient that holds it
+// (Splats::dc), in linear radiance or display values, as the model's colours are.
 #pragma once
 
 #include <glm/glm.hpp>

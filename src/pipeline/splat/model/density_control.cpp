@@ -10,12 +10,12 @@ namespace macula::splat {
 
 namespace {
 
-// Halves lie so far from the middle, in standard deviations along the longest axis, and are so much shorter:
-// together they cover what the whole one did, with a little less in between.
+// The distance of each half from the middle, in standard deviations along the longest axis, and the factor by
+// which each is shorter: together they cover what the whole splat covered, with a little less in the middle.
 constexpr float kApart = 0.6f;
 constexpr float kShorter = 0.6f;
 
-// The axis of a splat in the axes of the model.
+// An axis of a splat, in the axes of the model.
 glm::vec3 axisOf(const glm::vec4& rotation, int axis) {
     const glm::vec4 q = rotation / glm::length(rotation);
     const float w = q[0], x = q[1], y = q[2], z = q[3];
@@ -34,8 +34,8 @@ void append(const Splats& from, std::uint32_t i, Splats& to) {
     for (std::size_t k = 0; k < count; ++k) to.sh.push_back(from.sh[i * count + k]);
 }
 
-// Marks the least important splats, whose weights add up to no more than `share`. Nothing is known of splats
-// that were not drawn.
+// Marks the splats with the least weight, up to `share` of the total. Splats that were not drawn stay,
+// because nothing is known about them.
 std::vector<std::uint8_t> unneeded(std::span<const shared::SplatStatistics> statistics, double share) {
     std::vector<std::uint32_t> order(statistics.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -45,7 +45,7 @@ std::vector<std::uint8_t> unneeded(std::span<const shared::SplatStatistics> stat
     double total = 0.0;
     for (const auto& s : statistics) total += double(s.weight);
     std::vector<std::uint8_t> result(statistics.size(), 0);
-    if (!(total > 0.0)) return result;  // nothing was shown yet, so nothing is known
+    if (!(total > 0.0)) return result;  // nothing has been drawn yet
     double sum = 0.0;
     for (const std::uint32_t i : order) {
         sum += double(statistics[i].weight);

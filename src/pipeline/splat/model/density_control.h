@@ -1,6 +1,6 @@
-// Where splats are missing, and which are not needed: after some steps of training, splats that hardly show
-// are removed, and those that the pictures pull in different directions are split. With a fixed number of
-// splats that moves them to where there is more to be seen.
+// Density control: every few training steps, removes splats that hardly show, and splits those that the
+// pictures pull in different directions. With a fixed number of splats, this moves them to where more detail
+// is visible.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,25 @@
 namespace macula::splat {
 
 struct DensityOptions {
-    std::uint64_t firstStep = 100;  // after which it is first done
-    std::uint64_t every = 100;      // steps
-    std::uint64_t lastStep = 400;   // after which it is done no more
-    // Removed are, of those that lay in a view since the last time, the ones that together have at most this
-    // share of all that was shown.
+    std::uint64_t firstStep = 100;  // the step after which it is first done
+    std::uint64_t every = 100;      // in steps
+    std::uint64_t lastStep = 400;   // the last step after which it is done
+    // Removes the splats with the least weight, of those that a view has shown since the last time: together
+    // at most this share of all weight.
     double unseenShare = 0.002;
-    // Split are at most so many of those that remain, and never beyond the capacity of the model.
+    // Splits at most this share of the remaining splats, and never beyond the capacity of the model.
     double splitShare = 0.05;
 };
 
-// What becomes of a model: splat i of the new one is `source[i]` of the old, as it was or, where isNew[i]
-// is not 0, one of the two halves of it, which has learnt nothing yet.
+// The resulting model: its splat i is splat `source[i]` of the old one, unchanged or, if isNew[i] is not 0,
+// one of its two halves, which has learnt nothing yet.
 struct Regrouped {
     Splats splats;
     std::vector<std::uint32_t> source;
     std::vector<std::uint8_t> isNew;
 };
 
-// `statistics` has an entry for each splat. A function of its arguments.
+// `statistics` has an entry for each splat. Depends only on its arguments.
 Regrouped regroup(const Splats& splats, std::span<const shared::SplatStatistics> statistics,
                   const DensityOptions& options, std::uint32_t capacity);
 

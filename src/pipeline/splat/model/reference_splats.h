@@ -1,5 +1,5 @@
-// A model of splats in double, for the reference rasterizer: what it draws, and the derivative by it. Finite
-// differences need parameters of more digits than Splats has.
+// A model of splats in double, for the reference rasterizer: its input, or the derivative by that. Finite
+// differences need parameters with more digits than Splats has.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct ReferenceSplats {
     std::vector<glm::dvec3> sh;
 
     ReferenceSplats() = default;
-    // All 0, quaternions too: a derivative before anything was added to it.
+    // All 0, quaternions too: the start of a sum of derivatives.
     ReferenceSplats(std::size_t count, int degree);
     explicit ReferenceSplats(const Splats& splats);
 

@@ -1,5 +1,5 @@
-// The parameters of splats on the device, or a number for each parameter: a gradient, a moment. Their order:
-// shaders/shared/splat_layout.h.
+// The parameters of splats on the device, or a number for each parameter, such as a gradient or a moment.
+// Their order: shaders/shared/splat_layout.h.
 #pragma once
 
 #include <cstdint>
@@ -25,14 +25,14 @@ class SplatBuffer {
     std::uint32_t capacity() const { return capacity_; }
     int shDegree() const { return shDegree_; }
     int components() const { return componentCount(shDegree_); }
-    // Float for each component of each splat that there is room for. Kernels write it as a storage buffer,
-    // and read it so or as a samplerBuffer.
+    // Float for each component of each splat up to the capacity. Kernels write it as a storage buffer, and
+    // read it as a storage buffer or samplerBuffer.
     const gpu::TexelBuffer& values() const { return values_; }
 
-    // Component k of splat i at k * count + i, as componentsOf; splats from `count` on become 0. Ordered
-    // after all work submitted so far.
+    // Uploads component k of splat i from k * count + i, as componentsOf gives them; splats from `count` on
+    // become 0. Ordered after all work submitted so far.
     Result<void> upload(std::span<const float> components);
-    // The components of the first `count` splats, at most the capacity. Waits.
+    // Returns the components of the first `count` splats, at most the capacity. Waits.
     Result<std::vector<float>> download(std::uint32_t count) const;
 
   private:

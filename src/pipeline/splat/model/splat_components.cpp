@@ -6,7 +6,7 @@ namespace macula::splat {
 
 namespace {
 
-// body(component, number) for each parameter of a splat; the order of shared/splat_layout.h.
+// Calls body(component, number) for each parameter of a splat, in the order of shared/splat_layout.h.
 template <class Model, class Body>
 void forEachParameter(Model& splats, std::size_t i, const Body& body) {
     using namespace shared;

@@ -1,4 +1,4 @@
-// All numbers of a model in one array, as kernels and files have them. Their order: shared/splat_layout.h.
+// All numbers of a model in one array, as kernels and files use them. Their order: shared/splat_layout.h.
 #pragma once
 
 #include <span>
@@ -15,8 +15,9 @@ constexpr int componentCount(int shDegree) {
 }
 static_assert(componentCount(kMaxShDegree) == shared::kMaxSplatComponents);
 
-// All parameters of a model, component k of splat i at k * size + i; and back, into a model with the same
-// origin, axes and colour space as `like` and its degree. values.size() must be a multiple of componentCount.
+// componentsOf returns all parameters of a model, component k of splat i at k * size + i; splatsOf makes a
+// model of them, with the origin, axes, colour space, low-pass and degree of `like`. components.size() must
+// be a multiple of componentCount.
 std::vector<float> componentsOf(const Splats& splats);
 Splats splatsOf(std::span<const float> components, const Splats& like);
 

@@ -11,8 +11,8 @@ namespace macula::splat {
 
 namespace {
 
-// Whether the quaternion is a rotation. Its inverse length must be finite too, which a subnormal square has
-// not.
+// Whether the quaternion can be normalised: its inverse length must be finite too, which excludes a subnormal
+// square.
 bool isRotation(const glm::vec4& q) {
     return std::isnormal(glm::dot(q, q));
 }
@@ -26,7 +26,7 @@ bool isGood(const Splats& splats, std::size_t i) {
                        [](const glm::vec3& sh) { return isFinite(sh); });
 }
 
-// Checks everything but the single splats.
+// Checks everything except the single splats.
 Result<void> validateWhole(const Splats& splats) {
     if (splats.shDegree < 0 || splats.shDegree > kMaxShDegree)
         return Error{ErrorCode::inputNotUsable,
@@ -52,16 +52,16 @@ Result<void> validateWhole(const Splats& splats) {
     return {};
 }
 
-// Clamps, and returns true when it had to. NaN stays.
+// Clamps the value, and returns true if that changed it. NaN stays.
 bool clampTo(float& value, float limit) {
     if (!(std::abs(value) > limit)) return false;
     value = std::copysign(limit, value);
     return true;
 }
 
-// The largest deviation along an axis that is still part of a picture: a splat many times as large as all of
-// the model around it lies over every picture like fog, and comes from a file that is damaged. Models of few
-// splats, or all in one place, are measured by the splats themselves.
+// The logarithm of the largest plausible standard deviation: a splat many times as large as the whole model
+// covers every picture like fog, and comes from a damaged file. For models of few splats, or with all of them
+// in one place, the splats' own size is the measure.
 float largestLogScale(const Splats& splats) {
     constexpr double kTimesTheModel = 10.0;
     glm::dvec3 low(std::numeric_limits<double>::infinity());

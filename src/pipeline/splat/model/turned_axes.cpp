@@ -39,8 +39,9 @@ Basis basisAlong(const glm::dvec3& d) {
 
 using Matrix = std::array<Basis, kMostCoefficients>;
 
-// Each new coefficient is the integral over all directions of its harmonic, times the old colours there.
-// Gauss and Legendre's four heights and eight longitudes are exact for products of two harmonics of degree 3.
+// Each new coefficient is the integral over all directions of its harmonic times the old colours.
+// Gauss-Legendre quadrature with four heights and eight longitudes is exact for products of two harmonics of
+// degree 3.
 Matrix newFromOldCoefficients(const glm::dmat3& newFromOld) {
     constexpr std::array kHeights{-0.86113631159405258, -0.33998104358485626, 0.33998104358485626,
                                   0.86113631159405258};
@@ -72,7 +73,8 @@ void turnAxes(Splats& splats, const glm::dmat3& newFromOld) {
     constexpr double kNearly = 1e-9;
     MACULA_CHECK(std::abs(std::abs(hand) - 1.0) < kNearly);
     for (glm::vec3& p : splats.position) p = glm::vec3(newFromOld * glm::dvec3(p));
-    // An ellipsoid that is mirrored at its centre is itself.
+    // Mirroring an ellipsoid at its centre does not change it, so a mirror matrix may be negated into a
+    // rotation.
     const glm::dquat turn = glm::quat_cast(hand < 0.0 ? -newFromOld : newFromOld);
     for (glm::vec4& rotation : splats.rotation) {
         const glm::dquat turned = turn * glm::dquat(rotation[0], rotation[1], rotation[2], rotation[3]);

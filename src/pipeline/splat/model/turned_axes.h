@@ -1,4 +1,4 @@
-// A model in other axes.
+// Converts a model to other axes.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,8 +8,8 @@
 namespace macula::splat {
 
 // Turns the splats about their origin, or mirrors them: `newFromOld` is orthogonal. Positions, shapes and
-// colours by direction go with it, so that the model looks as it did to an eye that went along. originMm and
-// `axes` stay.
+// colours by direction turn together, so that the model looks the same to an eye that turns with it. originMm
+// and `axes` stay.
 void turnAxes(Splats& splats, const glm::dmat3& newFromOld);
 
 }  // namespace macula::splat

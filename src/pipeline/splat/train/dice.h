@@ -1,4 +1,4 @@
-// Random numbers of training.
+// Random numbers for training.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace macula::splat {
 
-// Random numbers of a step, the same whenever it is done.
+// Random numbers for one step: a function of the seed, the step and the purpose.
 class Dice {
   public:
     Dice(std::uint32_t seed, std::uint64_t step, std::uint32_t purpose) {
@@ -14,7 +14,7 @@ class Dice {
                                purpose};
         engine_.seed(sequence);
     }
-    double operator()() { return (engine_() + 0.5) / 4294967296.0; }  // 0 to 1
+    double operator()() { return (engine_() + 0.5) / 4294967296.0; }  // above 0 and below 1
 
   private:
     std::mt19937 engine_;

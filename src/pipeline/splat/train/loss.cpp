@@ -12,16 +12,15 @@ namespace macula::splat {
 
 namespace {
 
-// Pixels of a strip, see shaders/splat/loss_strips.glsl. On lavapipe by measurement: 20 ms at 512 x 512; 16
-// in rows are 1 ms faster, and 0.5 s longer to compile. On a GPU as many sums as its registers hold.
+// Pixels of a strip, see shaders/splat/loss_strips.glsl. Measured on lavapipe: 20 ms at 512 x 512; rows of 16
+// are 1 ms faster, but take 0.5 s longer to compile. On a GPU, as many sums as fit its registers.
 constexpr int kColumnOutputs = 4;
 constexpr int kRowOutputsCpu = 8;
 constexpr int kRowOutputsGpu = 4;
 
-// Edge in pixels of a group's tile: kTile in shaders/splat/loss_tile.glsl.
+// Edge in pixels of a workgroup's tile: kTile in shaders/splat/loss_tile.glsl.
 constexpr int kTile = 16;
-constexpr std::uint32_t kTileSharedBytes =
-    32768;  // what its largest kernel needs of a group's memory, rounded up
+constexpr std::uint32_t kTileSharedBytes = 32768;  // the shared memory of its largest kernel, rounded up
 
 constexpr VkBufferUsageFlags kReadAndWritten =
     VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
@@ -151,7 +150,7 @@ Result<Loss> Loss::create(const std::shared_ptr<gpu::Device>& device,
     const bool hasMeans = std::holds_alternative<LossKernels::Strips>(kernels->similarity);
     MACULA_TRY(gpu::TexelBuffer means, make("means over windows", hasMeans ? 4 * mostPixels : 1, kFour));
     MACULA_TRY(gpu::TexelBuffer terms, make("terms of windows", 3 * mostPixels, kFour));
-    // A picture one pixel wide has as many strips as pixels. Tiles are fewer.
+    // A picture one pixel wide has as many strips as pixels. There are fewer tiles than that.
     MACULA_TRY(gpu::TexelBuffer ssimParts, make("parts of SSIM", mostPixels, VK_FORMAT_R32_SFLOAT));
     MACULA_TRY(gpu::TexelBuffer differenceParts, make("parts of differences", mostPixels, kFour));
     MACULA_TRY(gpu::Buffer params, makeParams(device));

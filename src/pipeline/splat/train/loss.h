@@ -1,5 +1,5 @@
-// How far a drawn model is from what it should show, and how each pixel would have to change: on the device.
-// What the loss is exactly: loss_options.h.
+// Computes on the device how far a drawn model is from its target, and the gradient by each pixel.
+// loss_options.h defines the loss exactly.
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@
 
 namespace macula::splat {
 
-// How SSIM is summed over windows. The gradients differ by rounding.
+// How SSIM is summed over windows. The gradients of both ways differ by rounding.
 enum class LossWork {
     byStrips,  // kernels for columns and rows, with their sums in the device's memory
-    byTiles,   // in the memory that a group of threads shares
+    byTiles,   // in the shared memory of a workgroup
 };
-// By tiles on graphics cards.
+// byTiles on graphics cards with enough shared memory, else byStrips.
 LossWork lossWorkOf(const gpu::Device& device);
 
 // The kernels of the loss, for pictures of any size.
@@ -40,8 +40,8 @@ struct LossKernels {
     Similarity similarity;
     gpu::Kernel windows;
     ByEncoding compare;
-    std::array<std::array<gpu::Kernel, 2>, 2> gradient;  // by LossEncoding, and whether SSIM takes part
-    std::array<gpu::Kernel, 2> total;                    // by whether it does
+    std::array<std::array<gpu::Kernel, 2>, 2> gradient;  // by LossEncoding, and by whether the loss has SSIM
+    std::array<gpu::Kernel, 2> total;                    // by whether the loss has SSIM
     gpu::Kernel downsample;
 
     static Result<std::shared_ptr<const LossKernels>> create(const std::shared_ptr<gpu::Device>& device,
@@ -51,16 +51,17 @@ struct LossKernels {
     }
 };
 
-// A picture to be compared with, and which of its pixels are known. 20 bytes for each pixel on the device.
+// A target picture, and which of its pixels are known. Takes 20 bytes for each pixel on the device.
 class LossTarget {
   public:
     // Submits its work; nobody needs to wait for it.
     static Result<LossTarget> create(const LossKernels& kernels, DevicePicture picture);
 
     const DevicePicture& picture() const { return picture_; }
-    // Float for each pixel: 1 / the taps of the SSIM window that fall on known pixels; 0 for unknown ones.
+    // Float for each pixel: 1 / the sum of the taps of its SSIM window that fall on known pixels; 0 for
+    // unknown pixels.
     const gpu::TexelBuffer& windows() const { return windows_; }
-    // Pixels that are not finite. Waits.
+    // The number of pixels that are not finite. Waits.
     Result<std::uint64_t> unknownPixels() const;
 
   private:
@@ -71,8 +72,8 @@ class LossTarget {
     gpu::TexelBuffer windows_;
 };
 
-// The loss of pictures of any shape with at most mostPixels(). Used by one thread at a time, the one that
-// uses the device.
+// Computes the loss of pictures of any shape with at most mostPixels() pixels. Used by one thread at a time,
+// the one that uses the device.
 class Loss {
   public:
     // outOfMemory when the device cannot hold 180 bytes for each pixel (by tiles 116), or 64 (48) for each in
@@ -82,15 +83,15 @@ class Loss {
 
     std::uint64_t mostPixels() const { return pairs_.elements() / 2; }
 
-    // Both pictures of the same size. What was recorded before must have drawn `render`.
+    // Records the loss. Both pictures must have the same size, and earlier work must draw `render`.
     void record(gpu::Recorder& recorder, const DevicePicture& render, const LossTarget& target,
                 const LossOptions& options, const LossStep& step);
 
-    // The gradient by the render's premultiplied RGBA, of what was recorded last, and of its size.
+    // The gradient by the render's premultiplied RGBA, from the last record(), in its size.
     const DevicePicture& gradient() const { return gradient_; }
-    // SplatLossResult, of what was recorded last; the same bits for the same input on the same device.
+    // The SplatLossResult of the last record(); the same bits for the same input on the same device.
     const gpu::Buffer& result() const { return result_; }
-    // Waits for all that was submitted.
+    // Waits for all submitted work.
     Result<shared::SplatLossResult> read() const;
 
   private:
@@ -99,19 +100,19 @@ class Loss {
 
     std::shared_ptr<const LossKernels> kernels_;
     gpu::Buffer params_;
-    gpu::TexelBuffer pairs_;      // 2 vec4 for each pixel: render + target as compared, and render - target
-    gpu::TexelBuffer means_;      // of strips: 4 vec4, and then 3
-    gpu::TexelBuffer terms_;      // 3 vec4
-    gpu::TexelBuffer ssimParts_;  // by strip or tile
+    gpu::TexelBuffer pairs_;  // 2 vec4 for each pixel: sum and difference of render and target, as compared
+    gpu::TexelBuffer means_;  // for strips: first 4 vec4 for each pixel, then 3
+    gpu::TexelBuffer terms_;  // 3 vec4 for each pixel
+    gpu::TexelBuffer ssimParts_;  // a part for each strip or tile
     gpu::TexelBuffer differenceParts_;
     DevicePicture gradient_;
     gpu::Buffer result_;
 };
 
-// `to` becomes `from` made smaller: each pixel the mean over its area, so that odd sizes, and any others,
-// keep the mean of the picture and the scale of each axis is exactly the ratio of the sizes. Pixels that are
-// not finite are left out of the mean; where there are no others, neither is the result. `to` is no larger
-// than `from` in either direction.
+// Downsamples `from` into `to`, which must not be larger in either direction: each pixel becomes the mean
+// over its area, so that any sizes, odd ones too, keep the mean of the picture, and the scale of each axis is
+// exactly the ratio of the sizes. Pixels that are not finite are left out of the mean; if there are no
+// others, the result is not finite.
 void recordDownsample(gpu::Recorder& recorder, const LossKernels& kernels, const DevicePicture& from,
                       const DevicePicture& to);
 

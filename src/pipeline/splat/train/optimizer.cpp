@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t kMostCorrections = std::size_t(1) << 20;
 
-// 1 / (1 - beta^t) of both betas for t = 0, 1, ..., until they are 1 in float. A table, because 1 - 0.999 by
-// the device's own exp and log has hardly three digits. At t = 0 there is nothing to correct.
+// 1 / (1 - beta^t) of both betas for t = 0, 1, ..., until they are 1 in float. A table, because 1 - 0.999^t
+// from the device's own exp and log has hardly three correct digits. At t = 0 there is nothing to correct.
 std::vector<glm::vec2> correctionTable(const OptimizerOptions& options) {
     const double beta1 = static_cast<float>(options.beta1);  // as the kernel has it
     const double beta2 = static_cast<float>(options.beta2);

@@ -1,4 +1,4 @@
-// How fast each kind of parameter is learnt: the same for the device (optimizer.h) and the reference
+// The learning rate of each kind of parameter: the same for the device (optimizer.h) and the reference
 // (reference_optimizer.h).
 #pragma once
 
@@ -8,16 +8,16 @@
 namespace macula::splat {
 
 // Step sizes of Adam (Kingma and Ba 2015): how far a parameter moves in a step while its gradients agree. A
-// position moves along the axes of its splat, in parts of the standard deviation that it has there: what is
-// thin is placed with care, what is large moves far, and nothing depends on the unit of length. The moments
-// of positions are along these axes, and turn with them. Rates of all else are, unless given, those of the
-// hybrid system that the peripheral model follows (700 steps from 12 to 16 views).
+// position moves along the axes of its splat, in fractions of the standard deviation along each: thin splats
+// are placed with care, large ones move far, and nothing depends on the unit of length. The moments of
+// positions are along these axes, and turn with them. The default rates of the other parameters are those of
+// the hybrid system that the peripheral model follows (700 steps from 12 to 16 views).
 struct OptimizerOptions {
-    double position = 0.05;         // of the deviation, up to step decayFrom
-    double positionAtLast = 0.005;  // from step positionSteps on; the logarithm is linear between
+    double position = 0.05;         // of the standard deviation, up to step decayFrom
+    double positionAtLast = 0.005;  // from step positionSteps on; in between the logarithm is linear
     std::uint64_t decayFrom = 0;
     std::uint64_t positionSteps = 700;
-    double othersAtLast = 1.0;  // all other rates become that part of themselves, over the same steps
+    double othersAtLast = 1.0;  // factor that all other rates reach, over the same steps
     double logScale = 0.007;
     double rotation = 0.002;
     double opacityLogit = 0.05;
@@ -28,8 +28,8 @@ struct OptimizerOptions {
     double epsilon = 1e-15;  // 1e-30 to 1
 };
 
-// The learning rates by component (shared/splat_layout.h), of positions in deviations; for the step after
-// `stepsDone` of the whole model.
+// The learning rates by component (shared/splat_layout.h), those of positions in standard deviations, for the
+// step after `stepsDone` steps of the whole model.
 std::vector<float> learningRates(const OptimizerOptions& options, int shDegree, std::uint64_t stepsDone);
 
 }  // namespace macula::splat

@@ -1,4 +1,4 @@
-// All that an optimiser (optimizer.h) knows beside its options.
+// The state of an optimiser (optimizer.h), apart from its options.
 #pragma once
 
 #include <cstdint>
@@ -6,11 +6,11 @@
 
 namespace macula::splat {
 
-// With it and the parameters training goes on bit for bit. Moments of positions are along the axes of their
-// splat.
+// With this and the parameters, training continues bit for bit. Moments of positions are along the axes of
+// their splat.
 struct OptimizerState {
-    std::uint64_t stepsDone = 0;       // of the model: the position's rate decays by it
-    std::vector<std::uint32_t> steps;  // by splat
+    std::uint64_t stepsDone = 0;       // of the model: the learning rates decay with it
+    std::vector<std::uint32_t> steps;  // number of steps of each splat
     std::vector<float> first;          // moments; component k of splat i at k * steps.size() + i
     std::vector<float> second;
 };

@@ -11,7 +11,7 @@ namespace macula::splat {
 
 namespace {
 
-constexpr int kLeastSide = 16;  // pixels: smaller pictures have no room for a window of the loss
+constexpr int kLeastSide = 16;  // in pixels: smaller pictures have no room for an SSIM window
 
 bool isUsable(const TrainingView& given) {
     const glm::ivec2 size = given.view.sizePx;

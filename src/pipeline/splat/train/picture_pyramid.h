@@ -1,4 +1,4 @@
-// A picture to learn from, on the device, in all sizes in which it is compared.
+// A training picture on the device, in all sizes in which it is compared.
 #pragma once
 
 #include <memory>
@@ -20,14 +20,14 @@ struct PictureLevel {
 // Used by one thread at a time, the one that uses the device.
 class PicturePyramid {
   public:
-    // usage as validate(RasterView); inputNotUsable when the picture is not of the view's size, has not one
-    // finite pixel, or a weight that is not above 0 and at most kMaxViewWeight; outOfMemory.
+    // usage as validate(RasterView); inputNotUsable when the picture is not of the view's size, has no finite
+    // pixel, or its weight is not above 0 and at most kMaxViewWeight; outOfMemory.
     static Result<PicturePyramid> upload(const std::shared_ptr<gpu::Device>& device,
                                          const LossKernels& kernels, const TrainingView& given);
 
     const PictureLevel& whole() const { return levels_.front(); }
-    // The picture with each side halved `times` times (0: not at all), as long as none comes below 16 pixels.
-    // Made when it is first asked for; valid until the next call.
+    // The picture with each side halved `times` times (0: full size), or as often as no side falls below 16
+    // pixels. Made on first use; valid until the next call.
     Result<const PictureLevel*> halved(int times, const LossKernels& kernels);
 
   private:

@@ -16,7 +16,7 @@ namespace {
 #define INOUT(type) type&
 #define PRECISE
 
-// A class, because the shader functions read their tables as globals.
+// A class, because the shader functions read their tables as globals, which become its members.
 struct Host : GlslInCpp<double> {
     std::span<const glm::dvec4> sources = {};
 
@@ -54,7 +54,7 @@ void forEachRow(int width, int height, const std::function<void(std::size_t)>& b
     for (int row = 0; row < height; ++row) body(std::size_t(row));
 }
 
-// The pixels of one size of picture, and which of them are known.
+// The pixels of a picture of this size, and which of them are known.
 struct Grid {
     int width;
     int height;
@@ -63,7 +63,7 @@ struct Grid {
 
     std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
 
-    // body(index, tap) for each known pixel around.
+    // Calls body(index, tap) for each known pixel of the window around (x, y).
     template <class Body>
     void forEachAround(int x, int y, const Body& body) const {
         for (int dy = -kReach; dy <= kReach; ++dy) {
@@ -77,8 +77,8 @@ struct Grid {
     }
 };
 
-// The SSIM window around a pixel: 1 - SSIM, and its gradient with respect to a pixel x of it, which is tap *
-// (plain + ofRender x + ofTarget y).
+// The SSIM window around a pixel: 1 - SSIM, and the coefficients of its gradient. With respect to a render's
+// pixel x in the window, where the target is y, the gradient is tap * (plain + ofRender x + ofTarget y).
 struct Window {
     glm::dvec4 dissimilarity{0.0};
     glm::dvec4 plain{0.0};
@@ -121,7 +121,7 @@ Window windowAround(const Grid& grid, int x, int y, const std::vector<glm::dvec4
             .ofTarget = -byXy / taps};
 }
 
-// Loss, mean difference and gradient of LossMeasure::squared.
+// Adds loss, mean difference and gradient of LossMeasure::squared.
 void addSquares(const Grid& grid, std::span<const glm::dvec4> render, std::span<const glm::dvec4> target,
                 const LossOptions& options, const LossStep& step, ReferenceLoss& result) {
     const bool display = options.encode == LossEncoding::display;

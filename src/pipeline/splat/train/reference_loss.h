@@ -12,20 +12,20 @@
 namespace macula::splat {
 
 struct ReferenceLoss {
-    double loss = 0.0;                 // weighted, what the gradient is of
+    double loss = 0.0;                 // weighted; `gradient` is its derivative
     double l1 = 0.0;                   // mean over pixels and channels
-    double dssim = 0.0;                // mean of 1 - SSIM likewise; 0 where it takes no part
-    std::uint64_t unknownPixels = 0;   // not finite in the target
-    std::uint64_t badRendered = 0;     // not finite in the render
+    double dssim = 0.0;                // mean of 1 - SSIM over the same; 0 if the loss has no SSIM
+    std::uint64_t unknownPixels = 0;   // pixels of the target that are not finite
+    std::uint64_t badRendered = 0;     // pixels of the render that are not finite
     std::vector<glm::dvec4> gradient;  // with respect to the render's premultiplied RGBA
 };
 
-// Premultiplied pictures of one size, row 0 on top.
+// The pictures are premultiplied and of one size, row 0 on top.
 ReferenceLoss referenceLoss(int width, int height, std::span<const glm::dvec4> render,
                             std::span<const glm::dvec4> target, const LossOptions& options,
                             const LossStep& step);
 
-// What is compared of a pixel: three colours and coverage.
+// The values of a pixel that are compared: three colours and coverage.
 glm::dvec4 referenceCompared(const glm::dvec4& premultiplied, const LossOptions& options,
                              const glm::dvec3& background);
 

@@ -10,7 +10,7 @@
 
 namespace macula::splat {
 
-// Component k of splat i at k * count + i throughout.
+// In all arrays, component k of splat i is at k * count + i.
 class ReferenceOptimizer {
   public:
     ReferenceOptimizer(std::size_t count, int shDegree, const OptimizerOptions& options);
@@ -22,7 +22,7 @@ class ReferenceOptimizer {
     const std::vector<std::uint32_t>& steps() const { return steps_; }
 
   private:
-    // How far a parameter moves, in its rate.
+    // How far a parameter moves, in units of its learning rate.
     double learn(std::size_t component, std::size_t splat, double gradient);
     glm::dmat3 rotationOf(std::span<const double> parameters, std::size_t splat) const;
 

@@ -1,4 +1,4 @@
-// What an optimiser knows of splats that were regrouped.
+// The optimiser's state after splats were regrouped.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace macula::splat {
 
-// Splats that stay keep what `known` has of them; the new ones begin anew. `components`: numbers of a splat.
+// Splats that stay keep their state in `known`; new ones start from 0. `components`: numbers of a splat.
 OptimizerState regroupedState(const OptimizerState& known, const Regrouped& regrouped,
                               std::size_t components);
 

@@ -20,9 +20,9 @@ void TrainedViews::tryAllAgain() {
     for (TrainedView& view : views_) view.hasNoRoom = false;
 }
 
-// Chooses the next view. First each once. Of views that come later, one at every kNewEvery steps, so that
-// hundreds of new ones in a row do not displace what the others show. Else half of the time any view, and
-// half of the time one with a probability in proportion to its loss.
+// Chooses the next view. In the first round each view once. Of views added later, one every kNewEvery steps,
+// so that hundreds of new views in a row do not displace what the others have taught. Otherwise half of the
+// time any view, and half of the time one with a probability proportional to its loss.
 std::optional<std::size_t> TrainedViews::next(std::uint32_t seed, std::uint64_t steps) const {
     std::vector<std::size_t> known;
     std::optional<std::size_t> firstNew;

@@ -1,4 +1,4 @@
-// The views of a trainer (trainer.h): how each was when it was drawn last, and which is drawn next.
+// The views of a trainer (trainer.h): the loss of each when it was last drawn, and which is drawn next.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 namespace macula::splat {
 
 struct TrainedView {
-    std::optional<PicturePyramid> pictures;  // empty: released
+    std::optional<PicturePyramid> pictures;  // empty: not on the device
     std::shared_ptr<const TrainingView> given;
-    double loss = -1.0;  // when it was drawn last; below 0: never
+    double loss = -1.0;  // when it was last drawn; below 0: never drawn
     double l1 = 0.0;
-    bool hasNoRoom = false;  // left out of training, as Trainer::step says
+    bool hasNoRoom = false;  // left out of training, see Trainer::step
 };
 
-// Not a stand-in, nor an outline.
+// Neither a stand-in nor an outline.
 inline bool isPicture(const TrainingView& view) {
     return view.kind == ViewKind::picture;
 }
@@ -36,14 +36,14 @@ class TrainedViews {
 
     void add(TrainedView view) { views_.push_back(std::move(view)); }
     void forgetStandIns();
-    // Those that had no room take part again.
+    // Views that had no room take part again.
     void tryAllAgain();
 
-    // Which is drawn in the step after `steps`; nothing when none has room. A function of its arguments and
-    // of the views.
+    // Which view to draw in the step after `steps` steps; nothing when none has room. Depends only on its
+    // arguments and the views.
     std::optional<std::size_t> next(std::uint32_t seed, std::uint64_t steps) const;
 
-    // Over views with colours, each as it was last drawn: as TrainingReport.
+    // Means over views with colours, each as it was when last drawn: see TrainingReport.
     struct Means {
         double loss = 0.0;
         double l1 = 0.0;

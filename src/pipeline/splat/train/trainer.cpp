@@ -87,7 +87,7 @@ Result<void> Trainer::addView(TrainingView view) {
 
 Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
     MACULA_TRY(PicturePyramid pictures, PicturePyramid::upload(device_, *lossKernels_, *given));
-    // The loss is made now, because a view that no step can compare would stop all that follow.
+    // Makes the loss now, because a view that no step can compare would stop all later steps.
     MACULA_TRY([[maybe_unused]] const Loss* loss, lossFor(given->view.sizePx));
     lastGood_.views.push_back({.given = given});
     views_.add({.pictures = std::move(pictures), .given = std::move(given)});
@@ -117,7 +117,7 @@ void Trainer::forgetStandIns() {
 Result<Loss*> Trainer::lossFor(glm::ivec2 sizePx) {
     const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
     if (!loss_ || loss_->mostPixels() < pixels) {
-        loss_.reset();  // both at once may be more than there is room for
+        loss_.reset();  // first, because both at once may not fit
         MACULA_TRY(loss_, Loss::create(device_, lossKernels_, pixels));
     }
     return &*loss_;
@@ -130,7 +130,7 @@ TrainingStage Trainer::stageNow() const {
     return now;
 }
 
-// Returns false when there was no room for all pairs: then no splat has moved, and room has been made.
+// False when there was no room for all pairs: then no splat has moved, and there is room now.
 Result<bool> Trainer::tryStep(const PictureLevel& level, Loss& loss, const LossStep& over) {
     const Blending blending = blendingOf(like_.lowPass);
     RasterPass pass;
@@ -170,8 +170,8 @@ Result<double> Trainer::differenceTo(const TrainingView& view) {
     return double(result.l1);
 }
 
-// A second try after outOfMemory: what was dropped while commands were recorded is freed only afterwards, and
-// may be the memory that was missing.
+// Tries again after outOfMemory: buffers that were replaced while commands were recorded are freed only
+// afterwards, and may be the missing memory.
 Result<bool> Trainer::tryStepTwice(const PictureLevel& level, Loss& loss, const LossStep& over) {
     Result<bool> done = tryStep(level, loss, over);
     if (done || done.error().code != ErrorCode::outOfMemory || device_->pendingDestructions() == 0)
@@ -201,8 +201,8 @@ Result<shared::SplatLossResult> Trainer::stepOf(TrainedView& view) {
     return loss->read();
 }
 
-// When a view does not fit the memory, others take its turn: the same step would draw it again, and fail for
-// ever.
+// When a view does not fit the memory, others take its turn: otherwise each new try of the same step would
+// draw it again, and fail for ever.
 Result<void> Trainer::oneStep() {
     Error noRoom;
     while (const std::optional<std::size_t> next = views_.next(options_.seed, steps_)) {

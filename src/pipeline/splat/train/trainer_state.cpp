@@ -59,12 +59,12 @@ Result<Trainer> Trainer::resume(const std::shared_ptr<gpu::Device>& device, cons
     return trainer;
 }
 
-// Makes the trainer anew but for its pictures, which may be most of what the device holds.
+// Makes a new trainer, but keeps the pictures, which may be most of what the device holds.
 Result<void> Trainer::goOnWith(const TrainerOptions& options, int shDegree) {
     MACULA_TRY(TrainingState now, state());
     now.splats.setShDegree(shDegree);
     const std::size_t numbers = now.splats.size() * static_cast<std::size_t>(componentCount(shDegree));
-    now.optimizer.first.resize(numbers, 0.0f);  // coefficients are the last components
+    now.optimizer.first.resize(numbers, 0.0f);  // the coefficients of higher degree come last
     now.optimizer.second.resize(numbers, 0.0f);
     MACULA_TRY(Trainer other, create(device_, now.splats, options));
     MACULA_TRY_VOID(other.restore(now));

@@ -1,4 +1,4 @@
-// Everything that is needed to go on with training exactly where it was, on the host.
+// Everything needed to continue training exactly where it stopped, on the host.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 
 namespace macula::splat {
 
-// Raised whenever the trainer would go on from the same state in another way.
+// Raised whenever a change of the trainer would make it continue differently from the same state.
 inline constexpr std::uint32_t kTrainerVersion = 7;
 
-// What training does next is a function of this state alone, and of the device: random numbers are of the
-// seed and the number of the step.
+// Training continues as a function of this state and the device alone: random numbers depend on the seed and
+// the number of the step.
 struct TrainingState {
-    // A picture to learn from, shared with the trainer, and what its loss was when it was last drawn.
+    // A training view, shared with the trainer, and its loss when it was last drawn.
     struct View {
         std::shared_ptr<const TrainingView> given;
         double loss = -1.0;  // below 0: it was never drawn
@@ -28,15 +28,15 @@ struct TrainingState {
     };
 
     std::uint32_t trainerVersion = kTrainerVersion;
-    TrainerOptions options;  // with the capacity that the trainer has
+    TrainerOptions options;  // `capacity` is that of the trainer
     std::uint64_t steps = 0;
     Splats splats;
     OptimizerState optimizer;
-    std::vector<shared::SplatStatistics> statistics;  // by splat, since the trainer last cleared them
+    std::vector<shared::SplatStatistics> statistics;  // for each splat, since the trainer last cleared them
     std::vector<View> views;                          // in the order in which they were added
 
-    // Fails with inputNotUsable when it is of another version of the trainer, or its parts do not belong
-    // together. What single views hold is for Trainer::addView to judge.
+    // Fails with inputNotUsable when it is of another version of the trainer, or its parts do not match.
+    // Trainer::addView checks the content of each view.
     Result<void> validate() const;
 };
 
