@@ -28,7 +28,8 @@ struct RawImageLayout {
     ScalarType type = ScalarType::int16;
     double slope = 1.0;  // value = slope * raw + intercept; the slope may be negative, not 0
     double intercept = 0.0;
-    // From the valueNote() of a file by Macula: other programs name no unit, and Macula guesses none.
+    // From the valueNote() of a file that Macula wrote: other programs name no unit, and Macula does not
+    // guess.
     Unit unit = Unit::raw;
     std::string modality;
     bool isCalibrated = true;       // as in Provenance
@@ -37,10 +38,10 @@ struct RawImageLayout {
     std::uint64_t bytes() const;  // of one volume
 };
 
-// Adds an assumption that states which of several volumes, from 1, is read. usage where the file lacks it.
+// Adds an assumption that states which of several volumes, from 1, is read. usage if the file lacks it.
 Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume);
 
-// The note in files by Macula: "Macula|int16|HU|CT", followed by "|uncalibrated" if the image is not
+// The note in files that Macula writes: "Macula|int16|HU|CT", followed by "|uncalibrated" if the image is not
 // calibrated; at most 79 characters. Empty for a calibrated image without a unit.
 std::string valueNote(const RawImageLayout& layout);
 inline constexpr std::string_view kValueNoteField = "MaculaValues";  // its field in NRRD and MetaImage

@@ -14,7 +14,7 @@ namespace macula::segment {
 using Mask = std::vector<std::uint8_t>;
 
 // Blocks of voxels of about 2 mm. The axes are those of the volume in another order: `c` runs along the
-// patient, as the table does, `a` and `b` across; a is fastest. Of a sheared volume c is the stack direction,
+// patient, as the table does, `a` and `b` across; a is fastest. In a sheared volume c is the stack direction,
 // along which the couch moved.
 struct Grid {
     glm::ivec3 size{0};

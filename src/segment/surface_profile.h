@@ -19,8 +19,8 @@ class SurfaceProfile {
 
     void add(int u, int v);  // a block of a sheet; ignored when it lies on the other side
     double widthMm() const;  // of the columns that have one
-    // Bridges gaps between two pieces of the sheet, where the body lies on it, and removes the sheet where
-    // the body reaches through.
+    // Bridges gaps between two pieces of the sheet, where the body lies on the sheet, and removes columns in
+    // which the body reaches through it.
     void bridgeGaps();
 
     std::optional<int> top(int u) const;  // the sheet's block nearest to the body

@@ -30,7 +30,7 @@ inline constexpr double kCubeReach = 1.7320508075688772;
 // The visible faces, one to three.
 std::vector<CubeFace> facesSeen(const CameraBasis& axes);
 
-// The face at `place`, or nothing beside the cube.
+// The face at `place`, or nothing outside the cube.
 std::optional<ViewDirection> faceAt(const CameraBasis& axes, const glm::dvec2& place);
 
 }  // namespace macula::scene

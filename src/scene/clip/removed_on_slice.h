@@ -17,8 +17,8 @@ using Contour = std::vector<glm::dvec2>;  // closed
 inline constexpr int kBallSides = 128;
 std::vector<Contour> removedContours(const Clip& clip, const slices::SliceFrame& frame);
 
-// The lines where the border of each part meets the slice, within the volume but for a ball; faces are those
-// of keptBox. A closed line ends with its first point.
+// The lines where the border of each part meets the slice, cut off at the volume except for a ball; faces are
+// those of keptBox. A closed line ends with its first point.
 std::vector<Contour> clipLines(const OptionalClip& clip, const Cuts& cuts, const Volume& volume,
                                const slices::SliceFrame& frame);
 

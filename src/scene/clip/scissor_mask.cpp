@@ -37,7 +37,7 @@ class CutRow {
     bool isClear_;
 };
 
-// Words are shared by rows, and by slices.
+// Atomic, because neighbouring rows and slices share words.
 void addBits(MaskBits& bits, std::size_t word, std::uint32_t shown) {
     if (shown != 0) std::atomic_ref(bits.words[word]).fetch_or(shown, std::memory_order_relaxed);
 }

@@ -25,7 +25,7 @@ trace::Settings settingsOf(const StudyState& state, const SeriesWindows& seriesW
 // be as large as the volume. Without lights the catalogue's default for the look is used. Remarks say what a
 // user must know about pictures of it: "shaded", "W 400 L 40 HU", "hues kept", what the mask leaves out,
 // "clipped", each setting that is not at its default ("exposure 3"), and for a path-traced look each number
-// of an edited preset that its original does not have ("roughness 0.2"), but for gradients, which change with
+// of an edited preset that its original does not have ("roughness 0.2"), except gradients, which change with
 // the width of the curve.
 Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const SeriesWindows& seriesWindows,
                   const std::shared_ptr<const Volume>& volume, std::shared_ptr<const Clip> clip);

@@ -39,7 +39,7 @@ trace::SoftLight shiningFrom(trace::SoftLight light, const glm::dvec3& direction
     if (!(length > 0.0) || !std::isfinite(length)) return light;
     const glm::dvec3 inRig = glm::transpose(worldFromRig(stand)) * (direction / length);
     light.elevationDeg = glm::degrees(std::asin(std::clamp(inRig.y, -1.0, 1.0)));
-    // At a pole every azimuth is the same direction: there it stays as it was.
+    // At a pole every azimuth gives the same direction: the light keeps its own.
     if (std::hypot(inRig.x, inRig.z) > 1e-9)
         light.azimuthDeg = std::remainder(glm::degrees(std::atan2(inRig.x, inRig.z)) - stand.rotationDeg,
                                           2.0 * kHalfTurnDeg);

@@ -41,7 +41,7 @@ struct DrawableSecond {
     DrawnSecondVolume second;
     Text remark;                 // secondRemark
     std::vector<Text> notes;     // sentences, without patient data
-    std::vector<Text> warnings;  // those of them that change what is seen
+    std::vector<Text> warnings;  // the notes that affect what is seen
 };
 
 // Loads the second volume for a `study` that is stored16. A saved view of both (`beside`, or null) sets its

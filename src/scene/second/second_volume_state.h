@@ -25,7 +25,7 @@ inline constexpr std::array kSecondVolumeLinks{SecondVolumeLink::byHand, SecondV
 
 enum class SecondVolumePlace {
     hidden,   // the study alone
-    beside,   // two columns: the study at the left
+    beside,   // two columns: the study on the left
     instead,  // the second volume in the place of the study
     over,     // in colours over the study
 };

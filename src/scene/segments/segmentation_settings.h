@@ -12,7 +12,7 @@
 
 namespace macula::scene {
 
-// What a segment does to the volume in 3D. All that are `alone` are shown; `hidden` always hides.
+// What a segment does to the volume in 3D. If any are `alone`, only these are shown; `hidden` always hides.
 enum class In3d { asIs, alone, hidden };
 inline constexpr std::array kIn3d{In3d::asIs, In3d::alone, In3d::hidden};
 
@@ -51,7 +51,7 @@ struct SegmentationSettings {
     bool operator==(const SegmentationSettings&) const = default;
 };
 
-// The default if there is no choice.
+// The stored choice, or the default if there is none.
 SegmentationSettings choiceOf(std::span<const SegmentationSettings> choices, std::string_view digest);
 SegmentSettings choiceOf(const SegmentationSettings& choice, std::uint16_t number);
 

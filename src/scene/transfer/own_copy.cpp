@@ -23,7 +23,7 @@ Json documentOf(const TransferFunction& function) {
     return document;
 }
 
-// "CT-Bone" of "CT-Bone (edited 2)".
+// Returns "CT-Bone" for "CT-Bone (edited 2)".
 std::string_view withoutEdited(std::string_view title) {
     constexpr std::string_view kMark = " (edited";
     const std::size_t at = title.rfind(kMark);

@@ -43,8 +43,8 @@ class FoundVolumes {
     };
     // The best volume. inputNotUsable when there is none; the error's place is `folder`.
     Result<ChosenVolume> best(const std::filesystem::path& folder) const;
-    // The best volume except `failed`, which is not empty; of the patient of its first where possible.
-    // Nothing when none is left.
+    // The best volume that is not in `failed`, if possible of the same patient as the first in there. Nothing
+    // when none is left. `failed` is not empty.
     std::optional<std::size_t> bestWithout(const std::vector<std::size_t>& failed) const;
     bool areOfOnePatient(std::size_t a, std::size_t b) const;  // indices
     // The best volume of the series with that UID, or of that number in the list of `macula info`;

@@ -23,8 +23,8 @@ struct FoundSegmentation {
     bool canBeShown() const { return whyNot.empty(); }
 };
 
-// Reads headers alone. A segmentation fits the volume when both have the same patient and frame of reference;
-// where either names no frame of reference, when it refers to the series of the volume. In the order of the
+// Reads only headers. A segmentation fits the volume if both have the same patient and frame of reference or,
+// where either names no frame of reference, if it refers to the series of the volume. In the order of the
 // scan, those that can be shown first, copies once. Error: cancelled.
 Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& found, const FoundVolume& volume,
                                                          Progress& progress);
