@@ -58,11 +58,11 @@ struct StudyInProgress {
         series;  // by UID, by folder if it has none
 };
 
-// Studies are kept by patient too: two patients are never mixed into one volume, whatever their UIDs say. A
+// Studies are keyed by patient too: two patients are never mixed into one volume, whatever their UIDs say. A
 // series without UID is held together by its folder.
 using Studies = std::map<std::pair<std::string, PatientIdentity>, StudyInProgress>;  // by UID and patient
 
-// Why the file cannot be used, if so.
+// The reason why the file cannot be used, if there is one.
 std::optional<std::string_view> reasonToSkip(const Examination& found) {
     switch (found.state) {
         case FileState::unreadable:
@@ -181,7 +181,7 @@ void reportSplitSeries(Studies& studies) {
     }
 }
 
-// Parts of one image in several files (PS3.3 C.7.6.16.2.2.4), some of which are missing.
+// Reports images that are stored in several files (PS3.3 C.7.6.16.2.2.4), some of which are missing.
 void reportConcatenations(SeriesInProgress& place) {
     std::map<std::string, std::pair<std::set<const Instance*>, int>> concatenations;
     for (const Frame& frame : place.frames) {
@@ -198,7 +198,7 @@ void reportConcatenations(SeriesInProgress& place) {
     }
 }
 
-// Reports what is known of the series before its frames are looked at.
+// Reports what is known about the series from its files, before its frames are examined.
 void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t repeats,
                  std::size_t unreadableFolders) {
     Series& series = place.series;
@@ -220,7 +220,7 @@ void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t repeat
     if (place.withoutSopClass > 0)
         tell(series, message(key::kMissingSopClass, {count(place.withoutSopClass)}));
     if (place.charsetFallback) tell(series, message(key::kCharsetFallback));
-    // Every series of a scan that did not see everything may miss slices, and nothing in it would show that.
+    // Every series of a scan that did not see everything may lack slices, and nothing in it would show that.
     if (unreadableFolders > 0) tell(series, message(key::kUnreadableFolder, {count(unreadableFolders)}));
     if (place.frames.empty()) {
         std::map<std::string, Text> kinds;
@@ -267,7 +267,7 @@ TextArgument levels(const Scattered& scattered) {
     return {"level", scattered.levels};
 }
 
-// Joins each set of scattered images if that was asked for, or else asks about it.
+// Joins each set of scattered images if that was requested, otherwise asks about it.
 void askOrJoin(Scan& scan, std::vector<Examination>& found, const std::vector<Scattered>& all,
                const ScanOptions& options) {
     for (const Scattered& scattered : all) {
@@ -291,7 +291,7 @@ ListedFiles listedFiles(const std::vector<fs::path>& files, const std::vector<Ex
     return compareWithDirectories(directories, found);
 }
 
-// Tells the series of a study of each other, and of what is missing of them.
+// Compares the series of a study, and reports how they continue each other and what is missing.
 void compareSeries(Scan& scan, std::vector<Series>& series, const AbsentImages& absent) {
     reportNeighbours(series);
     reportMissingImages(series, absent);
@@ -420,9 +420,9 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
                 if (!noMemory) found[i] = examine(files[i], progress.token());
                 if (!progress.cancelled()) glimpses.add(found[i]);
             } catch (const std::bad_alloc&) {
-                noMemory = true;  // and no file is damaged by that
+                noMemory = true;  // which does not mean that a file is damaged
             } catch (const CheckFailure&) {
-                throw;  // a mistake of ours, and none of the file
+                throw;  // a bug of Macula, not a fault of the file
             } catch (...) {
                 found[i].state = FileState::damaged;
             }

@@ -20,7 +20,7 @@ Error broken() {
             Text("Copy the file again from its source.")};
 }
 
-// What the header of a code stream says (ISO 15444-1 A.5.1).
+// The header of a code stream (ISO 15444-1 A.5.1).
 struct StreamHeader {
     std::size_t begin = 0;  // of the code stream in the bytes: a JP2 file may be wrapped around it
     unsigned columns = 0;
@@ -30,10 +30,9 @@ struct StreamHeader {
 };
 
 // Whether every tile has a part in the stream (ISO 15444-1 A.4.2, B.3). The decoder takes memory for each
-// tile that the header announces, and makes zeros of those that are missing, without a word.
+// tile that the header announces, and silently fills missing ones with zeros.
 bool hasAllTiles(std::span<const std::byte> stream, std::size_t firstTilePart, std::uint64_t tiles) {
-    constexpr std::size_t kTilePartBytes =
-        14;  // of a start of tile-part and a start of data, with nothing in it
+    constexpr std::size_t kTilePartBytes = 14;  // of an empty tile-part: start of tile-part and start of data
     constexpr unsigned kStartOfTilePart = 0xFF90;
     if (tiles == 0 || tiles > stream.size() / kTilePartBytes) return false;
     const auto number = [&](std::size_t at, std::size_t size) {
@@ -183,7 +182,7 @@ Result<void> decodeJpeg2000(std::span<const std::byte> codeStream, int columns, 
     opj_stream_set_read_function(stream.get(), readBytes);
     opj_stream_set_skip_function(stream.get(), skipBytes);
     opj_stream_set_seek_function(stream.get(), seekBytes);
-    // Its messages are no help to anybody, and would go to the terminal.
+    // Its messages help nobody, and would be printed to the terminal.
     opj_set_info_handler(codec.get(), ignoreMessage, nullptr);
     opj_set_warning_handler(codec.get(), ignoreMessage, nullptr);
     bool lacksMemory = false;

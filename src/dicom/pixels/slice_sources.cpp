@@ -77,7 +77,7 @@ void blend(std::span<const std::uint16_t> below, std::span<const std::uint16_t> 
         const bool isPadding = padding && (padding->contains(below[i]) || padding->contains(above[i]));
         const auto mixed =
             static_cast<std::uint16_t>(std::lround((1.0 - weight) * below[i] + weight * above[i]));
-        // An interpolated value may happen to equal the padding value: then the nearer one is taken.
+        // An interpolated value may happen to equal the padding value: then takes the nearer one.
         result[i] = isPadding || (padding && padding->contains(mixed)) ? nearer[i] : mixed;
     }
 }

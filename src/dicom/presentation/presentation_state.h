@@ -17,7 +17,7 @@ namespace macula::dicom {
 
 struct PresentationOwner {
     // An image of the series shown, which gives patient and study. Its file must still hold that instance. If
-    // deidentified it is optional, and only tells which objects are of one patient (pseudonyms.h).
+    // deidentified it is optional, and only shows which objects belong to one patient (pseudonyms.h).
     std::optional<SecondaryCapture::Source> image;
     // Copies nothing of patient and study, and replaces the UIDs of series, frame of reference and images by
     // those of standInUid: only with the series and this installation's key, made if there is none, can one
@@ -48,8 +48,8 @@ struct PresentationState {
 // camera or colours; or with outOfMemory.
 Result<PresentationState> readPresentationState(const std::filesystem::path& path);
 
-// Whether the presentation, deidentified or not, is of the series whose UID has the SHA-256 `seriesDigest`,
-// in lower-case hexadecimal digits.
+// Whether the presentation, deidentified or not, refers to the series whose UID has the SHA-256
+// `seriesDigest`, in lower-case hexadecimal digits.
 bool isSeries(const PresentedSeries& series, std::string_view seriesDigest);
 
 }  // namespace macula::dicom

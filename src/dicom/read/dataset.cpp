@@ -56,7 +56,7 @@ struct Dataset::File {
 
     ElementTree tree;
     std::string transferSyntaxUid;
-    std::vector<ItemNumber> ofAllFrames;  // where to look for what no frame has of its own
+    std::vector<ItemNumber> ofAllFrames;  // searched for elements that a frame does not have itself
     const Element* perFrame = nullptr;
 
     void prepareFrames() {
@@ -72,7 +72,7 @@ struct Dataset::File {
         constexpr std::size_t kMostMacros = 64;  // PS3.3 knows a third as many
         std::size_t macros = 0;
         for (const Element& macro : tree.elements(item)) {
-            // What a private sequence holds means what its owner says (PS3.5 7.8), and nothing for the
+            // The owner of a private sequence defines its content (PS3.5 7.8), which says nothing about the
             // frame (PS3.3 C.7.6.16). Those of Philips (2005,140F) and Siemens (group 0021) hold standard
             // attributes of their own, positions and rescale too, that need not be those of the frame.
             if (!macro.isSequence || macro.length == 0 || macro.tag.isPrivate()) continue;
@@ -342,7 +342,7 @@ bool hasPreamble(ByteSource& source) {
 
 FileState stateOfFailure(int error) {
     switch (error) {
-        case ENODATA:  // recalled from no cache
+        case ENODATA:  // the content is in no cache
         case EREMOTEIO:
         case ENXIO:
         case ESTALE:
@@ -403,7 +403,7 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
 } catch (const std::bad_alloc&) {
     throw;  // a healthy file must not pass for a damaged one
 } catch (const CheckFailure&) {
-    throw;  // a mistake of ours, and none of the file
+    throw;  // a bug of Macula, not a fault of the file
 } catch (...) {
     log::warning("reading the header of {} threw", log::Sensitive{file.native()});
     return {FileState::damaged, {}};

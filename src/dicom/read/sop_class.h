@@ -14,7 +14,8 @@ inline constexpr std::string_view kCtImage = "1.2.840.10008.5.1.4.1.1.2";
 inline constexpr std::string_view kEnhancedCtImage = "1.2.840.10008.5.1.4.1.1.2.1";
 inline constexpr std::string_view kLegacyConvertedEnhancedCtImage = "1.2.840.10008.5.1.4.1.1.2.2";
 inline constexpr std::string_view kParametricMap = "1.2.840.10008.5.1.4.1.1.30";
-inline constexpr std::string_view kMrSpectroscopy = "1.2.840.10008.5.1.4.1.1.4.2";  // has rows, and spectra
+// Has Rows, but spectra instead of pixels.
+inline constexpr std::string_view kMrSpectroscopy = "1.2.840.10008.5.1.4.1.1.4.2";
 inline constexpr std::string_view kSegmentation = "1.2.840.10008.5.1.4.1.1.66.4";
 inline constexpr std::string_view kLabelMapSegmentation = "1.2.840.10008.5.1.4.1.1.66.7";
 inline constexpr std::string_view kSoftcopyPresentationState =
@@ -22,7 +23,7 @@ inline constexpr std::string_view kSoftcopyPresentationState =
 inline constexpr std::string_view kVolumePresentationState = "1.2.840.10008.5.1.4.1.1.11.9";  // of a 3D view
 }  // namespace sop_class
 
-// Has pixels, but is no image of the patient.
+// Whether the object has pixels, but is not an image of the patient.
 bool isSegmentation(std::string_view sopClassUid);
 
 // Any presentation state, for any kind of images.

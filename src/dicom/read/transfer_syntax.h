@@ -1,5 +1,5 @@
-// The transfer syntaxes this build decodes (PS3.5 section 10, PS3.6 annex A). Not by DCMTK's DcmXfer (3.6.7),
-// which knows neither High-Throughput JPEG 2000 nor JPEG XL, and calls lossy what may be either.
+// The transfer syntaxes this build decodes (PS3.5 section 10, PS3.6 annex A). Does not use DCMTK's DcmXfer
+// (3.6.7), which knows neither High-Throughput JPEG 2000 nor JPEG XL, and calls lossy what may be either.
 #pragma once
 
 #include <span>

@@ -23,7 +23,7 @@ struct SegmentVoxels {
 
 struct SegmentVoxelSets {
     std::vector<SegmentVoxels> segments;  // by number; described ones, and others that have voxels
-    bool isResampled = false;             // it was drawn on another grid, and its nearest voxel counts
+    bool isResampled = false;             // drawn on another grid: each voxel takes the nearest one there
     std::size_t outside = 0;              // voxels of segments outside of the grid; 0 if resampled
 };
 

@@ -47,7 +47,7 @@ struct Instance {
     double framesBeyond = 0.0;      // frames beyond NumberOfFrames that have pixels or descriptions
     std::uint16_t overlayBits = 0;  // bits of a cell that hold an overlay (retired: PS3.3 2004 C.9.2)
     Suv suv;
-    std::string concatenationUid;  // PS3.3 C.7.6.16.2.2.4; empty when the file is no part of one
+    std::string concatenationUid;  // PS3.3 C.7.6.16.2.2.4; empty when the file is not part of one
     int concatenationTotal = 0;    // 0: not said
 };
 

@@ -32,7 +32,7 @@ std::uint16_t unpack(const CellFormat& format, std::uint16_t cell) {
 }
 
 float toFloat(double value) {
-    const bool fits = std::abs(value) <= double{std::numeric_limits<float>::max()};  // no NaN does
+    const bool fits = std::abs(value) <= double{std::numeric_limits<float>::max()};  // false for NaN
     return fits ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 

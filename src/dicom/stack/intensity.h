@@ -91,9 +91,9 @@ std::optional<Text> completePadding(std::span<SliceIntensity> slices);
 void unpackCells(const CellFormat& format, const std::optional<RawRange>& padding,
                  std::span<std::uint16_t> cells);
 
-// Counts cells, as in the file, with bits set outside the stored ones of `format` that are no sign extension:
-// overlays (PS3.5 8.1.2), or values that need more bits, or lie lower. Ignores padding and the bits of
-// `overlays`, which the file declares.
+// Counts cells, as in the file, with bits set outside the stored ones of `format` that are not a sign
+// extension: overlays (PS3.5 8.1.2), or values that need more bits, or lie lower. Ignores padding and the
+// bits of `overlays`, which the file declares.
 std::size_t cellsBeyondStoredBits(const CellFormat& format, const std::optional<RawRange>& padding,
                                   std::span<const std::uint16_t> cells, std::uint16_t overlays = 0);
 

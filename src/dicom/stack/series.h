@@ -24,7 +24,7 @@ struct PresentationHeading {
     bool operator==(const PresentationHeading&) const = default;
 };
 
-// A DICOM object that is no image: a report, a structure set, a segmentation, a presentation state.
+// A DICOM object that is not an image: a report, a structure set, a segmentation, a presentation state.
 struct OtherObject {
     std::filesystem::path file;
     std::string sopClassUid;
