@@ -112,7 +112,8 @@ SeriesInProgress& placeOf(Studies& studies, const fs::path& file, const Examinat
     return place->second;
 }
 
-// A disc's own list of its files serves to see what is missing; what is there is read whether listed or not.
+// The DICOMDIR of a disc only shows which files are missing; files on the disc are read whether listed or
+// not.
 void report(Scan& scan, const ListedFiles& listed) {
     for (std::size_t i = 0; i < listed.unreadable; ++i)
         scan.messages.push_back(message(key::kDicomdirUnreadable));
@@ -281,7 +282,7 @@ void askOrJoin(Scan& scan, std::vector<Examination>& found, const std::vector<Sc
     }
 }
 
-// What the DICOMDIRs among the files list.
+// The files that the DICOMDIRs among `files` list, compared with those found.
 ListedFiles listedFiles(const std::vector<fs::path>& files, const std::vector<Examination>& found) {
     std::vector<fs::path> directories;
     for (std::size_t i = 0; i < files.size(); ++i) {

@@ -48,7 +48,7 @@ struct Scan {
     std::size_t mediaDirectories = 0;         // DICOMDIR
     std::size_t listedFilesMissing = 0;       // according to the media directories
     std::size_t unreadableFolders = 0;
-    int patients = 0;          // as patient.h tells them apart
+    int patients = 0;          // as patient.h distinguishes them
     int namelessPatients = 0;  // those of `patients` that are studies without a name or ID
 
     std::size_t imageCount() const;   // files that hold images
@@ -60,8 +60,8 @@ struct Scan {
 using GlimpseListener = std::function<void(Scan)>;
 
 struct ScanOptions {
-    // Joins images into one series that differ only in identifiers made anew for each of them: see join.h.
-    // Only a person may decide this; key::kUidPerSlice asks.
+    // Joins images into one series that differ only in identifiers that were made separately for each of
+    // them: see join.h. Only a person may decide this; key::kUidPerSlice asks.
     bool join = false;
     GlimpseListener glimpsed = {};  // called by reading threads; scan_glimpse.h says how often
 };

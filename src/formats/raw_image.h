@@ -53,17 +53,17 @@ struct RawImage : RawImageLayout {
     std::vector<std::byte> data;  // i fastest, in the byte order of this machine
 };
 
-// inputNotUsable when the image is no volume (a side below 2), has a side above 65536, or needs more than
+// inputNotUsable when the image is not a volume (a side below 2), has a side above 65536, or needs more than
 // `bytesInFile` can hold (deflate packs at most 1 : 1032); outOfMemory when it does not fit.
 Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile, bool compressed);
 
-// Values in units: int16 when that holds all of them exactly, else uint16 when that does, else float32.
-// Padding keeps its value.
+// Values in units: int16 when that holds all of them exactly, otherwise uint16 when that does, otherwise
+// float32. Padding keeps its value.
 Result<RawImage> rawImageOf(const Volume& volume, Progress& progress);
 Result<RawImage> rawImageOf(const LabelMap& map, Progress& progress);
 
-// 16 bits when raw values are whole numbers that span at most 65535, else float32. Values that are not finite
-// become padding; assumptions state how many, and that whole numbers beyond 2^53 were rounded.
+// 16 bits when raw values are whole numbers that span at most 65535, otherwise float32. Values that are not
+// finite become padding; assumptions state how many, and that whole numbers beyond 2^53 were rounded.
 Result<std::shared_ptr<const Volume>> volumeOf(RawImage image, Progress& progress);
 
 }  // namespace macula::formats

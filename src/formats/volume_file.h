@@ -34,7 +34,7 @@ std::optional<std::filesystem::path> valuesFileOf(const std::filesystem::path& p
 // Writes it whole or not at all, and replaces an existing one.
 Result<void> writeVolumeFile(const Volume& volume, const std::filesystem::path& path, Progress& progress);
 
-// Writes the numbers of the segments as int16 where they fit, else uint16, without their names.
+// Writes the numbers of the segments as int16 where they fit, otherwise uint16, without their names.
 Result<void> writeVolumeFile(const LabelMap& map, const std::filesystem::path& path, Progress& progress);
 
 struct VolumeFileInfo {
@@ -50,10 +50,10 @@ struct VolumeFileInfo {
 // Reads only the header.
 Result<VolumeFileInfo> readVolumeFileInfo(const std::filesystem::path& path);
 
-// 16-bit storage when that is exact, else float32. `number`, from 1, chooses one of several volumes, one for
-// each point in time; that, a missing orientation and the unit are among the assumptions. inputNotUsable for
-// a damaged file, or one without a volume of scalars; usage when there is no volume `number`. The size of the
-// file limits memory.
+// 16-bit storage when that is exact, otherwise float32. `number`, from 1, chooses one of several volumes, one
+// for each point in time; that, a missing orientation and the unit are among the assumptions. inputNotUsable
+// for a damaged file, or one without a volume of scalars; usage when there is not a volume `number`. The size
+// of the file limits memory.
 Result<std::shared_ptr<const Volume>> readVolumeFile(const std::filesystem::path& path, Progress& progress,
                                                      std::size_t number = 1);
 

@@ -288,7 +288,7 @@ class Search {
         }
         const Mask mask = withSkin(coarse_, patient, other, surface_.beyond);
         MACULA_TRY_VOID(step());
-        // The reported volume is what is removed: solid, and not in the mask.
+        // Reports the volume that is removed: solid, and not in the mask.
         std::transform(other.begin(), other.end(), mask.begin(), other.begin(),
                        [](std::uint8_t in, std::uint8_t kept) { return std::uint8_t(kept != 0 ? 0 : in); });
         MACULA_TRY(Parts removed, partsOf(coarse_.grid, other, true, {}));

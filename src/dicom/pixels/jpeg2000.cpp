@@ -146,7 +146,7 @@ OPJ_BOOL seekBytes(OPJ_OFF_T to, void* user) {
 
 void ignoreMessage(const char*, void*) {}
 
-// OpenJPEG's text "Not enough memory to ..." is all that tells lack of memory from a broken stream.
+// OpenJPEG's text "Not enough memory to ..." is all that distinguishes lack of memory from a broken stream.
 void noteLackOfMemory(const char* text, void* lacksMemory) {
     if (text != nullptr && std::strstr(text, "memory") != nullptr) *static_cast<bool*>(lacksMemory) = true;
 }

@@ -30,10 +30,10 @@ struct PresentationOwner {
 
 // Explicit VR little endian. Each call makes a new series and instance. The file is written whole or not at
 // all, in place of one that is there. Reading it gives the same presentation, to the last bit, if the centre
-// and the width of the palette's interval fit the 16 characters of a Decimal String; else the nearest such
-// interval. Fails with usage for numbers that are not finite or out of range, tables of unequal length, text
-// that is too long, and a missing image unless deidentified; with inputNotUsable when the image cannot be
-// read or is another one; with outputNotWritable.
+// and the width of the palette's interval fit the 16 characters of a Decimal String; otherwise the nearest
+// such interval. Fails with usage for numbers that are not finite or out of range, tables of unequal length,
+// text that is too long, and a missing image unless deidentified; with inputNotUsable when the image cannot
+// be read or is another one; with outputNotWritable.
 Result<void> writePresentationState(const std::filesystem::path& path, const VolumePresentation& presentation,
                                     const PresentationOwner& owner);
 
@@ -44,7 +44,7 @@ struct PresentationState {
     bool hasForeignChanges = false;  // ignored Macula's own state: the rest changed or has messages
 };
 
-// Never throws. Fails with inputNotUsable when the file is no such object, refers to no images, or lacks
+// Never throws. Fails with inputNotUsable when the file is not such an object, refers to no images, or lacks
 // camera or colours; or with outOfMemory.
 Result<PresentationState> readPresentationState(const std::filesystem::path& path);
 

@@ -24,7 +24,7 @@ class ByteSource {
     ByteSource(const ByteSource&) = delete;
     ByteSource& operator=(const ByteSource&) = delete;
 
-    // The errno of opening or reading the file when that failed, else 0.
+    // The errno of opening or reading the file when that failed, otherwise 0.
     int error() const { return error_; }
 
     // False at the end: the caller then reads no further.

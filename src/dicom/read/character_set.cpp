@@ -115,8 +115,8 @@ std::optional<std::string> convert(std::string_view bytes, Encoding from) {
     return converted(bytes, from);
 }
 
-// Decodes text as Latin-1, the last resort, which cannot fail. The 32 codes that are no characters in Latin-1
-// are those of Windows, which is where such text comes from.
+// Decodes text as Latin-1, the last resort, which cannot fail. The 32 codes that are not characters in
+// Latin-1 are those of Windows, which is where such text comes from.
 std::string latin1(std::string_view bytes) {
     std::string result;
     for (const char c : bytes) {
@@ -130,7 +130,7 @@ std::string latin1(std::string_view bytes) {
     return result;
 }
 
-// Decodes text that is whole but for a character at its end that was cut off when a value was cut to its
+// Decodes text that is whole except for its last character, which was cut off when a value was cut to its
 // greatest length. Only if other such characters precede it: a single odd byte at the end is a letter of
 // another alphabet.
 std::optional<std::string> cutOff(std::string_view bytes, Encoding encoding) {

@@ -27,8 +27,8 @@ constexpr std::size_t kPreambleBytes = 128;
 
 enum class Sniff { part10, bareDataset, notDicom };
 
-// A file without preamble is taken for DICOM only when its first element is one that a dataset can begin
-// with: group 2 or 8, a small element number, and a plausible VR (explicit) or length (implicit). PS3.5 7.1.
+// A file without preamble counts as DICOM only if its first element is one that a dataset can begin with:
+// group 2 or 8, a small element number, and a plausible VR (explicit) or length (implicit). PS3.5 7.1.
 Sniff sniff(ByteSource& source) {
     const auto head = source.ahead(kPreambleBytes + 4);
     constexpr std::array<unsigned char, 4> kMagic{'D', 'I', 'C', 'M'};

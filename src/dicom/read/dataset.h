@@ -38,7 +38,7 @@ HeaderFile readHeader(const std::filesystem::path& file, const CancelToken& canc
 // Immutable, cheap to copy, safe to read from several threads; keeps the data that it needs alive.
 class Dataset {
   public:
-    // The transfer syntax UID of the file meta information, else the one found from the content.
+    // The transfer syntax UID of the file meta information, otherwise the one found from the content.
     const std::string& transferSyntaxUid() const;
 
     // Whether the element is present, and not empty.
@@ -105,7 +105,7 @@ struct PixelDataExtent {
     Tag tag{};                  // PixelData, FloatPixelData or DoubleFloatPixelData
     bool encapsulated = false;  // as items of a sequence of fragments (PS3.5 A.4)
     std::uint64_t offset =
-        0;  // of the value, or of the first item; in a deflated file, in what it inflates to
+        0;  // of the value, or of the first item; in a deflated file, within the inflated data
     std::uint64_t bytesClaimed = 0;  // 0 when encapsulated
     std::uint64_t bytesPresent = 0;  // of these, in the file; 0 when encapsulated
     std::uint64_t fragments = 0;     // and streams: see PixelDataOutline

@@ -36,7 +36,7 @@ struct Encoding {
 
 struct Header {
     Tag tag{};
-    Vr vr = 0;  // 0 when implicit, or when it is no VR at all
+    Vr vr = 0;  // 0 when implicit, or when it is not a VR at all
     std::uint32_t length = 0;
 
     bool isItem() const { return tag == Tag{0xFFFE, 0xE000}; }
@@ -44,7 +44,7 @@ struct Header {
     bool isSequenceEnd() const { return tag == Tag{0xFFFE, 0xE0DD}; }
 };
 
-// What the walk is inside of: a sequence, or one of its items.
+// A level of nesting that the walk is in: a sequence, or one of its items.
 struct Level {
     bool isSequence = false;
     bool ofFragments = false;  // items are bytes, not datasets

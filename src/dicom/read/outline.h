@@ -20,7 +20,7 @@ namespace macula::dicom {
 struct PixelDataOutline {
     Tag tag{};
     bool encapsulated = false;
-    std::uint64_t offset = 0;     // in the file (in what it inflates to, when deflated): of the value, or of
+    std::uint64_t offset = 0;     // in the file (when deflated, in the inflated data): of the value, or of
                                   // its first item when encapsulated
     std::uint64_t claimed = 0;    // bytes, unless encapsulated
     std::uint64_t present = 0;    // of these, those that are there

@@ -12,7 +12,7 @@ namespace macula::dicom {
 namespace {
 
 struct Kind {
-    std::string_view root;  // the UID, or what it begins with when it ends in a dot
+    std::string_view root;  // the UID, or its beginning, which then ends in a dot
     std::string_view name;
     bool projection = false;
 };

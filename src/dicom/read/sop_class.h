@@ -32,14 +32,15 @@ bool isPresentationState(std::string_view sopClassUid);
 // Images of the patient, in slices or otherwise: an object of these without rows and columns has lost them.
 bool isImage(std::string_view sopClassUid);
 
-// Projections through the patient, and images from outside: no slices, whatever else the header says.
+// Projections through the patient, and images from outside: they are not slices, whatever else the header
+// says.
 bool isProjection(std::string_view sopClassUid);
 
 // The only modality that PS3.3 allows for images of the class; empty where there may be several.
 std::string_view modalityOfClass(std::string_view sopClassUid);
 
 // For a person: "Segmentation", "Structured report"; for less common classes "Object of class" with DCMTK's
-// name or the UID; "Object of unknown kind" for text that is no UID.
+// name or the UID; "Object of unknown kind" for text that is not a UID.
 Text describeSopClass(std::string_view sopClassUid);
 
 }  // namespace macula::dicom

@@ -28,8 +28,8 @@ struct SegmentVoxelSets {
 };
 
 // Loads segments on the grid of a volume: without resampling if all frames lie on it, as in loadSegmentation,
-// which explains `slicePositionsMm`; else by the nearest voxel. Takes a bit for each voxel of the box around
-// a segment. Fails with inputNotUsable when the frames lie on no grid.
+// which explains `slicePositionsMm`; otherwise by the nearest voxel. Takes a bit for each voxel of the box
+// around a segment. Fails with inputNotUsable when the frames lie on no grid.
 Result<SegmentVoxelSets> loadSegmentVoxels(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
                                            glm::ivec3 size, Progress& progress,
                                            std::span<const glm::dvec3> slicePositionsMm = {});

@@ -57,7 +57,7 @@ struct Segmentation {
     std::string contentLabel = {};  // for a person; may be empty
 };
 
-// Fails with inputNotUsable when the file is no segmentation, or does not say where its frames lie or what
+// Fails with inputNotUsable when the file is not a segmentation, or does not say where its frames lie or what
 // they hold.
 Result<Segmentation> readSegmentation(const std::filesystem::path& file);
 

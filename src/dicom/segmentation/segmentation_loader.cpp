@@ -76,7 +76,7 @@ class Painter {
     std::vector<std::uint16_t> take() { return std::move(labels_); }
 
   private:
-    // Above all numbers that cells can hold, where there is one; else the highest that is not described.
+    // Above all numbers that cells can hold, where there is one; otherwise the highest that is not described.
     static std::uint16_t freeLabel(const Segmentation& segmentation) {
         if (segmentation.format.bitsStored < 16) return std::uint16_t(1 << segmentation.format.bitsStored);
         std::uint16_t label = 65535;

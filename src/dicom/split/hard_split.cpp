@@ -15,7 +15,7 @@ namespace macula::dicom {
 namespace {
 
 // The message on images that name different coordinate systems, or none, but probably share one: either no
-// two name the same, because a program made every identifier anew, or some name none.
+// two name the same, because a program replaced every identifier, or some name none.
 std::optional<Message> likelyOneFrameOfReference(const std::vector<Frame>& frames) {
     std::set<std::string_view> names;
     std::size_t silent = 0;
@@ -72,8 +72,8 @@ bool assumeOneStack(HardPart& part, const Partition& partition, std::size_t attr
 }
 
 // Gives frames whose orientations differ by less than anybody could see their mean orientation: some writers
-// compute the directions of each slice anew. A corner of a slice may move by a tenth of a voxel, or, with a
-// warning, by half of one.
+// compute the directions of each slice separately. A corner of a slice may move by a tenth of a voxel, or,
+// with a warning, by half of one.
 bool assumeOneOrientation(HardPart& part, std::size_t attribute) {
     constexpr double kTellOfVoxel = 0.1;
     constexpr double kMostOfVoxel = 0.5;

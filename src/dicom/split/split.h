@@ -27,7 +27,7 @@ struct Split {
 //   - a stack that is now a volume stays whole, with warnings where attributes change along its slices, or
 //     where part of it was acquired apart;
 //   - frames at the same positions are separated as phases, by value, or by ranks that agree along the stack
-//     (phases.h); frames of unknown phase become a stack of their own that is no volume;
+// (phases.h); frames of unknown phase become a stack of their own, not a volume;
 //   - of a few repeated positions the frames with the lowest number make the volume, and the rest are a stack
 //     of their own;
 //   - blocks that are far apart are separated at the gap;

@@ -118,7 +118,7 @@ Splitter::Stacks Splitter::bySoftAttributes(const Stack& whole, Grade least, Mes
     for (const auto& attributes : softCandidates(whole)) {
         if (!budget_.spend(whole.frames.size())) break;
         const Partition partition = partitionByValue(whole.frames, rules_, attributes);
-        if (partition.size() > whole.frames.size() / 2) continue;  // single slices are no volumes
+        if (partition.size() > whole.frames.size() / 2) continue;  // single slices are not volumes
         if (!isBetter(whole, partition, least)) continue;
         const auto names = maker_.namesOf(attributes);
         tellSplit(messages, names, partition.size());

@@ -9,7 +9,7 @@ namespace macula::dicom {
 // and of nuclear medicine, which list the offsets, and those that only give the distance between slices.
 struct FrameOffsets {
     std::vector<double> mm;  // of each frame with a known one; empty for other objects
-    bool isByOrder = false;  // only their order tells where frames after the first lie
+    bool isByOrder = false;  // only their order shows where frames after the first lie
 };
 FrameOffsets frameOffsets(const Dataset& header);
 

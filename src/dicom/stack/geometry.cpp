@@ -145,7 +145,7 @@ std::string listInterpolated(const std::vector<SliceSource>& slices) {
     return list;
 }
 
-// Where along the normal of the first plane each lies, in the order given.
+// The position of each plane along the normal of the first one, in the order given.
 std::vector<double> alongNormal(std::span<const StackedPlane> planes) {
     const glm::dvec3 normal = planes[0].plane.normal();
     std::vector<double> along;
@@ -216,7 +216,7 @@ std::optional<Message> offTheLine(std::span<const StackedPlane> planes, const st
     return {};
 }
 
-// Sets the slices of the stack, and its quality where they are resampled; or says why there is no volume.
+// Sets the slices of the stack, and its quality where they are resampled; or says why there is not a volume.
 std::optional<Message> placeSlices(const Positions& positions, StackGeometry& stack) {
     const std::size_t planes = positions.alongMm.size();
     if (const auto places = placesWithGaps(positions)) {

@@ -19,7 +19,7 @@ namespace macula::dicom {
 // An optional is empty when the file gives no value, or an invalid one. Paths and UIDs may name a patient:
 // never logged.
 
-// What all frames of a file share.
+// The data that all frames of a file share.
 struct Instance {
     std::filesystem::path file;
     std::string sopClassUid;
@@ -67,10 +67,9 @@ struct Frame {
     PixelSpacingSource spacingSource = PixelSpacingSource::none;
     bool isInVolumeFrame =
         false;  // of ultrasound: it lies in a frame of the transducer's, and not of the patient's
-    bool isPlacedByOrder = false;  // by its frame number: see frameOffsets
-    bool numbersRepaired = false;  // numbers of its position were malformed, but readable
-    std::string_view
-        malformedNumber;  // the keyword of one of them that cannot be read; empty when there is none
+    bool isPlacedByOrder = false;      // by its frame number: see frameOffsets
+    bool numbersRepaired = false;      // numbers of its position were malformed, but readable
+    std::string_view malformedNumber;  // the keyword of such numbers that cannot be read; empty if all can
     std::optional<double> sliceLocation;
     std::optional<double> sliceThicknessMm;  // above 0; does not affect where slices lie
 

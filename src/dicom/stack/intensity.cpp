@@ -15,7 +15,7 @@ int offsetOf(const CellFormat& format) {
     return format.isSigned ? kSignedOffset : 0;
 }
 
-// What the stored bits can hold.
+// The raw values that the stored bits can hold.
 RawRange storedBitsRange(const CellFormat& format) {
     if (format.isSigned) return {-(1 << (format.bitsStored - 1)), (1 << (format.bitsStored - 1)) - 1};
     return {0, (1 << format.bitsStored) - 1};

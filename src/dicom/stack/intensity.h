@@ -70,7 +70,7 @@ struct ModalityLut {
 std::shared_ptr<const ModalityLut> readModalityLut(const std::array<std::uint16_t, 3>& descriptor,
                                                    std::span<const std::uint16_t> data, bool pixelsAreSigned);
 
-// One slice: value = modalityLut(raw) when there is one, else slope * raw + intercept.
+// One slice: value = modalityLut(raw) when there is one, otherwise slope * raw + intercept.
 struct SliceIntensity {
     CellFormat format;
     double slope = 1.0;  // not 0; may be negative
@@ -124,7 +124,7 @@ void applyIntensity(const SliceIntensity& slice, std::span<const std::uint16_t> 
 std::size_t applyIntensity(const SliceIntensity& slice, std::span<const double> numbers,
                            std::span<float> values);
 
-// The format of the volume: 16 bits where they hold every value exactly, else float32.
+// The format of the volume: 16 bits where they hold every value exactly, otherwise float32.
 struct IntensityPlan {
     VoxelFormat format = VoxelFormat::stored16;
     // stored16 only.

@@ -85,8 +85,8 @@ bool hasNoRescale(const Frame& frame) {
     return !frame.slope && !frame.intercept && !frame.rescaleInvalid;
 }
 
-// Whether images without any rescale are of another kind than those with one, and not few, where none is
-// required (PS3.3 A.4.3, MR): magnitude has none, phase has one, in one series.
+// Whether images without any rescale are of another kind than those with one, and not just a few, where no
+// rescale is required (PS3.3 A.4.3, MR): magnitude has none, phase has one, in one series.
 bool areOfAnotherKind(const std::vector<Frame>& frames, const std::string& modality) {
     if (modality == "CT" || modality == "PT" || modality == "RTDOSE") return false;
     std::set<std::vector<std::string>> without;

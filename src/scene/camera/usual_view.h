@@ -1,4 +1,4 @@
-// The default view direction of a volume, chosen by what was scanned as far as that is known.
+// The default view direction of a volume, chosen by the body part and the shape of the scan.
 #pragma once
 
 #include <glm/glm.hpp>

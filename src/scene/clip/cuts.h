@@ -21,7 +21,7 @@ struct EyeCut {
     // The requested distance from the middle of the volume's box along the normal; negative: towards the eye.
     // `plane` is nearer if the box ends before that.
     double fromMiddleMm = 0.0;
-    bool followsCamera = true;  // else it stays where it is in the patient
+    bool followsCamera = true;  // if not, it stays where it is in the patient
 
     bool operator==(const EyeCut&) const = default;
 };

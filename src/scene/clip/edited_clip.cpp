@@ -92,7 +92,7 @@ bool isOpen(Face face, const Box& fractions) {
     return isHigh(face) ? at >= 1.0 - kAtBorder : at <= kAtBorder;
 }
 
-// In fractions of the volume; open faces are beyond it.
+// The box in fractions of the volume; its open faces lie beyond the volume.
 OrientedBox boxOf(const Box& fractions) {
     Box box = fractions;
     for (const Face face : kFaces) {

@@ -37,7 +37,7 @@ Text remarkOf(const Additions& additions, trace::Look look);
 // they are there when the look changes back.
 void setAdditions(Drawing& drawing, std::shared_ptr<const Additions> additions);
 
-// The clip of the state with `mask`, if anything is hidden; else null.
+// The clip of the state with `mask`, if anything is hidden; otherwise null.
 std::shared_ptr<const Clip> clipOf(const StudyState& state, const Volume& volume, std::optional<Mask> mask);
 
 }  // namespace macula::scene

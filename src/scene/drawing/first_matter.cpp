@@ -87,7 +87,7 @@ class Matter {
         return (spacing.x + spacing.y + spacing.z) / 3.0;
     }
 
-    // In units per voxel of mean edge, as TransferFunction::gradientOpacity has it.
+    // The gradient in units per voxel of mean edge, as TransferFunction::gradientOpacity needs it.
     double gradientAt(const glm::dvec3& pointMm) const {
         const double edge = edgeMm();
         glm::dvec3 gradient(0.0);

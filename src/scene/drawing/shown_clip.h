@@ -18,7 +18,7 @@ namespace macula::scene {
 
 inline constexpr std::string_view kTableLeftOut = "table left out";  // Mask::remark in English
 
-// Hides the table and other objects beside the patient; nothing if none were found. Shares ownership of
+// Hides the table and other objects next to the patient; nothing if none were found. Shares ownership of
 // `found`, as its map may be as large as the volume.
 std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& found);
 

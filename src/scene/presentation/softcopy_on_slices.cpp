@@ -171,7 +171,7 @@ class Showing {
     const dicom::Stack& stack_;
     const Volume& volume_;
     const bool isLowBright_;
-    // Those in the volume; the first that the object names is at the front.
+    // The images that are in the volume; the first that the object names is at the front.
     std::vector<const dicom::Frame*> images_;
     SoftcopyOnSlices shown_;
 };

@@ -16,7 +16,7 @@ namespace macula::scene {
 enum class In3d { asIs, alone, hidden };
 inline constexpr std::array kIn3d{In3d::asIs, In3d::alone, In3d::hidden};
 
-// As in files.
+// The name in files.
 constexpr std::string_view nameOf(In3d in3d) {
     switch (in3d) {
         case In3d::asIs:
@@ -45,7 +45,7 @@ struct SegmentSettings {
 
 struct SegmentationSettings {
     std::string digest;                          // SHA-256 of its SOP Instance UID
-    bool isShown = false;                        // else it changes nothing, on slices or in 3D
+    bool isShown = false;                        // otherwise it changes nothing, on slices or in 3D
     std::vector<SegmentSettings> segments = {};  // sorted by number; others have the defaults
 
     bool operator==(const SegmentationSettings&) const = default;

@@ -68,7 +68,7 @@ std::string field(std::string_view text) {
     return quoted + '"';
 }
 
-// Spreadsheets take a text for a formula by how it begins, some after blanks, and also within quotes.
+// Spreadsheets recognise a formula by its first character, some after blanks, and also within quotes.
 std::string harmless(std::string_view text) {
     const std::size_t first = text.find_first_not_of(' ');
     const bool isFormula =

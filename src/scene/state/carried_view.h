@@ -11,7 +11,7 @@ namespace macula::scene {
 DisplayWindow shownWindow(const study::OpenedStudy& study, const SliceState& slices);
 
 // How to show slices of `to` after those of `from`, shown as `before`: if staysInPlace, with the same
-// cross-hair, planes and slab, and phases also with the same window and inversion. Else as `usual`.
+// cross-hair, planes and slab, and phases also with the same window and inversion. Otherwise as `usual`.
 SliceState carriedSlices(const study::OpenedStudy& from, const SliceState& before,
                          const study::OpenedStudy& to, const SliceState& usual);
 

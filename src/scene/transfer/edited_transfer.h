@@ -14,7 +14,8 @@ namespace macula::scene {
 // values within presets::kLargestValue either way and at most presets::kMostPoints points per curve stays so.
 // A number that is not finite changes nothing. An index must be that of a point.
 
-// Clamps the value to the points beside it, the opacity to 0 to 1. Two points at one value are a step.
+// Clamps the value to those of the neighbouring points, the opacity to 0 to 1. Two points at one value are a
+// step.
 TransferFunction movedOpacityPoint(TransferFunction function, std::size_t index, double value,
                                    double opacity);
 TransferFunction movedColourPoint(TransferFunction function, std::size_t index, double value);

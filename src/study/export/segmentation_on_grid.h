@@ -13,7 +13,7 @@ bool isSegmentationSeries(const dicom::Series& series);
 
 struct SegmentationOnGrid {
     LabelMap map;
-    bool onItsSeries = false;  // on the grid of the series it was drawn on; else on its own grid
+    bool onItsSeries = false;  // on the grid of the series it was drawn on; otherwise on its own grid
     bool hasImages = false;    // the scan has a volume of that series
 };
 

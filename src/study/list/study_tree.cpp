@@ -298,7 +298,7 @@ class Builder {
         const std::vector<dicom::SkippedFile>& skipped = found_.scan().skipped;
         std::vector<std::pair<Message, std::size_t>> reasons;  // in the order of the scan
         std::map<std::string, std::size_t> placeOf;            // in `reasons`, by sentence
-        // That are unreadable for another reason than permissions.
+        // Folders that are unreadable for another reason than permissions.
         std::vector<Message> otherFolders;
         std::size_t folders = 0;
         for (const dicom::SkippedFile& file : skipped) {

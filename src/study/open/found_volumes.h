@@ -73,7 +73,7 @@ std::vector<dicom::ReferencedFrames> imagesOf(const dicom::Stack& stack);
 std::string frameOfReferenceOf(const dicom::Stack& stack);
 
 Identity identityOf(const FoundVolume& volume);
-// Without a series.
+// The identity without a series.
 Identity identityOf(const dicom::Study& study);
 
 }  // namespace macula::study

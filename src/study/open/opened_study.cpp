@@ -55,7 +55,7 @@ bool isMediaDirectory(const std::filesystem::path& file) {
 }
 
 // Returns the question whether images are one series (dicom::key::kUidPerSlice), when the folder holds no
-// volume without an answer; else nothing.
+// volume without an answer; otherwise nothing.
 Text joinQuestionOf(const FoundVolumes& found) {
     const auto& messages = found.scan().messages;
     const auto asked = std::ranges::find(messages, dicom::key::kUidPerSlice, &Message::key);

@@ -20,7 +20,7 @@ class FoundVolumes;
 // An opened source. All strings are for the screen; they may name a patient.
 struct OpenedStudy {
     std::shared_ptr<const Volume> volume;  // stored16, for drawing; null when joinQuestion is set
-    // The same in float32, as loaded, where 16 bits cannot hold all of its values; else null.
+    // The same in float32, as loaded, where 16 bits cannot hold all of its values; otherwise null.
     std::shared_ptr<const Volume> inFloats = {};
     std::string seriesDigest = {};  // see LoadedStudy
     Identity identity = {};

@@ -17,7 +17,7 @@ struct FoundSegmentation {
     std::string digest;          // SHA-256 of its SOP Instance UID, or of its path without one
     std::string title;           // its content label and the description of its series
     Text whyNot = {};            // a sentence: why it cannot be shown; empty: it can
-    // A sentence where it was drawn on another series of the same coordinate system; else empty.
+    // A sentence where it was drawn on another series of the same coordinate system; otherwise empty.
     Text note = {};
 
     bool canBeShown() const { return whyNot.empty(); }
