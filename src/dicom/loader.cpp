@@ -81,8 +81,8 @@ std::optional<double> suvFactorOf(const Stack& stack) {
     return isSuv || unit.unit == Unit::becquerelsPerMillilitre ? stack.suvFactor : std::nullopt;
 }
 
-// The window in SUV. LINEAR has a step of one in its formula (PS3.3 C.11.2.1.2.1), so it becomes
-// LINEAR_EXACT.
+// The window in SUV. LINEAR subtracts one stored step from the width (PS3.3 C.11.2.1.2.1), which SUV does not
+// have, so it becomes LINEAR_EXACT.
 DisplayWindow timesSuv(const DisplayWindow& window, double factor) {
     DisplayWindow scaled = window;
     const bool isLinear = window.function.empty() || window.function == "LINEAR";
@@ -441,7 +441,7 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
                 if (auto volume = coarse(std::span(frames).first(coarseCount), decoder))
                     options.onCoarse(std::move(volume));
             } catch (const CheckFailure&) {
-                throw;       // a bug of Macula, not a fault of the file
+                throw;       // a bug in Macula, not a fault of the file
             } catch (...) {  // no memory, or no more threads
                 // Then the whole volume is the first to be shown, or reports the error.
             }

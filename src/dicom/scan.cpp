@@ -423,7 +423,7 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
             } catch (const std::bad_alloc&) {
                 noMemory = true;  // which does not mean that a file is damaged
             } catch (const CheckFailure&) {
-                throw;  // a bug of Macula, not a fault of the file
+                throw;  // a bug in Macula, not a fault of the file
             } catch (...) {
                 found[i].state = FileState::damaged;
             }

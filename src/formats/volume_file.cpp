@@ -156,7 +156,7 @@ Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& pa
     MACULA_TRY(const RawImage image, rawImageOf(grid, progress));
     std::error_code unknown;
     const auto space = fs::space(workshop.path(), unknown);
-    // Else MetaIO would print an error.
+    // Without this check MetaIO would print an error.
     if (!unknown && ending.text != ".nii.gz" && space.available < image.data.size()) {
         return Error{ErrorCode::outputNotWritable, Text("There is not enough free space."), path.string(),
                      Text("The file needs {} MB.", image.data.size() / 1'000'000 + 1)};

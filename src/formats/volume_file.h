@@ -52,8 +52,8 @@ Result<VolumeFileInfo> readVolumeFileInfo(const std::filesystem::path& path);
 
 // 16-bit storage when that is exact, otherwise float32. `number`, from 1, chooses one of several volumes, one
 // for each point in time; that, a missing orientation and the unit are among the assumptions. inputNotUsable
-// for a damaged file, or one without a volume of scalars; usage when there is not a volume `number`. The size
-// of the file limits memory.
+// for a damaged file, or one without a volume of scalars; usage when there is no volume `number`. The size of
+// the file limits memory.
 Result<std::shared_ptr<const Volume>> readVolumeFile(const std::filesystem::path& path, Progress& progress,
                                                      std::size_t number = 1);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kThickMm = 3.5;  // radius of a ball that fits into a patient, and into no sheet
 constexpr double kRimMm = 4.5;    // the depth of the edge that opening removes from the patient
-// Of air that is kept around the patient, for hair and the edge of the skin.
+// The layer of air that is kept around the patient, for hair and the edge of the skin.
 constexpr double kSkinMm = 4.0;
 constexpr double kAppendageMl = 20.0;  // ears and fingers are smaller, sheets and tubes larger
 constexpr double kAppendageMm = 80.0;

@@ -5,9 +5,9 @@
 
 namespace macula::dicom {
 
-// `slices` have the same number of values each, and follow each other at equal distances. Compares, at each
-// place in the plane, the part of the second differences along the slices that changes its sign with every
-// slice with all of these differences: in noise and anatomy it is no larger than other parts, in two mixed
+// `slices` have the same number of values each, and follow each other at equal distances. Takes second
+// differences along the slices at each place in the plane, and compares the part that changes its sign with
+// every slice with the whole: in noise and anatomy it is no larger than other parts, in two mixed
 // acquisitions it is nearly everything. False for fewer than eight slices.
 bool alternates(std::span<const std::span<const float>> slices);
 

@@ -105,7 +105,7 @@ Result<void> FrameDecoder::run(std::span<const std::size_t> order, std::size_t c
             try {
                 errors_[f] = decode(f, worker, progress.token());
             } catch (const CheckFailure&) {
-                throw;       // a bug of Macula, not a fault of the file
+                throw;       // a bug in Macula, not a fault of the file
             } catch (...) {  // the decoders throw nothing else
                 outOfMemory = true;
             }

@@ -309,7 +309,7 @@ auto guarded(const std::filesystem::path& file, const Body& body) -> decltype(bo
     return Error{ErrorCode::outOfMemory, Text("There is not enough memory to decode a slice."), file.string(),
                  Text("Close other programs, or choose a smaller series.")};
 } catch (const CheckFailure&) {
-    throw;  // a bug of Macula, not a fault of the file
+    throw;  // a bug in Macula, not a fault of the file
 } catch (...) {
     return Error{ErrorCode::inputNotUsable, Text("The pixel data of this file cannot be decoded."),
                  file.string(), Text("Copy the file again from its source.")};

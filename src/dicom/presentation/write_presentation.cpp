@@ -421,7 +421,7 @@ Result<void> writePresentationState(const fs::path& path, const VolumePresentati
         return {};
     });
 } catch (const CheckFailure&) {
-    throw;  // a bug of Macula, not a fault of the file
+    throw;  // a bug in Macula, not a fault of the file
 } catch (...) {
     return Error{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."), path.string(),
                  Text("Check free space and memory.")};

@@ -403,7 +403,7 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
 } catch (const std::bad_alloc&) {
     throw;  // a healthy file must not pass for a damaged one
 } catch (const CheckFailure&) {
-    throw;  // a bug of Macula, not a fault of the file
+    throw;  // a bug in Macula, not a fault of the file
 } catch (...) {
     log::warning("reading the header of {} threw", log::Sensitive{file.native()});
     return {FileState::damaged, {}};

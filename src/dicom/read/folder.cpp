@@ -38,7 +38,7 @@ class Listing {
         }
         auto& files = result_.files;
         std::sort(files.begin(), files.end());
-        // Found both directly and by a link.
+        // Removes files that were found both directly and by a link.
         files.erase(std::unique(files.begin(), files.end()), files.end());
         std::ranges::sort(result_.unreadable, {}, &UnreadableFolder::path);
         return true;

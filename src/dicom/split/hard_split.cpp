@@ -71,9 +71,9 @@ bool assumeOneStack(HardPart& part, const Partition& partition, std::size_t attr
     return true;
 }
 
-// Gives frames whose orientations differ by less than anybody could see their mean orientation: some writers
-// compute the directions of each slice separately. A corner of a slice may move by a tenth of a voxel, or,
-// with a warning, by half of one.
+// Replaces orientations that differ by less than anybody could see by their mean: some writers compute the
+// directions of each slice separately. A corner of a slice may move by a tenth of a voxel, or, with a
+// warning, by half of one.
 bool assumeOneOrientation(HardPart& part, std::size_t attribute) {
     constexpr double kTellOfVoxel = 0.1;
     constexpr double kMostOfVoxel = 0.5;

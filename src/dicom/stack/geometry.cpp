@@ -216,7 +216,7 @@ std::optional<Message> offTheLine(std::span<const StackedPlane> planes, const st
     return {};
 }
 
-// Sets the slices of the stack, and its quality where they are resampled; or says why there is not a volume.
+// Sets the slices of the stack, and its quality where they are resampled; or says why there is no volume.
 std::optional<Message> placeSlices(const Positions& positions, StackGeometry& stack) {
     const std::size_t planes = positions.alongMm.size();
     if (const auto places = placesWithGaps(positions)) {

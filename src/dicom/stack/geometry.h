@@ -66,7 +66,7 @@ struct StackGeometry {
 // given. The slice axis of worldFromVoxel goes from the first position to the last, so that a tilted gantry's
 // sheared stack stays sheared; SliceThickness is ignored. Missing slices (a distance that is a multiple of
 // the usual one) become interpolated ones between planes that are kept as they are; other uneven distances
-// are resampled to the smallest. There is not a volume when more slices would be interpolated than there are
+// are resampled to the smallest. There is no volume when more slices would be interpolated than there are
 // planes, when planes are at one position, not parallel, or not in line.
 StackGeometry stackPlanes(std::span<const StackedPlane> planes);
 

@@ -24,7 +24,7 @@ bool any(const Stack& stack, Predicate predicate) {
 }
 
 void tell(Stack& stack, Message message) {
-    // A warning is also an assumption, because the volume keeps assumptions.
+    // Warnings are also assumptions, which stay with the volume wherever it goes.
     if (message.severity == Severity::warning) stack.assumptions.push_back(message.sentence);
     stack.messages.push_back(std::move(message));
 }

@@ -157,7 +157,7 @@ Result<void> writeSecondaryCapture(const fs::path& path, const SecondaryCapture&
         return {};
     });
 } catch (const CheckFailure&) {
-    throw;  // a bug of Macula, not a fault of the file
+    throw;  // a bug in Macula, not a fault of the file
 } catch (...) {
     return Error{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."), path.string(),
                  Text("Check free space and memory.")};

@@ -235,7 +235,7 @@ Result<void> writeSlice(const Volume& volume, const Common& common, const Series
     if (examine(file).state != FileState::complete) return failed;
     return {};
 } catch (const CheckFailure&) {
-    throw;  // a bug of Macula, not a fault of the file
+    throw;  // a bug in Macula, not a fault of the file
 } catch (...) {
     return notWritable(Text("A DICOM file could not be written."), file,
                        Text("Check free space and memory."));

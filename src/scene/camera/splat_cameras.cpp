@@ -61,7 +61,7 @@ SplatCamera cameraOf(const JsonNode& node) {
     const std::vector<double> position = node["position"].numbers(3, {-1e8, 1e8});
     view.eyeMm = {position[0], position[1], position[2]};
     const std::vector<JsonNode> rows = node["rotation"].items(3, 3);
-    // cameraFromWorld is the transpose of the file's worldFromCamera: its columns in glm are the rows of the
+    // cameraFromWorld is the transpose of the file's worldFromCamera, so its columns are the rows of the
     // file.
     for (int row = 0; row < static_cast<int>(rows.size()); ++row) {
         const std::vector<double> numbers = rows[std::size_t(row)].numbers(3, {-2.0, 2.0});

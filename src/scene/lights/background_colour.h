@@ -13,7 +13,7 @@ namespace macula::scene {
 using BackgroundColour = glm::u8vec3;  // display-encoded (IEC 61966-2-1)
 
 inline constexpr BackgroundColour kBlackBackground{0, 0, 0};
-// No colour: the picture gets an alpha channel.
+// Not a colour: the picture gets an alpha channel.
 inline constexpr std::string_view kTransparent = "transparent";
 
 // "black", "white", "grey", or "#rrggbb". Fails with usage.

@@ -30,7 +30,7 @@ constexpr std::size_t kLongestOwnState = 200000;
 
 dicom::PresentedView viewOf(const Camera& seen, const CameraBasis& axes, const Volume& volume,
                             double aspect) {
-    // Because near planes must lie in front of the viewpoint.
+    // Stands before the volume, because near planes must lie in front of the viewpoint.
     const Camera camera = standingBefore(seen, volume.worldBox());
     double nearest = 1e9;
     double farthest = 0.0;

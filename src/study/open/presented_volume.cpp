@@ -60,7 +60,7 @@ std::size_t imagesIn(const dicom::OtherObject& object, const dicom::Stack& stack
     }));
 }
 
-// Why there is not a volume: the series is missing, belongs to another patient, or lacks the images.
+// Why there is no volume: the series is missing, belongs to another patient, or lacks the images.
 Text whyNone(const dicom::OtherObject& object, int patient, const FoundVolumes& found,
              const dicom::StandInUids& standIns) {
     bool isOfAnother = false;
