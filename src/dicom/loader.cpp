@@ -170,7 +170,7 @@ class Loading {
     std::vector<SliceIntensity> intensities_;
     IntensityPlan plan_;
     std::vector<double> places_;
-    std::vector<std::size_t> ownSlice_;  // of each frame: the slice that it is; kNone when it is none
+    std::vector<std::size_t> ownSlice_;  // the slice that each frame is; kNone for a frame that is no slice
     std::size_t loose_ = 0;              // frames that are not slices, but from which slices are interpolated
 
     std::vector<std::uint16_t> stored_;
@@ -180,7 +180,7 @@ class Loading {
     std::vector<std::span<std::uint16_t>> storedFrames_;
     std::vector<std::span<float>> valueFrames_;
 
-    SliceSamples samples_;  // of the frames
+    SliceSamples samples_;  // one entry for each frame
     UsableSlices usable_;
     std::vector<Text> assumptions_;
     std::vector<Message> messages_;

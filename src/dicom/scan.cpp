@@ -47,7 +47,7 @@ struct SeriesInProgress {
     std::vector<Frame> frames;
     std::map<std::string_view, std::size_t> leftOut;  // files that belong here and cannot be used, by reason
     std::size_t framesMissing = 0;
-    std::size_t framesClaimed = 0;  // of the files with missing ones
+    std::size_t framesClaimed = 0;  // frames claimed by the files that lack some
     std::size_t withoutSopClass = 0;
     bool charsetFallback = false;
 };

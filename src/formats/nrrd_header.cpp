@@ -59,7 +59,7 @@ Result<ScalarType> typeOf(const std::string& name) {
 
 struct Parsed {
     Fields fields;  // by name in lower case without blanks, because older files spell names differently
-    std::uint64_t bytes = 0;    // of the header, with the blank line after it
+    std::uint64_t bytes = 0;    // size of the header, with the blank line after it
     bool hasBlankLine = false;  // after which values may follow
     std::string valueNote;
 };

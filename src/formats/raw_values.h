@@ -9,8 +9,8 @@ namespace macula::formats {
 
 struct ValuesInFile {
     std::filesystem::path file;
-    std::uint64_t offset = 0;  // of the values, or of the compressed stream that holds them
-    std::uint64_t skip = 0;    // of the values in the uncompressed stream
+    std::uint64_t offset = 0;  // where the values begin, or the compressed stream that holds them
+    std::uint64_t skip = 0;    // bytes before the values in the uncompressed stream
     bool compressed = false;   // zlib or gzip
     bool bigEndian = false;
 };

@@ -110,7 +110,7 @@ Result<Ending> checkInput(const fs::path& path) {
                            Text("Check the path and its permissions.")};
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
-        if (error == std::errc::permission_denied) return cannotRead;  // of a folder in the path
+        if (error == std::errc::permission_denied) return cannotRead;  // for a folder in the path
         return Error{ErrorCode::inputNotUsable, Text("The file does not exist."), path.string(),
                      Text("Check the path.")};
     }

@@ -123,7 +123,7 @@ std::vector<SurfaceBody> bodyOf(const Slice& slice, const Mask& body) {
     return columns;
 }
 
-// Where the body's middle lies along v; the grid's middle where there is no body.
+// The middle of the body along v; `fallback` if there is no body.
 double middleOf(const std::vector<SurfaceBody>& columns, double fallback) {
     double sum = 0.0;
     int count = 0;

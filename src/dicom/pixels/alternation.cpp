@@ -68,7 +68,7 @@ bool noiseAlternates(std::span<const std::span<const float>> slices) {
     parallelFor(slices.size(), [&](std::size_t k) { noises[k] = noiseOf(slices[k]); });
     // Interpolation along a helix changes noise by some percent from slice to slice, another kernel by more.
     constexpr double kLeastRatio = 1.25;
-    std::array<std::size_t, 2> above{};  // of even slices, of odd ones
+    std::array<std::size_t, 2> above{};  // counts of even slices and of odd ones
     std::array<std::size_t, 2> below{};
     for (std::size_t k = 1; k + 1 < noises.size(); ++k) {
         const double beside = std::sqrt(noises[k - 1] * noises[k + 1]);

@@ -35,10 +35,10 @@ class CellAlignment {
     CellFormat declared_;
     unsigned low_ = 0;  // mask of the bits below the stored ones
     std::uint16_t overlays_ = 0;
-    std::set<unsigned> patterns_;        // of the low bits
+    std::set<unsigned> patterns_;        // different values of the low bits
     std::array<std::size_t, 16> set_{};  // cells that have the bit
-    std::size_t cells_ = 0;              // that are not 0
-    std::size_t beyond_ = 0;             // that do not fit when read from the low end
+    std::size_t cells_ = 0;              // cells that are not 0
+    std::size_t beyond_ = 0;             // cells that do not fit when read from the low end
 };
 
 // Checks images whose format leaves bits below the stored ones, unless they are at most a tenth of all

@@ -23,7 +23,7 @@ struct Items {
 
     // The offset of a fragment's item from the first item, as offset tables have it.
     std::uint64_t start(std::size_t i) const { return fragments[i].offset - fragments[0].offset; }
-    // Where the item after the last one would begin.
+    // The offset at which the item after the last one would begin.
     std::uint64_t end() const {
         return start(fragments.size() - 1) + fragments.back().bytes + kItemHeaderBytes;
     }

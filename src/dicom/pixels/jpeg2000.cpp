@@ -22,7 +22,7 @@ Error broken() {
 
 // The header of a code stream (ISO 15444-1 A.5.1).
 struct StreamHeader {
-    std::size_t begin = 0;  // of the code stream in the bytes: a JP2 file may be wrapped around it
+    std::size_t begin = 0;  // offset of the code stream: a JP2 file may be wrapped around it
     unsigned columns = 0;
     unsigned rows = 0;
     unsigned components = 0;
@@ -32,7 +32,8 @@ struct StreamHeader {
 // Whether every tile has a part in the stream (ISO 15444-1 A.4.2, B.3). The decoder takes memory for each
 // tile that the header announces, and silently fills missing ones with zeros.
 bool hasAllTiles(std::span<const std::byte> stream, std::size_t firstTilePart, std::uint64_t tiles) {
-    constexpr std::size_t kTilePartBytes = 14;  // of an empty tile-part: start of tile-part and start of data
+    // Size of an empty tile-part: start of tile-part and start of data.
+    constexpr std::size_t kTilePartBytes = 14;
     constexpr unsigned kStartOfTilePart = 0xFF90;
     if (tiles == 0 || tiles > stream.size() / kTilePartBytes) return false;
     const auto number = [&](std::size_t at, std::size_t size) {
@@ -72,7 +73,7 @@ std::optional<StreamHeader> readHeader(std::span<const std::byte> bytes) {
             value = value << 8 | std::to_integer<std::uint32_t>(stream[at + i]);
         return value;
     };
-    constexpr std::size_t kSizBytes = 45;  // of SOC and SIZ with one component
+    constexpr std::size_t kSizBytes = 45;  // size of SOC and SIZ with one component
     if (stream.size() < kSizBytes) return {};
     header.columns = number(8, 4) - number(16, 4);
     header.rows = number(12, 4) - number(20, 4);

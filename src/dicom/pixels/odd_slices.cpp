@@ -107,7 +107,8 @@ class OddSlices {
     // The most slices, in a row or in all, that may be wrong by accident.
     std::size_t few() const { return std::max<std::size_t>(2, slices_.size() / 10); }
 
-    // Both neighbours have an image where slice `i` has one value, and resemble each other more than it.
+    // Whether both neighbours have an image where slice `i` has one value, and resemble each other more than
+    // they resemble slice `i`.
     bool isBlankBetween(std::size_t below, std::size_t i, std::size_t above, std::size_t tail) const {
         const auto part = [&](std::size_t of) { return at(of).last(tail); };
         const float blank = at(i).back();
@@ -208,7 +209,7 @@ class OddSlices {
     std::span<const std::size_t> slices_;
     const SliceSamples& samples_;
     std::span<const SliceIntensity> intensities_;
-    std::vector<double> steps_;  // from each slice to the next
+    std::vector<double> steps_;  // difference of each slice from the next
     double typical_ = 0.0;
     std::vector<std::optional<SliceFault>> faults_;
 };

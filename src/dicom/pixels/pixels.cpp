@@ -88,7 +88,7 @@ struct PixelReader::Impl {
     RandomFile file;
     Codec codec = Codec::native;
     PixelDataOutline pixels;
-    FrameIndex index;  // of encapsulated pixel data
+    FrameIndex index;  // frames of encapsulated pixel data
     bool bigEndian = false;
     bool bytesInWords = false;              // big endian, and OW: bytes are swapped too (PS3.5 7.3)
     std::uint64_t datasetOffset = 0;        // where deflated data begin
@@ -149,7 +149,7 @@ Result<void> PixelReader::Impl::open() {
     if (source.inflating()) inflating = std::make_unique<ByteSource>(path, cancel);
     bigEndian = layout.transferSyntaxUid == kBigEndian;
     if (bigEndian && !pixels.encapsulated) {
-        std::array<std::byte, 2> vr{};  // of the element header: tag, VR, two bytes, length
+        std::array<std::byte, 2> vr{};  // VR in the element header: tag, VR, two bytes, length
         if (pixels.offset < 12 || !file.read(pixels.offset - 8, vr)) return damaged();
         bytesInWords = vr == std::array{std::byte{'O'}, std::byte{'W'}};
     }

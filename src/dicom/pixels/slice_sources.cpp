@@ -9,7 +9,7 @@ namespace macula::dicom {
 
 namespace {
 
-constexpr double kSamePlace = 0.01;  // of a slice distance
+constexpr double kSamePlace = 0.01;  // fraction of a slice distance
 
 }  // namespace
 
@@ -32,8 +32,8 @@ UsableSlices withoutFrames(std::span<const SliceSource> slices, std::span<const 
                       .above = above == good.end() ? none : *above,
                       .weight = 0.0};
             if (source.above == none || source.below == none) {
-                if (result.slices.empty()) continue;  // at the beginning
-                break;                                // at the end
+                if (result.slices.empty()) continue;  // a lost slice at the beginning
+                break;                                // a lost slice at the end
             }
             if (places[source.below] >= places[source.above]) source.above = source.below;
             if (source.interpolated()) {

@@ -66,7 +66,7 @@ std::optional<Encoding> encodingOfTerm(std::string_view term) {
     for (const std::string_view prefix : {"ISOIR", "ISO2022IR"}) {
         if (!name.starts_with(prefix)) continue;
         const std::string_view number = std::string_view(name).substr(prefix.size());
-        if (number == "87" || number == "159") return nullptr;  // by escape sequences only
+        if (number == "87" || number == "159") return nullptr;  // only used through escape sequences
         for (const Term& row : kTerms) {
             if (row.number == number) return row.upperHalf;
         }
@@ -312,7 +312,7 @@ class EscapedText {
     std::size_t at_ = 0;
     Lower lower_ = Lower::ascii;
     Encoding upper_ = nullptr;      // G1 now
-    Encoding lastUpper_ = nullptr;  // that an escape sequence designated
+    Encoding lastUpper_ = nullptr;  // the last that an escape sequence designated
     Encoding runEncoding_ = nullptr;
     std::string run_;
     DecodedText result_;

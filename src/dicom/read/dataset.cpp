@@ -220,7 +220,7 @@ std::vector<double> Dataset::allNumbers(Tag tag) const {
 }
 
 std::optional<std::vector<double>> Dataset::numbers(Tag tag, std::size_t count) const {
-    constexpr std::size_t kMostOfANumber = 64;  // of which DS needs 17, with the backslash
+    constexpr std::size_t kMostOfANumber = 64;  // bytes; DS needs 17, with the backslash
     if (find(tag).bytes.size() > (count + 1) * kMostOfANumber) return {};
     auto values = allNumbers(tag);
     if (values.size() != count) return {};
@@ -273,7 +273,7 @@ std::vector<std::uint16_t> Dataset::words(Tag tag) const {
 std::optional<std::uint16_t> Dataset::word(Tag tag) const {
     const auto all = words(tag);
     if (!all.empty()) return all.front();
-    const auto other = integer(tag);  // of another VR, as text
+    const auto other = integer(tag);  // the number in another VR, or as text
     if (!other || *other < std::numeric_limits<std::int16_t>::min() ||
         *other > std::numeric_limits<std::uint16_t>::max())
         return {};

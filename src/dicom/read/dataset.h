@@ -68,7 +68,7 @@ class Dataset {
     // and was read by the fallback of character_set.h.
     bool charsetFallback() const;
 
-    // Where the item begins in its file, by which the records of a DICOMDIR refer to each other; 0 for a top
+    // The offset of the item in its file, by which the records of a DICOMDIR refer to each other; 0 for a top
     // level.
     std::uint32_t offset() const;
 
@@ -105,9 +105,9 @@ struct PixelDataExtent {
     Tag tag{};                  // PixelData, FloatPixelData or DoubleFloatPixelData
     bool encapsulated = false;  // as items of a sequence of fragments (PS3.5 A.4)
     std::uint64_t offset =
-        0;  // of the value, or of the first item; in a deflated file, within the inflated data
+        0;  // where the value or the first item begins; in a deflated file, within the inflated data
     std::uint64_t bytesClaimed = 0;  // 0 when encapsulated
-    std::uint64_t bytesPresent = 0;  // of these, in the file; 0 when encapsulated
+    std::uint64_t bytesPresent = 0;  // those of bytesClaimed that are in the file; 0 when encapsulated
     std::uint64_t fragments = 0;     // and streams: see PixelDataOutline
     std::uint64_t streams = 0;
     bool whole = false;
@@ -118,7 +118,7 @@ struct HeaderFile {
     FileState state = FileState::notDicom;
     std::optional<Dataset> header;                       // when complete or truncated
     std::optional<std::uint64_t> nativePixelBytes = {};  // as the pixel data claim, unless encapsulated
-    std::uint64_t strayBytes = 0;                        // that follow the pixel data and are not elements
+    std::uint64_t strayBytes = 0;                        // bytes after the pixel data that are not elements
     std::optional<PixelDataExtent> pixels = {};
     std::string contradictedSyntaxUid = {};  // see Outline
 };

@@ -121,7 +121,7 @@ class Resolver {
         if (isNew) {
             std::error_code error;
             const fs::path real = fs::canonical(folder_ / folder, error);
-            // Nothing outside is listed either.
+            // A folder outside is not even listed.
             if (!error && liesInside(real, canonical_)) {
                 std::vector<std::string> added;
                 fs::directory_iterator at(real, error);

@@ -295,7 +295,7 @@ class Walk {
                               .length = undefined ? 1 : header.length};
         if (levels_.empty() && isPixelData(header.tag) && !outline_.pixels)
             return stepIntoPixels(header, element, encoding);
-        if (header.tag == tag::kPixelData && undefined) {  // of an icon
+        if (header.tag == tag::kPixelData && undefined) {  // the pixels of an icon
             if (tree_) tree_->add(element);
             return push(header.length, encoding, {.ofFragments = true});
         }
@@ -444,7 +444,7 @@ class Walk {
     std::size_t depth_ = 0;
     bool endedWell_ = false;         // at the end of the file, or past where pixel data are
     std::uint64_t wellUntil_ = 0;    // where the last element of the top level ends
-    bool beforeOffsetTable_ = true;  // of the encapsulated image
+    bool beforeOffsetTable_ = true;  // the next item of the image is its offset table
     std::uint64_t rows_ = 0, columns_ = 0, samples_ = 1, bits_ = 16, frames_ = 1;
 };
 

@@ -23,7 +23,7 @@ struct PixelDataOutline {
     std::uint64_t offset = 0;     // in the file (when deflated, in the inflated data): of the value, or of
                                   // its first item when encapsulated
     std::uint64_t claimed = 0;    // bytes, unless encapsulated
-    std::uint64_t present = 0;    // of these, those that are there
+    std::uint64_t present = 0;    // those of `claimed` that are in the file
     bool whole = false;           // complete, with all fragments
     std::uint64_t fragments = 0;  // encapsulated: after the Basic Offset Table
     // The number of fragments that begin like a stream of JPEG, JPEG-LS, JPEG 2000 or run lengths. Each frame
@@ -47,9 +47,10 @@ struct Outline {
     // The UID of the file meta information; without one, that found from the dataset; and where the pixels
     // are streams of another encoding, one of that encoding.
     std::string transferSyntaxUid;
-    std::string contradictedSyntaxUid;  // of the file meta information, where pixels are encoded otherwise
+    // That of the file meta information, if the pixels have another encoding.
+    std::string contradictedSyntaxUid;
 
-    // Within the bounds of any real object.
+    // Whether the file stays within the bounds of any real object.
     bool isPlausible() const { return !nestedTooDeep && !inflatesTooFar && !headerTooLarge; }
 };
 

@@ -19,7 +19,8 @@ namespace macula::dicom {
 namespace {
 
 constexpr double kSmallBoxBytes = 1e7;
-constexpr double kMostVoxelsPerPixel = 64.0;  // of a box: two small frames far apart could span a huge one
+// Limit for boxes: two small frames far apart could span a huge one.
+constexpr double kMostVoxelsPerPixel = 64.0;
 
 Error notUsable(const Segmentation& segmentation, Text message, Text hint) {
     return {ErrorCode::inputNotUsable, std::move(message), segmentation.file.string(), std::move(hint)};

@@ -20,7 +20,7 @@ enum class SegmentationType {
     labelMap,    // a frame holds segment numbers
 };
 
-// From the first to the last, both included.
+// A range of cell values that includes both ends.
 struct CellRange {
     int first = 0;
     int last = 0;

@@ -12,7 +12,7 @@ namespace macula::dicom {
 namespace {
 
 constexpr double kLongS = 30.0;       // longer than a pause for breath between two parts of one acquisition
-constexpr double kTimesUsual = 20.0;  // of the pause between neighbours
+constexpr double kTimesUsual = 20.0;  // times the usual pause between neighbours
 constexpr std::size_t kMostGaps = 4;  // more are normal for that scanner
 constexpr double kSecondsOfMinute = 60.0;
 
@@ -48,7 +48,7 @@ void tellAcquiredApart(Stack& stack, const SplitRules& rules) {
     std::vector<double> sorted = pauses;
     std::ranges::sort(sorted);
     const double usual = sorted[sorted.size() / 2];
-    std::vector<std::size_t> begins;  // of all parts but the first
+    std::vector<std::size_t> begins;  // the first frame of each part but the first
     double longest = 0.0;
     for (std::size_t n = 0; n < pauses.size(); ++n) {
         if (pauses[n] <= std::max(kLongS, kTimesUsual * usual)) continue;

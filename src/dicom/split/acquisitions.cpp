@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kToleranceOfStep = 0.02;
 constexpr std::size_t kMostLattices = 6;
-constexpr std::size_t kLeastFrames = 3;  // of a lattice
+constexpr std::size_t kLeastFrames = 3;  // in a lattice
 
 // Assigns frames, added in ascending order, to lattices that all have one step.
 class Lattices {

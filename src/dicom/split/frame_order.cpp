@@ -21,7 +21,7 @@ void unwrapMidnight(Values& seconds) {
     }
     std::ranges::sort(sorted);
     double longest = kSecondsOfDay / 2.0;
-    std::optional<double> begin;  // of the first day
+    std::optional<double> begin;  // the first time of the first day
     for (std::size_t n = 1; n < sorted.size(); ++n) {
         if (sorted[n] - sorted[n - 1] <= longest) continue;
         longest = sorted[n] - sorted[n - 1];

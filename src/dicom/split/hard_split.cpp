@@ -142,7 +142,7 @@ bool areOneAfterAll(const std::string& name, HardPart& part, const Partition& pa
 // (a rotation of projections, a localizer in three planes).
 void joinLoners(std::vector<HardPart>& parts) {
     static const std::set<std::string> kPlacement = {"ImageOrientationPatient", "PixelSpacing"};
-    std::map<std::string, std::size_t> homes;  // by all other labels
+    std::map<std::string, std::size_t> homes;  // index in `result`, by all other labels
     std::vector<HardPart> result;
     for (HardPart& part : parts) {
         if (part.frames.size() != 1) {

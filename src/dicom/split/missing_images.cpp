@@ -334,8 +334,8 @@ class StudyImages {
 
     std::vector<Series>& series_;
     const AbsentImages& absent_;
-    std::vector<std::set<int>> numbers_;      // of each series, of all its images
-    std::vector<std::set<int>> ofVolumes_;    // of each series, of its candidates
+    std::vector<std::set<int>> numbers_;      // image numbers of each series
+    std::vector<std::set<int>> ofVolumes_;    // image numbers of the candidates of each series
     std::vector<Acquisitions> acquisitions_;  // of each series
     std::vector<Candidate> candidates_;
 };

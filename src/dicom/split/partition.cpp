@@ -40,7 +40,7 @@ std::map<std::string, std::size_t, std::less<>> classesOf(const Attribute& attri
     values.erase(std::unique(values.begin(), values.end()), values.end());
     std::sort(values.begin(), values.end(), before);
     std::map<std::string, std::size_t, std::less<>> classes;
-    std::vector<std::string_view> first;  // of each class
+    std::vector<std::string_view> first;  // the first value of each class
     // A single number is near the class just before it, if any. Vectors have no such order, and are compared
     // with many classes.
     const bool ordered = attribute.kind == Attribute::Kind::number;

@@ -10,7 +10,7 @@ namespace macula::dicom {
 
 namespace {
 
-constexpr double kDirectionTolerance = 1e-3;  // of unit length and perpendicularity
+constexpr double kDirectionTolerance = 1e-3;  // deviation from unit length and perpendicularity
 constexpr double kExactDirection = 1e-4;      // files often have 5 or 6 decimals; beyond this it is repaired
 constexpr double kSameDirection = 1e-4;       // per component, between slices
 constexpr double kSameSpacing = 1e-4;         // relative

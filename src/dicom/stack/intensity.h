@@ -1,6 +1,6 @@
-// From pixel cells to the voxels of a Volume: bits and sign (PS3.5 8.1.1), rescale and modality LUT (PS3.3
-// C.11.1), padding (PS3.3 C.7.5.1.1.2). Pure functions; values are kept, never windowed, and MONOCHROME1 is
-// not inverted (it says how to draw a value, not what it is).
+// Converts pixel cells to the voxels of a Volume: bits and sign (PS3.5 8.1.1), rescale and modality LUT
+// (PS3.3 C.11.1), padding (PS3.3 C.7.5.1.1.2). Pure functions; values are kept, never windowed, and
+// MONOCHROME1 is not inverted (it says how to draw a value, not what it is).
 #pragma once
 
 #include <array>

@@ -29,7 +29,7 @@ struct Stack {
     // Ascending along the slice normal when they have positions, otherwise by SliceLocation, otherwise by
     // number.
     std::vector<Frame> frames;
-    std::vector<SliceSource> slices;  // of the volume, from `frames`; empty when there is none
+    std::vector<SliceSource> slices;  // slices of the volume, made from `frames`; empty when there is none
 
     int columns = 0;
     int rows = 0;

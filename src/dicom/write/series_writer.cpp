@@ -69,7 +69,7 @@ void registerEncoders() {
     });
 }
 
-// All that is the same in every file of the series.
+// The data that every file of the series shares.
 struct Common {
     bool isCt = true;
     bool isSigned = false;

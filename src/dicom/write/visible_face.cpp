@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 26> kBelowTheChest{
     "KIDNEY",  "KNEE",          "LEG",    "LIVER",   "LOWERLEG", "LSPINE", "PANCREAS", "PELVIS", "PROSTATE",
     "RECTUM",  "SACRUM",        "SPLEEN", "SSPINE",  "THIGH",    "TOE",    "UPPERLEG", "UTERUS"};
 
-constexpr double kHighestMm = 600.0;  // of a tall patient from the diaphragm to the thigh
+constexpr double kHighestMm = 600.0;  // a tall patient from the diaphragm to the thigh
 
 }  // namespace
 

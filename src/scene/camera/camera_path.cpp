@@ -17,7 +17,7 @@ namespace macula::scene {
 namespace {
 
 constexpr double kLongestS = 3600.0;
-constexpr double kStopEveryDeg = 5.0;  // of a turntable: between two stops the eye follows an arc
+constexpr double kStopEveryDeg = 5.0;  // stops of a turntable, between which the eye follows an arc
 
 // From unit vector `a` to `b` by the shorter way, at constant speed.
 glm::dvec3 turned(const glm::dvec3& a, const glm::dvec3& b, double t) {
@@ -94,7 +94,7 @@ std::optional<Camera> smoothly(const std::vector<CameraPath::Stop>& stops, std::
     const double spanS = stops[from + 1].atS - stops[from].atS;
     OnTurntable now;
     for (std::size_t v = 0; v < now.values.size(); ++v) {
-        const auto slope = [&](std::size_t i) {  // of the piece that begins at stop i
+        const auto slope = [&](std::size_t i) {  // slope and duration of the piece that begins at stop i
             const double seconds = stops[first + i + 1].atS - stops[first + i].atS;
             return std::pair((around[i + 1].values[v] - around[i].values[v]) / seconds, seconds);
         };

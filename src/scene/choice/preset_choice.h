@@ -1,4 +1,4 @@
-// From what the user typed after --preset to a transfer function.
+// Converts what the user typed after --preset to a transfer function.
 #pragma once
 
 #include <string>

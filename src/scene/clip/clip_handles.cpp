@@ -15,7 +15,7 @@ namespace {
 
 using Kind = ClipHandle::Kind;
 
-constexpr double kOnFace = 1e-6;  // of the volume's diagonal
+constexpr double kOnFace = 1e-6;  // fraction of the volume's diagonal
 constexpr double kAcross =
     0.1;  // the sine of an angle: a plane nearer to parallel with the slice makes no line on it
 constexpr double kInsetPx = 12.0;  // from the border of the picture, so that handles are seen whole

@@ -13,8 +13,8 @@ namespace macula::scene {
 
 struct ClipHandle {
     enum class Kind {
-        face,         // of the kept box: keptBox
-        removedFace,  // of a box that is removed
+        face,         // a face of keptBox
+        removedFace,  // a face of a box that is removed
         plane,        // an oblique plane of the clip
         eye,          // the plane of the EyeCut
         corner,

@@ -1,4 +1,4 @@
-// From a clip shape in mm, as made in the headset, to a clip that a study can store.
+// Converts a clip shape in mm, as made in the headset, to a clip that a study can store.
 #pragma once
 
 #include "scene/clip/kept_box.h"

@@ -11,7 +11,7 @@ namespace {
 using Polygon = std::vector<glm::dvec3>;
 
 constexpr double kSamePoint = 1e-9;  // in diagonals of the box
-constexpr double kNoArea = 1e-12;    // in their squares
+constexpr double kNoArea = 1e-12;    // in squared diagonals
 
 // One step of Sutherland-Hodgman clipping: the part of the polygon on the inner side of one face.
 Polygon within(const Polygon& polygon, const Box& box, Face face) {

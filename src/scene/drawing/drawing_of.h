@@ -1,4 +1,4 @@
-// From the state of a study to its drawing.
+// Makes the drawing of a study from its state.
 #pragma once
 
 #include <memory>

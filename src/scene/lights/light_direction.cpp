@@ -8,9 +8,9 @@ namespace macula::scene {
 namespace {
 
 constexpr double kHalfTurnDeg = 180.0;
-constexpr double kRadius = 0.92;  // of the dome, in halves of the picture's shorter side
+constexpr double kRadius = 0.92;  // radius of the dome, in halves of the picture's shorter side
 
-// Its columns are right, up and towards azimuth 0 of the rig, before the lights are turned.
+// The columns are the directions right, up and towards azimuth 0 of the rig, before the lights are turned.
 glm::dmat3 worldFromRig(const LightStand& stand) {
     if (stand.frame == trace::LightFrame::camera) return {stand.eye.right, stand.eye.up, -stand.eye.forward};
     return {glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, -1, 0)};  // Left, Superior, Anterior

@@ -35,10 +35,10 @@ struct SegmentSettings {
     std::uint16_t number = 1;
     bool isVisible = true;                                // on slices
     std::optional<std::array<std::uint8_t, 3>> rgb = {};  // sRGB; nothing: what the file recommends
-    double opacity = kUsualSegmentOpacity;                // of the fill on slices
+    double opacity = kUsualSegmentOpacity;                // opacity of the fill on slices
     In3d in3d = In3d::asIs;
     bool isColouredIn3d = false;  // the matter in it takes the segment's colour
-    double opacityIn3d = 1.0;     // of a coloured segment: share of its extinction that is left
+    double opacityIn3d = 1.0;     // share of the extinction that a coloured segment keeps
 
     bool operator==(const SegmentSettings&) const = default;
 };

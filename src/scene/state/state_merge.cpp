@@ -41,8 +41,8 @@ bool takeOne(Json& list, const Json& value) {
 }
 
 Json mergedList(const Json& base, const Json& mine, const Json& theirs) {
-    Json removed = base.is_array() ? base : Json::array();  // by us
-    Json added = Json::array();                             // likewise
+    Json removed = base.is_array() ? base : Json::array();  // removed by `mine`
+    Json added = Json::array();                             // added by `mine`
     for (const Json& item : mine) {
         if (!takeOne(removed, item)) added.push_back(item);
     }

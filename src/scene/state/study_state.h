@@ -66,7 +66,8 @@ struct SliceState {
 struct StudyState {
     // LoadedStudy::seriesDigest of the volume. Empty: whichever is open.
     std::string seriesDigest = {};
-    std::optional<SavedGrid> grid = {};  // of a saved view; none: any grid of the series
+    // The grid that a saved view was made on; none: any grid of the series.
+    std::optional<SavedGrid> grid = {};
     // Null: the default of the volume (presets::defaultTransfer). The preset may ask for a fit to the volume,
     // which is made when it is drawn.
     std::shared_ptr<const TransferFunction> preset = {};

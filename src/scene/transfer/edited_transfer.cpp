@@ -14,7 +14,7 @@ namespace macula::scene {
 namespace {
 
 constexpr double kLargest = presets::kLargestValue;
-constexpr double kLargestFactor = 1e6;  // of one stretch
+constexpr double kLargestFactor = 1e6;  // the largest factor of one stretch
 
 double inRange(double value) {
     return std::clamp(value, -kLargest, kLargest);
@@ -65,7 +65,7 @@ bool hasRangeOfItsOwn(const TransferFunction& function) {
     return function.effectiveRange && !function.fitToVolume;
 }
 
-// From the first point of any curve to the last of any.
+// The range from the first point of any curve to the last point of any.
 ValueRange spanOf(const TransferFunction& function) {
     MACULA_CHECK(!function.opacity.empty() && !function.colour.empty());
     ValueRange span{function.opacity.front().value, function.opacity.back().value};

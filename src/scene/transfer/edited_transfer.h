@@ -24,7 +24,7 @@ TransferFunction recoloured(TransferFunction function, std::size_t index, const 
 
 struct Added {
     TransferFunction function;
-    std::optional<std::size_t> index = {};  // of the new point; nothing: no room, or not finite
+    std::optional<std::size_t> index = {};  // index of the new point; nothing: no room, or not finite
 };
 // A curved piece that gets a new point becomes two straight ones. A point on a straight piece does not change
 // the picture.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostBins = 16384;
 constexpr std::size_t kBetweenLooks = 1 << 16;  // voxels between checks of the token
-constexpr double kEdge = 1e-9;                  // of a bin
+constexpr double kEdge = 1e-9;                  // fraction of a bin
 
 std::size_t strideFor(const Volume& volume, std::size_t most) {
     std::size_t stride = (volume.voxelCount() + most - 1) / most;

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kDerivedFrom = "derivedFrom";
-constexpr std::size_t kLongestStem = 48;  // of a name, which has at most 64 letters
+constexpr std::size_t kLongestStem = 48;  // bytes; a name has at most 64
 
 Json documentOf(const TransferFunction& function) {
     Json document = Json::parse(function.document, nullptr, false);

@@ -22,7 +22,7 @@ struct StudyRow {
         patient,
         study,
         series,
-        stack,  // of a series that has several
+        stack,  // one of several stacks of a series
         presentation,
         leftOut,  // files that are in no other row, or why
     };

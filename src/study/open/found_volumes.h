@@ -24,7 +24,7 @@ class FoundVolumes {
   public:
     enum class Extent {
         whole,
-        soFar,  // of a scan that still runs: series without stacks, and no volumes
+        soFar,  // the scan still runs: series without stacks, and no volumes
     };
     explicit FoundVolumes(dicom::Scan scan, Extent extent = Extent::whole);
     FoundVolumes(const FoundVolumes&) = delete;

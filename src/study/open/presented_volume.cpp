@@ -49,7 +49,8 @@ Wanted::const_iterator find(const Wanted& wanted, const dicom::Instance& image, 
 std::size_t imagesIn(const dicom::OtherObject& object, const dicom::Stack& stack, Referred referred,
                      const dicom::StandInUids& standIns) {
     const Wanted& wanted = object.presentation->images;
-    const dicom::Instance* instance = nullptr;  // of `image`: frames of one file follow each other
+    // The instance of `image`: frames of one file follow each other.
+    const dicom::Instance* instance = nullptr;
     auto image = wanted.end();
     return std::size_t(std::ranges::count_if(stack.frames, [&](const dicom::Frame& frame) {
         if (frame.instance.get() != instance) {
