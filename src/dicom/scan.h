@@ -74,7 +74,7 @@ struct ScanOptions {
 Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress,
                         const ScanOptions& options = {});
 
-// "2 patients"; "up to 2 patients" when two studies name no patient, and may be of one.
+// "2 patients"; "up to 2 patients" when two studies name no patient, and may belong to one.
 Text patientsText(const Scan& scan);
 
 // Whether the two patients (Study::patient) may be one, so that a series UID may belong to both: they are the

@@ -20,7 +20,7 @@ struct PatientMask {
     LabelMap map;                   // on the volume's grid; kPatient or 0; its messages are those below
     std::vector<Message> messages;  // what was removed, or why nothing was: docs/table-removal.md
     bool tableFound = false;
-    int removedParts = 0;  // connected, of 1 mL and more
+    int removedParts = 0;  // connected parts of at least 1 mL
     double removedMl = 0.0;
     double patientMl = 0.0;  // with lungs and bowel gas
     Confidence confidence = Confidence::none;

@@ -18,7 +18,7 @@ std::uint32_t doubleWord(std::span<const std::byte> b) {
 struct Items {
     std::vector<std::uint64_t> offsetTable;
     std::vector<Extent> fragments;
-    bool whole = false;       // up to the sequence delimiter
+    bool whole = false;       // the items reach the sequence delimiter
     bool endsInside = false;  // the file ends inside an item
 
     // The offset of a fragment's item from the first item, as offset tables have it.

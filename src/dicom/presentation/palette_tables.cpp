@@ -36,7 +36,8 @@ class Segments {
         if (from >= at) return false;  // only earlier segments
         at += 4;
         for (std::size_t i = 0; i < segments; ++i) {
-            if (from >= words_.size() || !direct(from)) return false;  // which must not be indirect
+            // A segment of these must not be indirect.
+            if (from >= words_.size() || !direct(from)) return false;
         }
         return true;
     }

@@ -108,7 +108,7 @@ struct PixelDataExtent {
         0;  // where the value or the first item begins; in a deflated file, within the inflated data
     std::uint64_t bytesClaimed = 0;  // 0 when encapsulated
     std::uint64_t bytesPresent = 0;  // those of bytesClaimed that are in the file; 0 when encapsulated
-    std::uint64_t fragments = 0;     // and streams: see PixelDataOutline
+    std::uint64_t fragments = 0;     // fragments and streams as in PixelDataOutline
     std::uint64_t streams = 0;
     bool whole = false;
     bool repeated = false;

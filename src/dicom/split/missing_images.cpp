@@ -14,7 +14,7 @@ namespace macula::dicom {
 
 namespace {
 
-constexpr int kLocalizers = 2;  // from the front and from the side
+constexpr int kLocalizers = 2;  // usually one from the front and one from the side
 constexpr int kHundred = 100;
 
 // A stack that can be checked for missing images: a volume of files with one frame each.

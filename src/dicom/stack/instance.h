@@ -65,8 +65,7 @@ struct Frame {
     bool hasOrientation = false;
     bool orientationContradicted = false;  // the letters of PatientOrientation contradict it
     PixelSpacingSource spacingSource = PixelSpacingSource::none;
-    bool isInVolumeFrame =
-        false;  // ultrasound: placed in a coordinate system of the transducer, not of the patient
+    bool isInVolumeFrame = false;      // ultrasound: placed relative to the transducer, not the patient
     bool isPlacedByOrder = false;      // placed by its frame number: see frameOffsets
     bool numbersRepaired = false;      // numbers of its position were malformed, but readable
     std::string_view malformedNumber;  // the keyword of such numbers that cannot be read; empty if all can

@@ -32,8 +32,8 @@ Tag tagOf(const std::string& text) {
     return {hex(0), hex(5)};
 }
 
-// One tag; two with a plus, the second with the first before it; with a slash, the second in an item of the
-// first; or with a minus, a tag and what may have been added to its number.
+// Parses one tag, or two: with a plus, the text of the first goes before that of the second; with a slash,
+// the second is in an item of the first; or, with a minus, a tag and the bias of its number.
 Attribute::Source sourceOf(const std::string& text) {
     const std::size_t minus = text.find('-');
     if (minus != std::string::npos) {

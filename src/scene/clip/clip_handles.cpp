@@ -15,9 +15,8 @@ namespace {
 
 using Kind = ClipHandle::Kind;
 
-constexpr double kOnFace = 1e-6;  // fraction of the volume's diagonal
-constexpr double kAcross =
-    0.1;  // the sine of an angle: a plane nearer to parallel with the slice makes no line on it
+constexpr double kOnFace = 1e-6;   // fraction of the volume's diagonal
+constexpr double kAcross = 0.1;    // the sine of the least angle at which a plane makes a line on a slice
 constexpr double kInsetPx = 12.0;  // from the border of the picture, so that handles are seen whole
 
 struct Segment {

@@ -19,7 +19,8 @@ inline constexpr const char* kOwnClipName = "own";
 Result<OptionalClip> withFace(const OptionalClip& clip, Face face, double atMm, const Volume& volume);
 Result<OptionalClip> withFaceOpen(const OptionalClip& clip, Face face, const Volume& volume);
 
-// Also removes all that lies further to that side than the point. Fails if nothing that is kept lies there.
+// Also removes everything that lies farther to that side than the point. Fails if nothing that is kept lies
+// there.
 Result<OptionalClip> withSideRemoved(const OptionalClip& clip, Face side, const glm::dvec3& pointMm,
                                      const Volume& volume);
 
