@@ -263,7 +263,7 @@ Series finish(SeriesInProgress& place, const CancelToken& cancel) {
     return series;
 }
 
-// The argument of messages about scattered images, before files are sorted into series.
+// The argument of messages about scattered images, which are made before files are sorted into series.
 TextArgument levels(const Scattered& scattered) {
     return {"level", scattered.levels};
 }

@@ -152,7 +152,7 @@ void noteLackOfMemory(const char* text, void* lacksMemory) {
     if (text != nullptr && std::strstr(text, "memory") != nullptr) *static_cast<bool*>(lacksMemory) = true;
 }
 
-// The library's handles are all of one type.
+// The library's handles are all void pointers, so each kind needs a deleter of its own.
 struct DestroyCodec {
     void operator()(opj_codec_t* codec) const { opj_destroy_codec(codec); }
 };

@@ -18,7 +18,7 @@ class Segments {
     std::optional<std::vector<std::uint16_t>> expand() {
         std::size_t at = 0;
         while (at < words_.size()) {
-            if (words_.size() - at == 1 && words_[at] == 0) break;  // to an even length
+            if (words_.size() - at == 1 && words_[at] == 0) break;  // padding to an even length
             if (!any(at)) return {};
         }
         if (entries_.size() != count_) return {};
@@ -78,7 +78,7 @@ std::vector<std::uint16_t> entriesOf(std::vector<std::uint16_t> words, std::size
         }
         words = std::move(entries);
     }
-    if (words.size() == count + 1) words.pop_back();  // to an even length
+    if (words.size() == count + 1) words.pop_back();  // padding to an even length
     return words;
 }
 

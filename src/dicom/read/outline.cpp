@@ -442,7 +442,7 @@ class Walk {
     std::optional<std::uint64_t> groupEnd_;
     std::vector<Level> levels_;
     std::size_t depth_ = 0;
-    bool endedWell_ = false;         // at the end of the file, or past where pixel data are
+    bool endedWell_ = false;         // the walk ended at the end of the file, or past the pixel data
     std::uint64_t wellUntil_ = 0;    // where the last element of the top level ends
     bool beforeOffsetTable_ = true;  // the next item of the image is its offset table
     std::uint64_t rows_ = 0, columns_ = 0, samples_ = 1, bits_ = 16, frames_ = 1;

@@ -88,7 +88,7 @@ Partition partitionByRuns(std::span<const std::optional<double>> values, std::si
         sorted.emplace_back(*values[i], i);
     }
     std::ranges::sort(sorted);
-    std::vector<std::pair<double, std::size_t>> pauses;  // and the frame after it
+    std::vector<std::pair<double, std::size_t>> pauses;  // each pause, and the frame after it
     for (std::size_t i = 1; i < sorted.size(); ++i) {
         const double pause = sorted[i].first - sorted[i - 1].first;
         if (pause > 0.0) pauses.emplace_back(pause, i);

@@ -57,7 +57,7 @@ Partition RunSplitter::runsOf(const Stack& whole, std::size_t attribute, Grade l
 
 // Divides one run further, or returns it alone.
 Partition RunSplitter::runsWithin(const Stack& whole, const Part& run, std::size_t attribute) const {
-    // Frames of a volume keep the order that they have along the whole stack.
+    // Only for a volume, because makeStack keeps the order of its frames, so that indices in `finer` fit.
     if (tryOut(whole.frames, {run}).front().grade == Grade::none) return {run};
     std::vector<Frame> frames;
     for (const std::size_t index : run.frames) frames.push_back(whole.frames[index]);

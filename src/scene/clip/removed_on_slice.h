@@ -12,8 +12,8 @@ namespace macula::scene {
 
 using Contour = std::vector<glm::dvec2>;  // closed
 
-// Within the picture the contours wind around what box, planes, corner and ball of the clip remove (shows); a
-// ball is a polygon of kBallSides. Empty for an unusable frame.
+// Within the picture the contours wind around what box, planes, corner and ball of the clip remove, by the
+// rules of shows(); a ball is a polygon of kBallSides. Empty for an unusable frame.
 inline constexpr int kBallSides = 128;
 std::vector<Contour> removedContours(const Clip& clip, const slices::SliceFrame& frame);
 

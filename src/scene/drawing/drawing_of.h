@@ -17,7 +17,7 @@
 namespace macula::scene {
 
 // The settings that a state is drawn with: a ray cast is shaded if both the preset and the state ask for it,
-// and a projection has the window of the state, or else that of the series. Without a volume no window is
+// and a projection has the window of the state, otherwise that of the series. Without a volume no window is
 // set.
 trace::Settings settingsOf(const StudyState& state, const SeriesWindows& seriesWindows, const Volume* volume);
 
