@@ -17,7 +17,7 @@ auto rankOf(const Stack& stack) {
     constexpr std::size_t kFewSlices =
         20;  // an original of fewer is a scout or a sample rather than the study
     const bool original = isOriginalPrimary(stack) && stack.frames.size() >= kFewSlices;
-    // CT says AXIAL; other modalities seldom do, and lose nothing by it against each other.
+    // CT images say AXIAL. Other modalities seldom do, so among themselves this changes nothing.
     return std::tuple(original, original && isAxial(stack), stack.isEven(),
                       std::size_t(stack.columns) * std::size_t(stack.rows) * stack.slices.size());
 }
@@ -26,7 +26,7 @@ struct Candidates {
     ChosenStack best;
     std::size_t volumes = 0;
     std::size_t stacks = 0;
-    const Stack* blocked = nullptr;  // the largest
+    const Stack* blocked = nullptr;  // the largest stack that is not a volume
 
     void add(const Series& series, std::span<const Stack* const> without = {}) {
         for (const Stack& stack : series.stacks) {
@@ -44,7 +44,7 @@ struct Candidates {
         }
     }
 
-    // `place` is said behind what there is: empty, or with a blank before it.
+    // `place` ends the sentence on what there is: empty, or text that begins with a blank.
     ChosenStack choose(const Text& place) {
         if (best) {
             best.why = volumes == 1 ? Text("The only volume{}.", place) : whyBest(place);
@@ -88,7 +88,7 @@ ChosenStack bestVolume(const Scan& scan, std::span<const Stack* const> without) 
         for (const Series& series : study.series) candidates.add(series, without);
     }
     if (!candidates.best) {
-        // The question whether to join is the reason to tell, not that each series has only one image.
+        // Gives the question whether to join as the reason, not that each series has only one image.
         for (const Message& message : scan.messages) {
             if (message.key == key::kUidPerSlice)
                 return {.series = nullptr,

@@ -34,7 +34,7 @@ Result<void> check(const Instance& instance) {
     return {};
 }
 
-// With the padding that loadVolume would take for it.
+// The intensity of the frame, with the padding that loadVolume would use.
 SliceIntensity intensityOf(const Stack& stack, std::size_t frame) {
     std::vector<SliceIntensity> all;
     std::size_t own = 0;
@@ -52,7 +52,7 @@ Result<LoadedFrame> decode(const Stack& stack, std::size_t frame, const CancelTo
     MACULA_TRY_VOID(check(instance));
     const std::size_t count =
         static_cast<std::size_t>(instance.columns) * static_cast<std::size_t>(instance.rows);
-    // The cells as in the file, at most as wide as a double, are beside the values.
+    // The cells of the file, each at most as wide as a double, are in memory together with the values.
     const std::uint64_t bytes = std::uint64_t{count} * (sizeof(float) + sizeof(double));
     if (const auto available = availableMemory(); available && bytes > *available)
         return notEnoughMemory(bytes, *available);

@@ -44,7 +44,7 @@ Result<void> check(const Stack& stack) {
     return {};
 }
 
-// Where the frames lie on the grid of slices.
+// The position of each frame on the grid, in slices.
 std::vector<double> placesOf(const Stack& stack) {
     const glm::dmat4 voxelFromWorld = glm::inverse(*stack.worldFromVoxel);
     std::vector<double> places;
@@ -58,7 +58,7 @@ std::vector<double> placesOf(const Stack& stack) {
     return places;
 }
 
-// Body Part Examined where all images say the same; else empty.
+// Body Part Examined if all images agree; otherwise empty.
 std::string bodyPartOf(const Stack& stack) {
     const std::vector<Attribute>& attributes = splitRules().attributes;
     const auto named = std::ranges::find(attributes, "BodyPartExamined", &Attribute::name);
@@ -74,14 +74,15 @@ std::string bodyPartOf(const Stack& stack) {
     return isSame ? part : std::string();
 }
 
-// Of values that are Bq/mL, or SUV already.
+// The SUV factor of a stack whose values are Bq/mL, or SUV already.
 std::optional<double> suvFactorOf(const Stack& stack) {
     const ValueUnit unit = valueUnit(stack.modality, stack.frames);
     const bool isSuv = unit.unit == Unit::other && unit.name == kGramsPerMillilitre;
     return isSuv || unit.unit == Unit::becquerelsPerMillilitre ? stack.suvFactor : std::nullopt;
 }
 
-// LINEAR counts in steps of one (PS3.3 C.11.2.1.2.1), which other units do not have.
+// The window in SUV. LINEAR subtracts one stored step from the width (PS3.3 C.11.2.1.2.1), which SUV does not
+// have, so it becomes LINEAR_EXACT.
 DisplayWindow timesSuv(const DisplayWindow& window, double factor) {
     DisplayWindow scaled = window;
     const bool isLinear = window.function.empty() || window.function == "LINEAR";
@@ -111,8 +112,7 @@ class Loading {
         loose_ = static_cast<std::size_t>(std::ranges::count(ownSlice_, kNone));
     }
 
-    // The peak memory: all decoded voxels, and beside them samples, first the coarse volume, later the
-    // narrowed one.
+    // The peak memory: all decoded voxels, samples, and first the coarse volume, later the narrowed one.
     std::uint64_t bytesNeeded(const LoadOptions& options) const {
         const std::uint64_t cell = isFloat() ? sizeof(float) : sizeof(std::uint16_t);
         const std::uint64_t slices = stack_.slices.size();
@@ -131,7 +131,7 @@ class Loading {
     bool makesCoarse(const LoadOptions& options) const {
         return options.onCoarse && stack_.slices.size() >= kLeastForCoarse;
     }
-    // The first slices of the stack are lost, so that the volume's are numbered otherwise.
+    // Whether the first slices of the stack are lost, so that slices of the volume have other numbers.
     bool isRenumbered() const { return usable_.first > 0; }
     bool isFloat() const { return plan_.format == VoxelFormat::float32; }
     UnitsFromStored inShownUnits(const UnitsFromStored& map) const {
@@ -166,12 +166,12 @@ class Loading {
 
     const Series& series_;
     const Stack& stack_;
-    const std::optional<double> suv_;  // of a value; nothing: values stay as they are
+    const std::optional<double> suv_;  // SUV = factor * value; nothing: values stay as they are
     std::vector<SliceIntensity> intensities_;
     IntensityPlan plan_;
     std::vector<double> places_;
-    std::vector<std::size_t> ownSlice_;  // of each frame: the slice that it is; kNone when it is none
-    std::size_t loose_ = 0;              // frames that only others are blended from
+    std::vector<std::size_t> ownSlice_;  // the slice that each frame is; kNone for a frame that is no slice
+    std::size_t loose_ = 0;              // frames that are not slices, but from which slices are interpolated
 
     std::vector<std::uint16_t> stored_;
     std::vector<std::uint16_t> looseStored_;
@@ -180,13 +180,13 @@ class Loading {
     std::vector<std::span<std::uint16_t>> storedFrames_;
     std::vector<std::span<float>> valueFrames_;
 
-    SliceSamples samples_;  // of the frames
+    SliceSamples samples_;  // one entry for each frame
     UsableSlices usable_;
     std::vector<Text> assumptions_;
     std::vector<Message> messages_;
 };
 
-// Where each frame is decoded to: the slice that it is, or a buffer of its own.
+// The target of each frame: the slice that it is, or a buffer of its own.
 template <class T>
 std::vector<std::span<T>> spansOf(std::vector<T>& voxels, std::vector<T>& loose, std::size_t sliceVoxels,
                                   std::span<const std::size_t> ownSlice, std::size_t none) {
@@ -212,8 +212,8 @@ void Loading::allocate() {
     }
 }
 
-// The order of decoding. Frames that every fourth slice needs come first. Within that, the frames of one file
-// as they are stored: a deflated one can only be read forward.
+// The order of decoding. Frames that every fourth slice needs come first. Within both groups, frames of one
+// file keep their order, because a deflated file can only be read forward.
 std::vector<std::size_t> Loading::order(std::size_t& coarseCount) const {
     std::vector<bool> first(stack_.frames.size(), false);
     for (std::size_t k = 0; k < stack_.slices.size(); k += kCoarseStep)
@@ -249,7 +249,7 @@ VolumeOptions Loading::describe(std::size_t first, std::size_t step,
     affine[3] = affine * glm::dvec4(0.0, 0.0, static_cast<double>(first), 1.0);
     affine[2] *= static_cast<double>(step);
     const ValueUnit unit = valueUnit(stack_.modality, stack_.frames);
-    // Windows of the file are over rescaled values, not over those of a real world value mapping.
+    // Windows of the file apply to rescaled values, not to those of a real world value mapping.
     const Frame& middle = stack_.frames[stack_.frames.size() / 2];
     VolumeOptions options{.size = {stack_.columns, stack_.rows, static_cast<int>(slices.size())},
                           .worldFromVoxel = affine,
@@ -285,8 +285,8 @@ VolumeOptions Loading::describe(std::size_t first, std::size_t step,
     return options;
 }
 
-// A coarse volume from those of `frames` that could be decoded; null when there are too few. Looks at no
-// other frame.
+// A coarse volume from those of `frames` that could be decoded; null when there are too few. Reads the state
+// of no other frame.
 std::shared_ptr<const Volume> Loading::coarse(std::span<const std::size_t> frames,
                                               const FrameDecoder& decoder) const {
     std::vector<bool> usable(stack_.frames.size(), false);
@@ -317,7 +317,7 @@ std::shared_ptr<const Volume> Loading::coarse(std::span<const std::size_t> frame
     return std::make_shared<const Volume>(std::move(*volume));
 }
 
-// Takes out what could not be decoded, and says so.
+// Removes frames that could not be decoded or are wrong, and adds messages on them.
 Result<void> Loading::drop(const FrameDecoder& decoder) {
     const std::size_t count = stack_.frames.size();
     std::vector<bool> usable(count);
@@ -369,7 +369,7 @@ Result<void> Loading::drop(const FrameDecoder& decoder) {
     return {};
 }
 
-// Makes the slices that are no frame, and sheds the ends that are lost.
+// Interpolates the slices that have no frame, and cuts off the ends that are lost.
 template <class T>
 void Loading::finish(std::vector<T>& voxels, std::span<const std::span<T>> frames, Progress& progress) {
     const std::size_t count = sliceVoxels();
@@ -387,7 +387,7 @@ void Loading::finish(std::vector<T>& voxels, std::span<const std::span<T>> frame
     voxels.resize(usable_.slices.size() * count);
 }
 
-// Looks at the longest run of slices that are images.
+// Warns if slices alternate in the longest run without an interpolated slice.
 void Loading::tellAlternation() {
     std::vector<std::span<const float>> longest;
     std::vector<std::span<const float>> run;
@@ -441,7 +441,7 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
                 if (auto volume = coarse(std::span(frames).first(coarseCount), decoder))
                     options.onCoarse(std::move(volume));
             } catch (const CheckFailure&) {
-                throw;       // a mistake of ours, and none of the file
+                throw;       // a bug in Macula, not a fault of the file
             } catch (...) {  // no memory, or no more threads
                 // Then the whole volume is the first to be shown, or reports the error.
             }

@@ -47,7 +47,7 @@ struct SeriesInProgress {
     std::vector<Frame> frames;
     std::map<std::string_view, std::size_t> leftOut;  // files that belong here and cannot be used, by reason
     std::size_t framesMissing = 0;
-    std::size_t framesClaimed = 0;  // of the files with missing ones
+    std::size_t framesClaimed = 0;  // frames claimed by the files that lack some
     std::size_t withoutSopClass = 0;
     bool charsetFallback = false;
 };
@@ -58,11 +58,11 @@ struct StudyInProgress {
         series;  // by UID, by folder if it has none
 };
 
-// Studies are kept by patient too: two patients are never mixed into one volume, whatever their UIDs say. A
+// Studies are keyed by patient too: two patients are never mixed into one volume, whatever their UIDs say. A
 // series without UID is held together by its folder.
 using Studies = std::map<std::pair<std::string, PatientIdentity>, StudyInProgress>;  // by UID and patient
 
-// Why the file cannot be used, if so.
+// The reason why the file cannot be used, if there is one.
 std::optional<std::string_view> reasonToSkip(const Examination& found) {
     switch (found.state) {
         case FileState::unreadable:
@@ -112,7 +112,8 @@ SeriesInProgress& placeOf(Studies& studies, const fs::path& file, const Examinat
     return place->second;
 }
 
-// A disc's own list of its files serves to see what is missing; what is there is read whether listed or not.
+// The DICOMDIR of a disc only shows which files are missing; files on the disc are read whether listed or
+// not.
 void report(Scan& scan, const ListedFiles& listed) {
     for (std::size_t i = 0; i < listed.unreadable; ++i)
         scan.messages.push_back(message(key::kDicomdirUnreadable));
@@ -181,7 +182,7 @@ void reportSplitSeries(Studies& studies) {
     }
 }
 
-// Parts of one image in several files (PS3.3 C.7.6.16.2.2.4), some of which are missing.
+// Reports images that are stored in several files (PS3.3 C.7.6.16.2.2.4), some of which are missing.
 void reportConcatenations(SeriesInProgress& place) {
     std::map<std::string, std::pair<std::set<const Instance*>, int>> concatenations;
     for (const Frame& frame : place.frames) {
@@ -198,7 +199,7 @@ void reportConcatenations(SeriesInProgress& place) {
     }
 }
 
-// Reports what is known of the series before its frames are looked at.
+// Reports what is known about the series from its files, before its frames are examined.
 void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t repeats,
                  std::size_t unreadableFolders) {
     Series& series = place.series;
@@ -220,7 +221,7 @@ void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t repeat
     if (place.withoutSopClass > 0)
         tell(series, message(key::kMissingSopClass, {count(place.withoutSopClass)}));
     if (place.charsetFallback) tell(series, message(key::kCharsetFallback));
-    // Every series of a scan that did not see everything may miss slices, and nothing in it would show that.
+    // Every series of a scan that did not see everything may lack slices, and nothing in it would show that.
     if (unreadableFolders > 0) tell(series, message(key::kUnreadableFolder, {count(unreadableFolders)}));
     if (place.frames.empty()) {
         std::map<std::string, Text> kinds;
@@ -262,12 +263,12 @@ Series finish(SeriesInProgress& place, const CancelToken& cancel) {
     return series;
 }
 
-// The argument of messages about scattered images, before files are sorted into series.
+// The argument of messages about scattered images, which are made before files are sorted into series.
 TextArgument levels(const Scattered& scattered) {
     return {"level", scattered.levels};
 }
 
-// Joins each set of scattered images if that was asked for, or else asks about it.
+// Joins each set of scattered images if that was requested, otherwise asks about it.
 void askOrJoin(Scan& scan, std::vector<Examination>& found, const std::vector<Scattered>& all,
                const ScanOptions& options) {
     for (const Scattered& scattered : all) {
@@ -281,7 +282,7 @@ void askOrJoin(Scan& scan, std::vector<Examination>& found, const std::vector<Sc
     }
 }
 
-// What the DICOMDIRs among the files list.
+// The files that the DICOMDIRs among `files` list, compared with those found.
 ListedFiles listedFiles(const std::vector<fs::path>& files, const std::vector<Examination>& found) {
     std::vector<fs::path> directories;
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -291,7 +292,7 @@ ListedFiles listedFiles(const std::vector<fs::path>& files, const std::vector<Ex
     return compareWithDirectories(directories, found);
 }
 
-// Tells the series of a study of each other, and of what is missing of them.
+// Compares the series of a study, and reports how they continue each other and what is missing.
 void compareSeries(Scan& scan, std::vector<Series>& series, const AbsentImages& absent) {
     reportNeighbours(series);
     reportMissingImages(series, absent);
@@ -420,9 +421,9 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
                 if (!noMemory) found[i] = examine(files[i], progress.token());
                 if (!progress.cancelled()) glimpses.add(found[i]);
             } catch (const std::bad_alloc&) {
-                noMemory = true;  // and no file is damaged by that
+                noMemory = true;  // which does not mean that a file is damaged
             } catch (const CheckFailure&) {
-                throw;  // a mistake of ours, and none of the file
+                throw;  // a bug in Macula, not a fault of the file
             } catch (...) {
                 found[i].state = FileState::damaged;
             }

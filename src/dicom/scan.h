@@ -43,16 +43,16 @@ struct Scan {
     std::vector<Message> messages;  // about the folder as a whole
     std::size_t filesSeen = 0;
     std::size_t notDicom = 0;
-    std::size_t archives = 0;                 // of those: archives, which are not opened
-    std::set<std::string_view> archiveKinds;  // of these, by archiveKind
+    std::size_t archives = 0;                 // those of notDicom that are archives, which are not opened
+    std::set<std::string_view> archiveKinds;  // their kinds, by archiveKind
     std::size_t mediaDirectories = 0;         // DICOMDIR
     std::size_t listedFilesMissing = 0;       // according to the media directories
     std::size_t unreadableFolders = 0;
-    int patients = 0;          // as patient.h tells them apart
-    int namelessPatients = 0;  // of those: studies that name no patient
+    int patients = 0;          // as patient.h distinguishes them
+    int namelessPatients = 0;  // those of `patients` that are studies without a name or ID
 
     std::size_t imageCount() const;   // files that hold images
-    std::size_t objectCount() const;  // DICOM objects that are no images
+    std::size_t objectCount() const;  // DICOM objects that are not images
 };
 
 // Receives, while a folder is being read, its studies and series so far, with the number of images read
@@ -60,8 +60,8 @@ struct Scan {
 using GlimpseListener = std::function<void(Scan)>;
 
 struct ScanOptions {
-    // Joins images into one series that differ only in identifiers made anew for each of them: see join.h.
-    // Only a person may decide this; key::kUidPerSlice asks.
+    // Joins images into one series that differ only in identifiers that were made separately for each of
+    // them: see join.h. Only a person may decide this; key::kUidPerSlice asks.
     bool join = false;
     GlimpseListener glimpsed = {};  // called by reading threads; scan_glimpse.h says how often
 };
@@ -74,14 +74,14 @@ struct ScanOptions {
 Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress,
                         const ScanOptions& options = {});
 
-// "2 patients"; "up to 2 patients" when two studies name no patient, and may be of one.
+// "2 patients"; "up to 2 patients" when two studies name no patient, and may belong to one.
 Text patientsText(const Scan& scan);
 
-// Whether the two patients (Study::patient) may be one, so that a series UID may be of both: they are the
+// Whether the two patients (Study::patient) may be one, so that a series UID may belong to both: they are the
 // same, or both are studies that name no patient.
 bool mayBeOnePatient(const Scan& scan, int patient, int other);
 
-// The series with that UID. Null when there is none, or more than one: findAllSeries tells which.
+// The series with that UID. Null when there is none or more than one; findAllSeries distinguishes the two.
 const Series* findSeries(const Scan& scan, std::string_view seriesInstanceUid);
 // More than one when patients or studies share a UID, which they must not; then by study as in the scan.
 std::vector<const Series*> findAllSeries(const Scan& scan, std::string_view seriesInstanceUid);

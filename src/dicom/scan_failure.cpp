@@ -17,7 +17,7 @@ namespace {
 
 using Phrase = std::pair<std::string_view, Text>;  // by the key of the message
 
-// What is wrong with several files, as the end of a sentence about them.
+// The end of a sentence about several files: what is wrong with them.
 const std::vector<Phrase>& phrases() {
     static const std::vector<Phrase> all{
         {key::kUnreadableFile, Text("cannot be opened")},

@@ -7,7 +7,7 @@ namespace macula::dicom {
 namespace {
 
 constexpr std::chrono::milliseconds kGlimpseEvery{300};
-constexpr int kMostShareOfTime = 10;  // 1 in so many
+constexpr int kMostShareOfTime = 10;  // at most one part in this many
 
 }  // namespace
 

@@ -35,7 +35,7 @@ itk::IOComponentEnum componentOf(ScalarType type) {
     return itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE;
 }
 
-// The whole image: what is read or written.
+// The region of the whole image, for ITK to write.
 itk::ImageIORegion wholeOf(const glm::ivec3& size) {
     itk::ImageIORegion region(3);
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -118,7 +118,7 @@ Result<void> writeNrrd(const fs::path& path, const RawImage& image) {
 
 Result<void> writeMetaImage(const fs::path& path, const RawImage& image) {
     if (path.extension() != ".mhd") return write(*itk::MetaImageIO::New(), path, image);
-    // MetaIO takes a percent sign anywhere in the path of separate values for a pattern of many files.
+    // MetaIO reads a percent sign anywhere in the path of separate values as a pattern of many files.
     const fs::path whole = fs::path(path).replace_extension(".mha");
     MACULA_TRY_VOID(write(*itk::MetaImageIO::New(), whole, image));
     return detachValues(whole, path, image);

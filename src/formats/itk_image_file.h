@@ -7,7 +7,7 @@
 
 namespace macula::formats {
 
-// .nrrd and .mha are one file; .nhdr and .mhd put the values into NAME.raw beside them.
+// .nrrd and .mha are one file; .nhdr and .mhd put the values into NAME.raw next to them.
 Result<void> writeNrrd(const std::filesystem::path& path, const RawImage& image);
 Result<void> writeMetaImage(const std::filesystem::path& path, const RawImage& image);
 

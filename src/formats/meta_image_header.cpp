@@ -18,7 +18,7 @@ struct Parsed {
 Result<Parsed> parse(const fs::path& path) {
     HeaderLines lines(path);
     Parsed parsed;
-    while (!parsed.fields.contains("ElementDataFile")) {  // the last one, always
+    while (!parsed.fields.contains("ElementDataFile")) {  // always the last field
         const auto line = lines.next();
         const std::size_t separator = line ? line->find_first_of("=:") : std::string::npos;
         if (line && trimmed(*line).empty()) continue;
@@ -33,7 +33,7 @@ Result<Parsed> parse(const fs::path& path) {
     return parsed;
 }
 
-// The first of these that is there: the format has had several names for one thing.
+// The value of the first key that is present: the format has had several names for one field.
 std::string firstOf(const Fields& fields, std::initializer_list<const char*> keys) {
     for (const char* key : keys) {
         if (fields.contains(key)) return valueOf(fields, key);
@@ -63,8 +63,8 @@ Result<ScalarType> typeOf(const Fields& fields) {
         Text("The values of the image are neither whole numbers of 8 to 64 bits nor floating-point ones."));
 }
 
-// MET_LONG has 4 bytes in the format, and 8 in files of programs that wrote the long of their machine: the
-// size of the file tells, where the values are not compressed.
+// MET_LONG has 4 bytes in the format, but 8 in files of programs that wrote the long of their machine. The
+// size of the file shows which, unless the values are compressed.
 void widenLongs(const std::string& name, const ValuesInFile& values, RawImageLayout& layout) {
     if (values.compressed || (name != "MET_LONG" && name != "MET_ULONG")) return;
     std::error_code error;

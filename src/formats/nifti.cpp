@@ -27,11 +27,11 @@ constexpr std::size_t kHeaderBytes = sizeof(nifti_1_header);
 static_assert(kHeaderBytes == 348);
 constexpr std::size_t kHeader2Bytes = sizeof(nifti_2_header);
 static_assert(kHeader2Bytes == 540);
-constexpr std::array<char, 4> kNoExtensions{};  // what follows the header
+constexpr std::array<char, 4> kNoExtensions{};  // the four bytes after the header: no extensions follow
 constexpr std::size_t kDataOffset = kHeaderBytes + kNoExtensions.size();
 constexpr std::size_t kPortion = std::size_t{1} << 20;
 
-// The qform may differ from the affine by so much at a corner; of a half turn, float32 keeps no more.
+// The qform may differ from the affine by this much at a corner: float32 is no more precise for half a turn.
 constexpr double kQformToleranceMm = 0.01;
 
 const glm::dmat4 kLpsFromRas(-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
@@ -63,10 +63,10 @@ std::int32_t swapped32(std::uint32_t value) {
     return static_cast<std::int32_t>(__builtin_bswap32(value));
 }
 
-// Of either version of the format.
+// The affine of the qform, for either version of the format.
 template <class Header>
 glm::dmat4 qformOf(const Header& header) {
-    // The library takes spacings that are not positive for 1.
+    // Multiplies by the spacings here, because the library replaces those that are not positive by 1.
     const nifti_dmat44 rows = nifti_quatern_to_dmat44(header.quatern_b, header.quatern_c, header.quatern_d, 0,
                                                       0, 0, 1, 1, 1, header.pixdim[0]);
     const auto axis = [&](int n) {
@@ -108,7 +108,7 @@ Result<nifti_1_header> headerFor(const RawImageLayout& image) {
                      Text("Write a .nrrd or .mha file.")};
     }
     header.sizeof_hdr = kHeaderBytes;
-    header.regular = 'r';  // some readers ask for it
+    header.regular = 'r';  // some readers require it
     const std::array<int, 8> dim{3, size.x, size.y, size.z, 1, 1, 1, 1};
     std::transform(dim.begin(), dim.end(), header.dim, [](int n) { return static_cast<short>(n); });
     for (const Datatype& known : kDatatypes) {
@@ -146,8 +146,7 @@ Result<nifti_1_header> headerFor(const RawImageLayout& image) {
     }
     withQform.pixdim[0] = at(9);
     header.pixdim[0] = 1.0f;
-    // Of a sheared image it is not written: a rotation and three spacings cannot say it, and half the truth
-    // is none.
+    // A sheared image gets no qform: a rotation and three spacings cannot express a shear.
     const bool isTrue = largestDifferenceMm(qformOf(withQform), sformOf(header), size) <= kQformToleranceMm;
     return isTrue ? withQform : header;
 }
@@ -157,7 +156,7 @@ struct CloseGz {
 };
 using GzFile = std::unique_ptr<std::remove_pointer_t<gzFile>, CloseGz>;
 
-// What is read of a header of either version, by the names of the format.
+// The fields that are used of a header of either version, under their NIfTI names.
 struct Header {
     std::int64_t sizeof_hdr = 0;
     std::string magic;  // four characters
@@ -226,7 +225,7 @@ Result<Opened> open(const fs::path& path) {
         return notUsable(Text("The file cannot be read."), Text("Check the path and its permissions."));
     std::array<char, kHeader2Bytes> bytes{};
     int got = gzread(file.get(), bytes.data(), kHeaderBytes);
-    // A small file ends within that. Reading on fails where stray bytes follow its gzip stream.
+    // A small file may end before this, and stray bytes after its gzip stream make the second read fail.
     if (got == static_cast<int>(kHeaderBytes))
         got += std::max(gzread(file.get(), bytes.data() + kHeaderBytes, kHeader2Bytes - kHeaderBytes), 0);
     std::int32_t first = 0;
@@ -288,7 +287,7 @@ Result<Extent> extentOf(const Header& header) {
     return Extent{glm::ivec3(length[0], length[1], length[2]), static_cast<std::size_t>(length[3])};
 }
 
-// Millimetres in one unit of the header; mm when it does not say.
+// Millimetres in one unit of the header; 1 if the header names no unit.
 double unitMm(const Header& header) {
     const int units = XYZT_TO_SPACE(header.xyzt_units);
     return units == NIFTI_UNITS_METER ? 1000.0 : units == NIFTI_UNITS_MICRON ? 0.001 : 1.0;
@@ -319,7 +318,7 @@ glm::dmat4 rasFromVoxelOf(const Header& header, const glm::ivec3& size, std::vec
                   glm::dvec3(0.0));
 }
 
-// Of a pair (.hdr and .img), which may be packed.
+// The file with the values of a pair (.hdr and .img), which may be compressed.
 Result<fs::path> valuesBeside(const fs::path& header) {
     for (const char* ending : {".img", ".IMG", ".img.gz", ".IMG.GZ"}) {
         const fs::path values = fs::path(header).replace_extension(ending);
@@ -331,7 +330,7 @@ Result<fs::path> valuesBeside(const fs::path& header) {
 
 Result<ValuesInFile> valuesOf(const Opened& opened) {
     const double offset = opened.header.vox_offset;
-    constexpr double kMost = 1e9;  // what extensions of the header may hold, and some
+    constexpr double kMost = 1e9;  // more than extensions of the header ever need
     const double least = opened.isPair() ? 0.0 : static_cast<double>(opened.header.sizeof_hdr);
     if (!(offset >= least && offset <= kMost))
         return notUsable(Text("The header of the NIfTI file is damaged."));
@@ -361,7 +360,7 @@ Result<RawImageLayout> layoutOf(const Opened& opened) {
     MACULA_TRY(layout.type, typeOf(header.datatype));
     const double slope = header.scl_slope;
     const double intercept = header.scl_inter;
-    if (std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept)) {  // else: raw values are meant
+    if (std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept)) {  // otherwise raw values are meant
         layout.slope = slope;
         layout.intercept = intercept;
     }

@@ -19,10 +19,10 @@ Result<void> writeNifti(const std::filesystem::path& path, const RawImage& image
 // The file with the values where `path` is the header of a pair; nothing for any other file.
 std::optional<std::filesystem::path> niftiValuesFile(const std::filesystem::path& path);
 
-// Reads the header alone, and checks its claims against the size of the file.
+// Reads only the header, and checks its claims against the size of the file.
 Result<RawImageLayout> readNiftiLayout(const std::filesystem::path& path);
-// Uses the sform, else the qform, else only the spacing, which is then among the assumptions. `volume`, from
-// 1, chooses one of several volumes, one for each point in time.
+// Uses the sform, otherwise the qform, otherwise only the spacing, which is then among the assumptions.
+// `volume`, from 1, chooses one of several volumes, one for each point in time.
 Result<RawImage> readNifti(const std::filesystem::path& path, Progress& progress, std::size_t volume = 1);
 
 }  // namespace macula::formats

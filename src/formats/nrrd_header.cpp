@@ -58,8 +58,8 @@ Result<ScalarType> typeOf(const std::string& name) {
 }
 
 struct Parsed {
-    Fields fields;  // by name in small letters, without blanks: older files spell them in other ways
-    std::uint64_t bytes = 0;    // of the header, with the blank line after it
+    Fields fields;  // by name in lower case without blanks, because older files spell names differently
+    std::uint64_t bytes = 0;    // size of the header, with the blank line after it
     bool hasBlankLine = false;  // after which values may follow
     std::string valueNote;
 };
@@ -75,7 +75,7 @@ Result<Parsed> parse(const fs::path& path) {
         if (line->empty()) {
             parsed.hasBlankLine = true;
         } else if ((*line)[0] != '#') {
-            // "key:=value" is a note of whoever wrote the file; "field: value" describes it.
+            // "key:=value" is free metadata; "field: value" describes the image.
             const std::size_t colon = line->find(": ");
             const std::size_t note = line->find(":=");
             if (note != std::string::npos && (colon == std::string::npos || note < colon)) {
@@ -93,7 +93,7 @@ Result<Parsed> parse(const fs::path& path) {
 }
 
 // Drops the last of four axes if it does not lie in space, and returns how many volumes lie along it: one for
-// each point in time, or each of a list. Else returns 1.
+// each point in time, or for each entry of a list. Otherwise returns 1.
 std::size_t takeVolumes(Fields& fields) {
     auto sizes = words(valueOf(fields, "sizes"));
     auto directions = words(valueOf(fields, "spacedirections"));
@@ -127,7 +127,7 @@ Result<void> checkAxes(const Fields& fields) {
     return {};
 }
 
-// "(1,0,0) (0,1,0) (0,0,1)", as so many numbers.
+// Parses "(1,0,0) (0,1,0) (0,0,1)" into `count` numbers.
 std::optional<std::vector<double>> vectors(std::string text, std::size_t count) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');

@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 constexpr double kMost16 = 65535.0;
-constexpr double kMostExact = 9007199254740992.0;  // 2^53: the next whole number is rounded to it
+constexpr double kMostExact = 9007199254740992.0;  // 2^53: a double cannot hold the next whole number
 
-// As in the notes that valueNote makes.
+// The names of units in valueNote().
 constexpr std::array<std::pair<Unit, std::string_view>, 3> kUnitNames{
     {{Unit::hounsfield, "HU"}, {Unit::becquerelsPerMillilitre, "Bq/mL"}, {Unit::suvBodyWeight, "SUVbw"}}};
 constexpr std::string_view kNoteBegin = "Macula";
@@ -30,7 +30,7 @@ Error cancelled() {
     return {ErrorCode::cancelled, Text("Stopped."), {}, {}};
 }
 
-// body(first, count) for portions of [0, count), on all cores, with progress.
+// Calls body(first, count) for portions of [0, count), on all cores, and reports progress.
 Result<void> inChunks(std::size_t count, Progress& progress,
                       const std::function<void(std::size_t, std::size_t)>& body) {
     parallelFor((count + kChunk - 1) / kChunk,
@@ -62,7 +62,7 @@ struct Summary {
     bool wholeWithin(double least, double most) const { return whole && low >= least && high <= most; }
 };
 
-// Of valueAt(0) to valueAt(count - 1).
+// The summary of valueAt(0) to valueAt(count - 1).
 template <class ValueAt>
 Result<Summary> summarise(std::size_t count, Progress& progress, const ValueAt& valueAt) {
     std::mutex mutex;
@@ -78,7 +78,7 @@ Result<Summary> summarise(std::size_t count, Progress& progress, const ValueAt& 
 
 template <class T>
 T converted(double value) {
-    if constexpr (std::is_same_v<T, float>) {  // beyond its range, the language leaves open what happens
+    if constexpr (std::is_same_v<T, float>) {  // a conversion beyond its range is undefined in C++
         constexpr double kMost = std::numeric_limits<float>::max();
         if (std::abs(value) > kMost)
             return std::copysign(std::numeric_limits<float>::infinity(), float(value > 0 ? 1 : -1));
@@ -93,8 +93,8 @@ T at(const std::byte* data, std::size_t n) {
     return value;
 }
 
-// Calls with a function that gives the n-th raw value as a double, which holds each of these types exactly,
-// but for whole numbers beyond 2^53.
+// Calls `use` with a function that returns the n-th raw value as a double, which is exact for all types
+// except for whole numbers beyond 2^53.
 template <class Use>
 auto withRaw(const RawImage& image, const Use& use) {
     const std::byte* data = image.data.data();
@@ -167,7 +167,7 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
         image.assumptions.emplace_back(Text("Whole numbers beyond 2^53 were rounded."));
 
     if (values.whole && values.high - values.low <= kMost16) {
-        // A negative slope turns the order of the stored values around: theirs must be positive.
+        // A Volume needs a positive slope, so a negative one reverses the order of the stored values.
         const bool shifted = slope < 0.0 || values.low < 0.0 || values.high > kMost16;
         const double sign = slope < 0.0 ? -1.0 : 1.0;
         const double origin = !shifted ? 0.0 : slope < 0.0 ? values.high : values.low;
@@ -261,7 +261,7 @@ std::string valueNote(const RawImageLayout& layout) {
     const auto known = std::ranges::find(kUnitNames, layout.unit, &decltype(kUnitNames)::value_type::first);
     const bool hasUnit = known != kUnitNames.end();
     if (!hasUnit && layout.isCalibrated) return {};
-    // Modality is a code of capitals (PS3.5 6.2, CS); what is none is left out.
+    // A modality is a code of capitals (PS3.5 6.2, CS); any other text is left out.
     const bool isCode = layout.modality.size() <= 16 &&
                         layout.modality.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
     std::string note = fmt::format("{}|{}|{}|{}", kNoteBegin, nameOf(layout.type),
@@ -280,7 +280,7 @@ void readValueNote(std::string_view note, RawImageLayout& layout) {
             parts.back() += c;
         }
     }
-    // Whatever became of the values since, nothing has calibrated them.
+    // Holds even if another program changed the values: none calibrates lengths.
     if (parts.size() == 5 && parts[0] == kNoteBegin && parts[4] == kNoteUncalibrated) {
         layout.isCalibrated = false;
         layout.assumptions.emplace_back(
@@ -320,7 +320,7 @@ Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume) {
 
 Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile, bool compressed) {
     constexpr int kMostPerSide = 65536;       // as in Volume; three of them and 8 bytes fit 64 bits
-    constexpr std::uint64_t kDeflate = 1032;  // a longer match than 258 bytes in 2 bits there is not
+    constexpr std::uint64_t kDeflate = 1032;  // at best, a match of 258 bytes takes 2 bits
     const glm::ivec3 size = layout.size;
     if (std::min({size.x, size.y, size.z}) < 2) {
         return Error{ErrorCode::inputNotUsable,

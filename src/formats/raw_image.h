@@ -28,7 +28,8 @@ struct RawImageLayout {
     ScalarType type = ScalarType::int16;
     double slope = 1.0;  // value = slope * raw + intercept; the slope may be negative, not 0
     double intercept = 0.0;
-    // From the valueNote() of a file by Macula: other programs name no unit, and Macula guesses none.
+    // From the valueNote() of a file that Macula wrote: other programs name no unit, and Macula does not
+    // guess.
     Unit unit = Unit::raw;
     std::string modality;
     bool isCalibrated = true;       // as in Provenance
@@ -37,10 +38,10 @@ struct RawImageLayout {
     std::uint64_t bytes() const;  // of one volume
 };
 
-// Adds an assumption that states which of several volumes, from 1, is read. usage where the file lacks it.
+// Adds an assumption that states which of several volumes, from 1, is read. usage if the file lacks it.
 Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume);
 
-// The note in files by Macula: "Macula|int16|HU|CT", followed by "|uncalibrated" if the image is not
+// The note in files that Macula writes: "Macula|int16|HU|CT", followed by "|uncalibrated" if the image is not
 // calibrated; at most 79 characters. Empty for a calibrated image without a unit.
 std::string valueNote(const RawImageLayout& layout);
 inline constexpr std::string_view kValueNoteField = "MaculaValues";  // its field in NRRD and MetaImage
@@ -52,17 +53,17 @@ struct RawImage : RawImageLayout {
     std::vector<std::byte> data;  // i fastest, in the byte order of this machine
 };
 
-// inputNotUsable when the image is no volume (a side below 2), has a side above 65536, or needs more than
+// inputNotUsable when the image is not a volume (a side below 2), has a side above 65536, or needs more than
 // `bytesInFile` can hold (deflate packs at most 1 : 1032); outOfMemory when it does not fit.
 Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile, bool compressed);
 
-// Values in units: int16 when that holds all of them exactly, else uint16 when that does, else float32.
-// Padding keeps its value.
+// Values in units: int16 when that holds all of them exactly, otherwise uint16 when that does, otherwise
+// float32. Padding keeps its value.
 Result<RawImage> rawImageOf(const Volume& volume, Progress& progress);
 Result<RawImage> rawImageOf(const LabelMap& map, Progress& progress);
 
-// 16 bits when raw values are whole numbers that span at most 65535, else float32. Values that are not finite
-// become padding; assumptions state how many, and that whole numbers beyond 2^53 were rounded.
+// 16 bits when raw values are whole numbers that span at most 65535, otherwise float32. Values that are not
+// finite become padding; assumptions state how many, and that whole numbers beyond 2^53 were rounded.
 Result<std::shared_ptr<const Volume>> volumeOf(RawImage image, Progress& progress);
 
 }  // namespace macula::formats

@@ -20,7 +20,7 @@ Error cutOff() {
             Text("Get the file again from where it came.")};
 }
 
-// Bytes from a place in a file on, uncompressed if need be.
+// Reads bytes from an offset in a file, and inflates them if they are compressed.
 class Source {
   public:
     explicit Source(const ValuesInFile& values)
@@ -38,7 +38,7 @@ class Source {
     Source(const Source&) = delete;
     Source& operator=(const Source&) = delete;
 
-    // All of them, or false.
+    // Reads all `length` bytes, or returns false.
     bool read(std::byte* out, std::size_t length) {
         if (compressed_) return usable_ && inflateTo(out, length) == length;
         stream_.read(reinterpret_cast<char*>(out), static_cast<std::streamsize>(length));
@@ -52,8 +52,8 @@ class Source {
         }
         return true;
     }
-    // Called after the last byte: whether the stream's own checksum agrees. More data than were asked for are
-    // no fault, and neither is what follows the stream and is none itself: gzip ignores it too.
+    // Call after the last byte: whether the checksum of the stream agrees. Further data are no fault, and
+    // neither are stray bytes after the stream: gzip ignores them too.
     bool endsWell() {
         std::byte spare{};
         return !compressed_ || inflateTo(&spare, 1) == 1 || ended_ || (hasEnded_ && inflater_.total_out == 0);
@@ -71,7 +71,7 @@ class Source {
                 inflater_.avail_in = static_cast<uInt>(stream_.gcount());
                 if (inflater_.avail_in == 0) break;
             }
-            if (ended_) {  // gzip files may be several, one after another
+            if (ended_) {  // a gzip file may have several members
                 if (inflateReset(&inflater_) != Z_OK) break;
                 ended_ = false;
             }

@@ -9,8 +9,8 @@ namespace macula::formats {
 
 struct ValuesInFile {
     std::filesystem::path file;
-    std::uint64_t offset = 0;  // of the values, or of the compressed stream that holds them
-    std::uint64_t skip = 0;    // of the values in the uncompressed stream
+    std::uint64_t offset = 0;  // where the values begin, or the compressed stream that holds them
+    std::uint64_t skip = 0;    // bytes before the values in the uncompressed stream
     bool compressed = false;   // zlib or gzip
     bool bigEndian = false;
 };
@@ -21,8 +21,8 @@ ValuesInFile valuesOfVolume(ValuesInFile values, const RawImageLayout& layout, s
 // checkLayout with the size of that file, from `offset` on.
 Result<void> checkExtent(const RawImageLayout& layout, const ValuesInFile& values);
 
-// inputNotUsable when the file is too short, or its compressed stream or the checksum of that is wrong.
-// Memory grows with the data read, not with the size in the header.
+// inputNotUsable when the file is too short, or its compressed stream or checksum is wrong. Memory grows with
+// the data read, not with the size in the header.
 Result<RawImage> readValues(RawImageLayout layout, const ValuesInFile& values, Progress& progress);
 
 }  // namespace macula::formats

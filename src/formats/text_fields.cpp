@@ -102,7 +102,7 @@ Result<void> checkThreeAxes(const std::string& count) {
 }
 
 Result<fs::path> besideHeader(const fs::path& header, const std::string& name) {
-    // A percent sign makes a pattern of several files, unless a file has that very name.
+    // A percent sign makes the name a pattern of several files, unless a file has exactly this name.
     std::error_code notThere;
     const bool isPattern =
         name.find('%') != std::string::npos && !fs::exists(header.parent_path() / name, notThere);

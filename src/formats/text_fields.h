@@ -32,7 +32,8 @@ class HeaderLines {
   public:
     explicit HeaderLines(const std::filesystem::path& path);
 
-    // Without its line break. Nothing at the end, and for a line that is too long or has control characters.
+    // The next line, without its line break. Nothing at the end, and for a line that is too long or has
+    // control characters.
     std::optional<std::string> next();
     bool atEnd() const { return at_ >= text_.size(); }
     std::uint64_t position() const { return at_; }
@@ -45,7 +46,7 @@ class HeaderLines {
 Result<glm::ivec3> parseSize(const std::string& text);
 // inputNotUsable unless `count` is 3.
 Result<void> checkThreeAxes(const std::string& count);
-// The file with the values: a plain name in the folder of the header, and no symbolic link.
+// The file with the values: `name` must be a plain name in the folder of the header, and not a symbolic link.
 Result<std::filesystem::path> besideHeader(const std::filesystem::path& header, const std::string& name);
 
 }  // namespace macula::formats

@@ -1,9 +1,9 @@
 // The text headers of NRRD and MetaImage files.
 //
 // Does not use the readers of ITK (5.2.1), which silently mirror NRRD images of the space
-// left-anterior-superior, take a damaged compressed MetaImage for a whole one, and open any file that a
-// header names, anywhere. Nor can they be fuzzed here: Debian's ITK does not compile with clang, which
-// libFuzzer needs.
+// left-anterior-superior, accept a damaged compressed MetaImage as complete, and open any file that a header
+// names, anywhere. Nor can they be fuzzed here: Debian's ITK does not compile with clang, which libFuzzer
+// needs.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct TextHeader {
     ValuesInFile values;
 };
 
-// inputNotUsable for images that are no volume of scalars, for encodings other than raw and deflate, for
+// inputNotUsable for images that are not a volume of scalars, for encodings other than raw and deflate, for
 // values in several files or outside the folder of the header, and for a header that contradicts itself or
 // the size of the file.
 Result<TextHeader> readNrrdHeader(const std::filesystem::path& path);

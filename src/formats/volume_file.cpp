@@ -50,8 +50,8 @@ Result<Ending> knownEndingOf(const fs::path& path) {
                  Text("Known are {}.", volumeFileEndings())};
 }
 
-// The name without its ending, as the name of the values: programs that read NRRD and MetaImage take a
-// percent sign in it for a pattern of many files, and the end of a line for the end of the name.
+// The name without its ending, as the name of the values: programs that read NRRD and MetaImage treat a
+// percent sign in it as a pattern of many files, and a line break as the end of the name.
 std::string stemForValues(const fs::path& path, const Ending& ending) {
     std::string stem = path.filename().string();
     stem.resize(stem.size() - ending.text.size());
@@ -60,7 +60,7 @@ std::string stemForValues(const fs::path& path, const Ending& ending) {
     return stem;
 }
 
-// Of a file that is to be written.
+// The ending of a file to write; fails if Macula does not write that format.
 Result<Ending> writtenEndingOf(const fs::path& path) {
     MACULA_TRY(const Ending ending, knownEndingOf(path));
     if (ending.isWritten) return ending;
@@ -110,7 +110,7 @@ Result<Ending> checkInput(const fs::path& path) {
                            Text("Check the path and its permissions.")};
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
-        if (error == std::errc::permission_denied) return cannotRead;  // of a folder on the way
+        if (error == std::errc::permission_denied) return cannotRead;  // for a folder in the path
         return Error{ErrorCode::inputNotUsable, Text("The file does not exist."), path.string(),
                      Text("Check the path.")};
     }
@@ -122,9 +122,9 @@ const char* nameOf(Format format) {
     return format == Format::nifti ? "NIfTI" : format == Format::nrrd ? "NRRD" : "MetaImage";
 }
 
-// A header never stands beside values of another volume, also where the program is killed on the way: the
-// one that is replaced goes first, comes back where the values cannot be put in place, and the values come
-// before the new one.
+// A header never lies next to values of another volume, even if the program is killed midway: moves the old
+// header away, then puts the values in place, then the new header. If the values cannot be put in place, the
+// old header comes back.
 Result<void> putAllInPlace(const std::vector<fs::path>& files, const fs::path& draft,
                            const fs::path& workshop) {
     const fs::path& header = files.front();
@@ -143,7 +143,7 @@ Result<void> putAllInPlace(const std::vector<fs::path>& files, const fs::path& d
     return putInPlace(draft, header);
 }
 
-// `Grid` is what rawImageOf takes.
+// `Grid` is a Volume or a LabelMap.
 template <class Grid>
 Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& path, Progress& progress) try {
     MACULA_TRY(const Ending ending, writtenEndingOf(path));
@@ -151,23 +151,26 @@ Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& pa
     const std::uint64_t most = std::uint64_t{sizeof(float)} * voxels;
     if (const auto available = availableMemory(); available && most > *available)
         return notEnoughMemory(most, *available);
-    // A folder, so that two files can be written under their own names: one names the other.
+    // A folder, so that both files of a pair have their final names: the header names the other.
     MACULA_TRY(const Draft workshop, Draft::beside(path, Draft::Kind::folder));
     MACULA_TRY(const RawImage image, rawImageOf(grid, progress));
     std::error_code unknown;
     const auto space = fs::space(workshop.path(), unknown);
-    if (!unknown && ending.text != ".nii.gz" && space.available < image.data.size()) {  // MetaIO would print
+    // Without this check MetaIO would print an error.
+    if (!unknown && ending.text != ".nii.gz" && space.available < image.data.size()) {
         return Error{ErrorCode::outputNotWritable, Text("There is not enough free space."), path.string(),
                      Text("The file needs {} MB.", image.data.size() / 1'000'000 + 1)};
     }
-    // The ending in small letters: the libraries choose by it. The header names the values by the same stem.
+    // The ending is in lower case, because the libraries choose the format by it. The header names its values
+    // by the same stem.
     const fs::path draft = workshop.path() / (stemForValues(path, ending) + std::string(ending.text));
     if (const auto written = writeFormat(ending.format, draft, image, progress); !written)
         return at(path, written.error());
     if (progress.cancelled())
         return Error{ErrorCode::cancelled, Text("Stopped; nothing was written."), {}, {}};
-    // No library tells of every byte that found no room, and readers compare the header with the file's size.
-    // Segments of a single slice are written too, which no reader takes for a volume.
+    // Reads the header back, because no library reports every failed write, and readers compare the header
+    // with the size of the file. A segmentation of a single slice is not checked, because readers accept no
+    // such volume.
     const glm::ivec3 size = image.size;
     const bool isVolume = std::min({size.x, size.y, size.z}) > 1;
     if (isVolume && !readLayout(ending.format, draft))

@@ -18,12 +18,12 @@ namespace macula::formats {
 // ".nii.gz, .nii, ...": all extensions for writing. Headers of pairs (.hdr) can only be read.
 std::string volumeFileEndings();
 
-// By the extension, in any case.
+// Decides by the extension, in upper or lower case.
 bool isVolumeFileName(const std::filesystem::path& path);
 
 // The files that writing `path` makes: itself, and for .nhdr and .mhd the file with the values. That has the
-// name of the header, with _ for a percent sign or control character, because other programs take a percent
-// sign for a pattern. usage for other extensions.
+// name of the header, with _ for a percent sign or control character, because other programs read a percent
+// sign as a pattern. usage for other extensions.
 Result<std::vector<std::filesystem::path>> filesOfVolumeFile(const std::filesystem::path& path);
 
 // The separate file with the values of a header; nothing without one, or when it cannot be read.
@@ -34,7 +34,7 @@ std::optional<std::filesystem::path> valuesFileOf(const std::filesystem::path& p
 // Writes it whole or not at all, and replaces an existing one.
 Result<void> writeVolumeFile(const Volume& volume, const std::filesystem::path& path, Progress& progress);
 
-// Writes the numbers of the segments as int16 where they fit, else uint16, without their names.
+// Writes the numbers of the segments as int16 where they fit, otherwise uint16, without their names.
 Result<void> writeVolumeFile(const LabelMap& map, const std::filesystem::path& path, Progress& progress);
 
 struct VolumeFileInfo {
@@ -47,13 +47,13 @@ struct VolumeFileInfo {
     std::size_t volumes = 1;   // one for each point in time
 };
 
-// Reads the header alone.
+// Reads only the header.
 Result<VolumeFileInfo> readVolumeFileInfo(const std::filesystem::path& path);
 
-// 16-bit storage when that is exact, else float32. `number`, from 1, chooses one of several volumes, one for
-// each point in time; that, a missing orientation and the unit are among the assumptions. inputNotUsable for
-// a damaged file, or one without a volume of scalars; usage when there is no volume `number`. The size of the
-// file limits memory.
+// 16-bit storage when that is exact, otherwise float32. `number`, from 1, chooses one of several volumes, one
+// for each point in time; that, a missing orientation and the unit are among the assumptions. inputNotUsable
+// for a damaged file, or one without a volume of scalars; usage when there is no volume `number`. The size of
+// the file limits memory.
 Result<std::shared_ptr<const Volume>> readVolumeFile(const std::filesystem::path& path, Progress& progress,
                                                      std::size_t number = 1);
 

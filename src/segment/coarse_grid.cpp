@@ -11,7 +11,8 @@ namespace macula::segment {
 namespace {
 
 constexpr double kBlockMm = 2.0;
-// Nothing is thinner than vacuum: what scanners write here (-2000, -3024) lies outside their field of view.
+// Nothing is less dense than vacuum (-1000): lower values (-2000, -3024) mark voxels outside the scanner's
+// field of view.
 constexpr double kNothingHu = -1100.0;
 
 struct Counts {
@@ -88,7 +89,7 @@ CoarseGrid makeCoarseGrid(const Volume& volume, const CancelToken& token) {
     const int fj = coarse.factor[1];
     const int fk = coarse.factor[2];
 
-    // The voxel axis nearest to the patient's long axis is taken as the table's.
+    // The table runs along the voxel axis that is nearest to the patient's long axis.
     int along = 2;
     for (int axis = 0; axis < 3; ++axis) {
         const auto slope = [&](int n) { return std::abs(volume.worldFromVoxel()[n].z) / spacing[n]; };

@@ -14,7 +14,7 @@ namespace macula::segment {
 using Mask = std::vector<std::uint8_t>;
 
 // Blocks of voxels of about 2 mm. The axes are those of the volume in another order: `c` runs along the
-// patient, as the table does, `a` and `b` across; a is fastest. Of a sheared volume c is the stack direction,
+// patient, as the table does, `a` and `b` across; a is fastest. In a sheared volume c is the stack direction,
 // along which the couch moved.
 struct Grid {
     glm::ivec3 size{0};
@@ -32,7 +32,7 @@ struct CoarseGrid {
     double voxelsPerBlock = 1.0;
     double blockMl = 0.0;
     std::array<int, 3> factor{1, 1, 1};          // voxels per block along i, j, k
-    std::array<std::size_t, 3> stride{1, 1, 1};  // of the grid's index, per block along i, j, k
+    std::array<std::size_t, 3> stride{1, 1, 1};  // step of the grid's index per block along i, j, k
     std::vector<std::uint8_t> solid;  // 0 to 255: share of voxels above kSolidHu, denser than any foam
     std::vector<std::uint8_t> faint;  // the same above kFaintHu: mattress covers are thinner than a voxel
     Mask outside;                     // most of the block is padding: the scanner saw nothing there

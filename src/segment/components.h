@@ -16,11 +16,11 @@ struct Part {
 };
 
 struct Parts {
-    std::vector<std::uint32_t> labels;  // 0: none; else 1 + its place among `parts`
+    std::vector<std::uint32_t> labels;  // 0: none; otherwise 1 + its place among `parts`
     std::vector<Part> parts;
 };
 
-// Connected over faces, edges and corners when `corners`, else over faces only. `depthMm` may be empty.
+// Connected over faces, edges and corners when `corners`, otherwise over faces only. `depthMm` may be empty.
 Result<Parts> partsOf(const Grid& grid, const Mask& mask, bool corners, const std::vector<float>& depthMm);
 
 // Counts Part::persistent.

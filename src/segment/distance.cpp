@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// The parabolas of the blocks of one line: squared distances along it, over what is left from the axes
-// before.
+// The parabolas of the blocks of one line: squared distances along it, added to those from the passes along
+// other axes.
 class Envelope {
   public:
     Envelope(int blocks, double spacingMm)
@@ -21,7 +21,7 @@ class Envelope {
           squaredMm2_(std::size_t(blocks)),
           lowest_(std::size_t(blocks)) {}
 
-    // The squared distances of a line: read before, written after.
+    // Replaces the squared distances of a line by those of its envelope.
     void pass(double* first, std::size_t stride) {
         const int blocks = static_cast<int>(squaredMm2_.size());
         for (int at = 0; at < blocks; ++at) squaredMm2_[std::size_t(at)] = first[std::size_t(at) * stride];
@@ -39,10 +39,10 @@ class Envelope {
   private:
     struct Parabola {
         int centre = 0;
-        double from = -kFar;  // it is the lowest from here, in blocks, to where the next one begins
+        double from = -kFar;  // lowest from here, in blocks, to the beginning of the next one
     };
 
-    // The parabolas that are the lowest somewhere, in order; their number.
+    // Puts the parabolas that are lowest somewhere into `lowest_`, in order; returns their number.
     std::size_t findLowest() {
         std::size_t count = 0;
         for (int at = 0; at < static_cast<int>(squaredMm2_.size()); ++at) {

@@ -9,11 +9,11 @@
 namespace macula::segment {
 
 struct Labels {
-    std::vector<std::uint32_t> ofBlock;  // 0: none; else from 1
+    std::vector<std::uint32_t> ofBlock;  // 0: none; otherwise from 1
     std::size_t count = 0;
 };
 
-// Labels of the connected parts of a mask: over faces, edges and corners when `corners`, else over faces
+// Labels of the connected parts of a mask: over faces, edges and corners when `corners`, otherwise over faces
 // only.
 Result<Labels> connectedParts(const Grid& grid, const Mask& mask, bool corners);
 

@@ -17,12 +17,14 @@ namespace macula::segment {
 
 namespace {
 
-constexpr double kThickMm = 3.5;       // radius of a ball that fits into a patient, and into no sheet
-constexpr double kRimMm = 4.5;         // what opening takes off the patient's own edge
-constexpr double kSkinMm = 4.0;        // of air kept around the patient, with hair and the edge of the skin
+constexpr double kThickMm = 3.5;  // radius of a ball that fits into a patient, and into no sheet
+constexpr double kRimMm = 4.5;    // the depth of the edge that opening removes from the patient
+// The layer of air that is kept around the patient, for hair and the edge of the skin.
+constexpr double kSkinMm = 4.0;
 constexpr double kAppendageMl = 20.0;  // ears and fingers are smaller, sheets and tubes larger
 constexpr double kAppendageMm = 80.0;
-constexpr double kLeastDepthMm = 8.0;  // radius of the largest ball in a patient: in a child's wrist
+// The largest ball in a patient has at least this radius, even in a child's wrist.
+constexpr double kLeastDepthMm = 8.0;
 constexpr double kBodyDepthMm = 12.0;
 constexpr double kLeastPatientMl = 5.0;
 constexpr double kReportedMl = 1.0;
@@ -51,7 +53,7 @@ const Part* largestOf(const Parts& parts) {
     return largest == parts.parts.end() ? nullptr : &*largest;
 }
 
-// Whether a part is flat and the same along the couch: a board, a rail.
+// Whether a part is flat and constant along the couch, as a board or a rail is.
 bool isFurniture(const Grid& grid, const Part& part) {
     constexpr double kLongMm = 80.0;
     constexpr double kBoardMm = 100.0;
@@ -122,7 +124,7 @@ bool isAppendage(const CoarseGrid& coarse, const Part& part) {
            double(part.blocks) * coarse.blockMl <= kAppendageMl;
 }
 
-// Adds to the thick parts of the patient what opening took away: the edge, and thin things that stand out.
+// Adds to the thick parts of the patient what opening removed: the edge, and thin parts that stand out.
 Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mask& beyond, Mask& patient) {
     const auto isFree = [&](std::size_t n) {
         return solid[n] != 0 && patient[n] == 0 && (beyond.empty() || beyond[n] == 0);
@@ -157,8 +159,8 @@ Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mas
     return {};
 }
 
-// Widens the patient into the air around, up to half way to anything else. What is half way is the patient's,
-// however both distances are rounded.
+// Widens the patient into the surrounding air, up to half way to anything else. Voxels exactly half way
+// become the patient's, whatever the rounding.
 Mask withSkin(const CoarseGrid& coarse, const Mask& patient, const Mask& other, const Mask& beyond) {
     const std::vector<float> toPatient = distanceTo(coarse.grid, patient);
     const std::vector<float> toOther = distanceTo(coarse.grid, other);
@@ -256,7 +258,7 @@ class Search {
         }
     }
 
-    // Cuts off what lies beyond the surface of a table, and takes the thick parts of what remains.
+    // Removes everything beyond the surface of a table, and finds the thick parts of the rest.
     Result<void> findTable(Thick& thick) {
         const Part* largest = largestOf(thick.parts);
         if (largest == nullptr) return {};
@@ -286,7 +288,7 @@ class Search {
         }
         const Mask mask = withSkin(coarse_, patient, other, surface_.beyond);
         MACULA_TRY_VOID(step());
-        // The reported volume is what is removed: solid, and not in the mask.
+        // Reports the volume that is removed: solid, and not in the mask.
         std::transform(other.begin(), other.end(), mask.begin(), other.begin(),
                        [](std::uint8_t in, std::uint8_t kept) { return std::uint8_t(kept != 0 ? 0 : in); });
         MACULA_TRY(Parts removed, partsOf(coarse_.grid, other, true, {}));
@@ -339,7 +341,7 @@ class Search {
     Progress& progress_;
     CoarseGrid coarse_;
     Mask solid_;  // anything denser than foam, also where it fills a small part of a block
-    Mask faint_;  // and the covers of mattresses
+    Mask faint_;  // the same with kFaintHu, to include the covers of mattresses
     Mask dense_;
     TableSurface surface_;
 };

@@ -10,12 +10,13 @@ namespace {
 
 constexpr double kIntoBodyMm = 6.0;  // a sheet's blocks may seem to lie this deep in the body that touches it
 constexpr double kStepMm = 5.0;      // most that a sheet rises from column to column
-constexpr double kWingMm = 80.0;     // width beside a gap to which the gap's bridge is fitted
+constexpr double kWingMm = 80.0;     // width on each side of a gap to which its bridge is fitted
 constexpr double kLeastWingMm = 10.0;
 constexpr double kWidestGapMm = 450.0;
 constexpr double kLargestErrorMm = 2.0;  // rms of a bridge at its wings
-constexpr double kThroughMm = 6.0;       // a body that reaches farther lies on no such sheet
-constexpr double kMostThrough = 0.1;     // share of the columns in which a body may reach through
+// A body that reaches farther through the bridge does not lie on such a sheet.
+constexpr double kThroughMm = 6.0;
+constexpr double kMostThrough = 0.1;  // share of the columns in which a body may reach through
 
 }  // namespace
 
@@ -65,7 +66,8 @@ std::vector<SurfaceProfile::Run> SurfaceProfile::runs() const {
     return runs;
 }
 
-// Where the body hides the upper sheet of a table, the lower one may be seen alone.
+// Drops a run that lies behind both of its neighbours: where the body hides the upper sheet of a table, only
+// the lower sheet may be visible.
 void SurfaceProfile::dropWhatLiesBehind() {
     const std::vector<Run> all = runs();
     const std::vector<std::optional<double>> before = top_;

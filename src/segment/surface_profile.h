@@ -1,4 +1,4 @@
-// Where the sheet begins in each column of one slice, on one side of the body.
+// Finds where the sheet begins in each column of one slice, on one side of the body.
 #pragma once
 
 #include <optional>
@@ -18,9 +18,9 @@ class SurfaceProfile {
     SurfaceProfile(double uMm, double vMm, int side, const std::vector<SurfaceBody>& body, double middle);
 
     void add(int u, int v);  // a block of a sheet; ignored when it lies on the other side
-    double widthMm() const;  // of the columns that have one
-    // Bridges gaps between two pieces of the sheet, where the body lies on it, and removes the sheet where
-    // the body reaches through.
+    double widthMm() const;  // width of the columns that have a sheet
+    // Bridges gaps between two pieces of the sheet, where the body lies on the sheet, and removes columns in
+    // which the body reaches through it.
     void bridgeGaps();
 
     std::optional<int> top(int u) const;  // the sheet's block nearest to the body

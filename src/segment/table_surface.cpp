@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kHalfWindowMm = 30.0;  // along the couch: a sheet stays where it is for twice this
 constexpr double kPersistence = 0.7;    // share of the window that a block must be thin in
-constexpr double kShortestMm = 20.0;    // a shorter scan does not tell what stays in its place
+constexpr double kShortestMm = 20.0;    // a shorter scan does not show what stays in place
 constexpr double kPieceMm = 40.0;       // width of a piece of sheet that counts
 constexpr double kSheetMm = 120.0;      // width of all pieces on one side of the body
 constexpr double kThinBeyondMm = 4.5;   // distance from anything thick beyond which a block is thin
@@ -51,7 +51,7 @@ class Persistence {
     int added_ = 0;
 };
 
-// Removes pieces that are narrow both ways; gives the widths of the rest, summed, along a and along b.
+// Removes pieces that are narrow in both directions; returns the summed widths of the others along a and b.
 std::array<double, 2> keepWidePieces(const Grid& grid, Mask& mask) {
     std::array<double, 2> widths{0.0, 0.0};
     Mask seen(mask.size());
@@ -81,7 +81,8 @@ std::array<double, 2> keepWidePieces(const Grid& grid, Mask& mask) {
             for (const std::size_t at : piece) mask[at] = 0;
             continue;
         }
-        // A sheet is wide; what is deep as well (a ring around a limb) is no table.
+        // Counts each piece along its longer side only: a piece that is also deep, as a ring around a limb,
+        // is no sheet.
         widths[width.x >= width.y ? 0 : 1] += std::max(width.x, width.y);
     }
     return widths;
@@ -122,7 +123,7 @@ std::vector<SurfaceBody> bodyOf(const Slice& slice, const Mask& body) {
     return columns;
 }
 
-// Where the body's middle lies along v; the grid's middle where there is no body.
+// The middle of the body along v; `fallback` if there is no body.
 double middleOf(const std::vector<SurfaceBody>& columns, double fallback) {
     double sum = 0.0;
     int count = 0;

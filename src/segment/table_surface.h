@@ -8,8 +8,8 @@ namespace macula::segment {
 
 struct TableSurface {
     Mask beyond;             // the sheet, and all blocks on its side away from the body
-    int slices = 0;          // in which a sheet was seen
-    int touchingSlices = 0;  // in which it was continued under a body that lies against it
+    int slices = 0;          // slices in which a sheet was seen
+    int touchingSlices = 0;  // slices in which it was continued under a body that lies against it
     bool found() const { return slices > 0; }
 };
 

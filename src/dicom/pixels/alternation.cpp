@@ -13,21 +13,21 @@ namespace macula::dicom {
 
 namespace {
 
-// The power of the alternating sum of second differences d along the slices, over the power of all: 16/6 for
-// white noise and for a single odd value, 2 for a step, less for what is smooth, and as large as there are
-// differences when slices alternate.
+// The power of the alternating sum of second differences d along the slices, relative to the power of all:
+// 16/6 for white noise and for a single odd value, 2 for a step, less for smooth values, and as much as the
+// number of differences if slices alternate.
 constexpr double kMostPowerByChance = 5.0;
 constexpr std::size_t kLeastSlices = 8;
 
-// The typical second difference of neighbours in a row: edges are few, and what is flat has none. 0 where all
-// is flat.
+// The median second difference of neighbours in a row, without those of flat areas, which are 0; edges are
+// too few to matter. 0 if almost everything is flat.
 double noiseOf(std::span<const float> slice) {
     std::vector<float> differences;
     differences.reserve(slice.size() / 2);
     for (std::size_t run = 0; run + SliceSamples::kRun <= slice.size(); run += SliceSamples::kRun) {
         for (std::size_t i = run; i + 2 < run + SliceSamples::kRun; ++i) {
             const float d = std::abs(slice[i] - 2.0f * slice[i + 1] + slice[i + 2]);
-            if (d > 0.0f) differences.push_back(d);  // no NaN is
+            if (d > 0.0f) differences.push_back(d);  // false for NaN
         }
     }
     if (differences.size() < SliceSamples::kRun) return 0.0;
@@ -68,7 +68,7 @@ bool noiseAlternates(std::span<const std::span<const float>> slices) {
     parallelFor(slices.size(), [&](std::size_t k) { noises[k] = noiseOf(slices[k]); });
     // Interpolation along a helix changes noise by some percent from slice to slice, another kernel by more.
     constexpr double kLeastRatio = 1.25;
-    std::array<std::size_t, 2> above{};  // of even slices, of odd ones
+    std::array<std::size_t, 2> above{};  // counts of even slices and of odd ones
     std::array<std::size_t, 2> below{};
     for (std::size_t k = 1; k + 1 < noises.size(); ++k) {
         const double beside = std::sqrt(noises[k - 1] * noises[k + 1]);

@@ -5,14 +5,14 @@
 
 namespace macula::dicom {
 
-// `slices` have the same number of values each, and follow each other at one distance. Compares the part of
-// their second differences that changes its sign with every slice, at the same place in the plane, with the
-// whole: noise and anatomy have no more of it than of others, two mixed acquisitions have little else. False
-// for fewer than eight slices.
+// `slices` have the same number of values each, and follow each other at equal distances. Takes second
+// differences along the slices at each place in the plane, and compares the part that changes its sign with
+// every slice with the whole: in noise and anatomy it is no larger than other parts, in two mixed
+// acquisitions it is nearly everything. False for fewer than eight slices.
 bool alternates(std::span<const std::span<const float>> slices);
 
 // Detects alternating noise, as of a sharp and a soft kernel with equal values: the noise of every other
-// slice, measured between neighbours in a row, is above that of the slices beside it. `slices` are of
+// slice, measured between neighbours in a row, is above that of its neighbours. `slices` come from
 // SliceSamples.
 bool noiseAlternates(std::span<const std::span<const float>> slices);
 

@@ -10,7 +10,7 @@ namespace macula::dicom {
 
 namespace {
 
-// At most one of so many images is left to what decoding finds.
+// If at most one in this many images is suspect, only decoding checks it (cellsBeyondStoredBits).
 constexpr std::size_t kFewOf = 10;
 constexpr std::size_t kMostLookedAt = 9;  // images of one format
 
@@ -60,14 +60,14 @@ void CellAlignment::add(std::span<const std::uint16_t> cells, const std::optiona
 
 bool CellAlignment::isAtTheLowEnd() const {
     if (low_ == 0 || cells_ == 0 || beyond_ > 0) return false;
-    constexpr std::size_t kBusy = 20;  // one cell of so many has the bit, and one has not
+    constexpr std::size_t kBusy = 20;  // at least one cell in this many has the bit, and one lacks it
     std::size_t all = 1;
     for (std::size_t bit = 0; bit < set_.size(); ++bit) {
         if ((low_ >> bit & 1u) == 0) continue;
         all *= 2;
         if (kBusy * set_[bit] < cells_ || kBusy * (cells_ - set_[bit]) < cells_) return false;
     }
-    constexpr std::size_t kEnough = 64;  // of 256 patterns few pixels have all
+    constexpr std::size_t kEnough = 64;  // few pixels cannot show all of 256 patterns
     return patterns_.size() > std::min(all / 2, kEnough);
 }
 

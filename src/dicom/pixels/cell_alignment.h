@@ -1,4 +1,4 @@
-// Where in its cell a value lies: HighBit says it (PS3.5 8.1.1), and some writers set HighBit wrongly.
+// Finds where in its cell a value lies. HighBit says so (PS3.5 8.1.1), but some writers set it wrongly.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace macula::dicom {
 // The cells of some images that share a format with bits below the stored ones.
 class CellAlignment {
   public:
-    // `declared` is narrow.
+    // `declared` must be narrow (isNarrow).
     CellAlignment(const CellFormat& declared, std::uint16_t overlays);
 
     // Ignores padding.
@@ -35,16 +35,16 @@ class CellAlignment {
     CellFormat declared_;
     unsigned low_ = 0;  // mask of the bits below the stored ones
     std::uint16_t overlays_ = 0;
-    std::set<unsigned> patterns_;        // of the low bits
+    std::set<unsigned> patterns_;        // different values of the low bits
     std::array<std::size_t, 16> set_{};  // cells that have the bit
-    std::size_t cells_ = 0;              // that are not 0
-    std::size_t beyond_ = 0;             // that do not fit when read from the low end
+    std::size_t cells_ = 0;              // cells that are not 0
+    std::size_t beyond_ = 0;             // cells that do not fit when read from the low end
 };
 
 // Checks images whose format leaves bits below the stored ones, unless they are at most a tenth of all
 // (decoding finds those: FrameDecoder::cellsBeyondStoredBits), and corrects the formats of those whose values
-// lie at the low end. Returns how many. Reads some of the images, and reports no unreadable ones. May throw
-// std::bad_alloc.
+// lie at the low end. Returns how many it corrected. Reads some of the images, and ignores unreadable ones.
+// May throw std::bad_alloc.
 std::size_t alignCells(const Stack& stack, std::span<SliceIntensity> intensities, const CancelToken& cancel);
 
 }  // namespace macula::dicom

@@ -12,7 +12,7 @@
 namespace macula::dicom {
 
 struct FrameDecoder::Worker {
-    const Instance* instance = nullptr;  // that `reader` reads
+    const Instance* instance = nullptr;  // the file that `reader` has open
     std::optional<PixelReader> reader;
     std::optional<Error> openError;
     std::vector<std::uint16_t> cells;
@@ -105,13 +105,13 @@ Result<void> FrameDecoder::run(std::span<const std::size_t> order, std::size_t c
             try {
                 errors_[f] = decode(f, worker, progress.token());
             } catch (const CheckFailure&) {
-                throw;       // a mistake of ours, and none of the file
+                throw;       // a bug in Macula, not a fault of the file
             } catch (...) {  // the decoders throw nothing else
                 outOfMemory = true;
             }
             if (states_[f] != FrameState::decoded && errors_[f].code == ErrorCode::outOfMemory)
                 outOfMemory = true;
-            // The release of the last one shows this thread what all the others wrote.
+            // The last decrement makes visible to this thread what all others wrote.
             if (i < count && --waiting == 0 && onFirst && !outOfMemory && !progress.cancelled()) onFirst();
             progress.advance();
         }

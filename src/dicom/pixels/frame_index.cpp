@@ -18,12 +18,12 @@ std::uint32_t doubleWord(std::span<const std::byte> b) {
 struct Items {
     std::vector<std::uint64_t> offsetTable;
     std::vector<Extent> fragments;
-    bool whole = false;       // up to the sequence delimiter
+    bool whole = false;       // the items reach the sequence delimiter
     bool endsInside = false;  // the file ends inside an item
 
-    // Where the item of a fragment begins, from the first one.
+    // The offset of a fragment's item from the first item, as offset tables have it.
     std::uint64_t start(std::size_t i) const { return fragments[i].offset - fragments[0].offset; }
-    // Where the item after the last one would begin.
+    // The offset at which the item after the last one would begin.
     std::uint64_t end() const {
         return start(fragments.size() - 1) + fragments.back().bytes + kItemHeaderBytes;
     }
@@ -60,7 +60,7 @@ Items readItems(const RandomFile& file, std::uint64_t at, std::size_t frames) {
     return items;
 }
 
-// The index by a table of offsets; nothing when these are not those of fragments.
+// The index by a table of offsets; nothing if an offset is not that of a fragment.
 std::optional<FrameIndex> byOffsets(const Items& items, std::span<const std::uint64_t> offsets) {
     FrameIndex index;
     if (items.fragments.empty()) return index;
@@ -117,8 +117,8 @@ bool fragmentEndsStream(const RandomFile& file, const Extent& fragment) {
     return endsAt(1) || endsAt(0);
 }
 
-// Where streams begin among the fragments: with a marker, and where `afterEndsOnly`, after the end of
-// another.
+// The fragments that begin a stream, by a marker; if `afterEndsOnly`, only those after the end of another
+// stream.
 std::vector<std::size_t> startsOf(const RandomFile& file, const Items& items, bool afterEndsOnly) {
     std::vector<std::size_t> starts;
     for (std::size_t i = 0; i < items.fragments.size(); ++i) {
@@ -130,7 +130,7 @@ std::vector<std::size_t> startsOf(const RandomFile& file, const Items& items, bo
 }
 
 // The index of frames of several fragments each, by the markers of their streams. Streams beyond `frames` are
-// no frames; where there are fewer, the last frames are missing.
+// ignored; if there are fewer, the last frames are missing.
 std::optional<FrameIndex> byMarkers(const RandomFile& file, const Items& items, std::size_t frames) {
     std::vector<std::size_t> starts = startsOf(file, items, true);
     if (starts.size() != frames) {
@@ -141,15 +141,15 @@ std::optional<FrameIndex> byMarkers(const RandomFile& file, const Items& items, 
     starts.push_back(items.fragments.size());
     FrameIndex index;
     for (std::size_t i = 0; i < std::min(there, frames); ++i) {
-        // The last one may go on where the file does not.
+        // The file may end inside the last one.
         if (i + 1 == there && !items.whole && !fragmentEndsStream(file, items.fragments.back())) break;
         index.addFrame(std::span(items.fragments).subspan(starts[i], starts[i + 1] - starts[i]));
     }
     return index;
 }
 
-// The index of several frames in one fragment: they are cut wherever one stream ends and another one begins.
-// Streams cannot hold these markers otherwise.
+// The index of several frames in one fragment: cuts wherever one stream ends and another one begins. These
+// markers cannot occur inside a stream.
 std::optional<FrameIndex> insideOfOne(const RandomFile& file, const Extent& fragment, std::size_t frames) {
     if (!fragmentBeginsStream(file, fragment)) return {};
     constexpr std::size_t kStep = 1 << 16;
@@ -206,7 +206,7 @@ std::optional<FrameIndex> indexFrames(const RandomFile& file, std::uint64_t firs
         if (count == 1 && items.whole) return insideOfOne(file, items.fragments[0], frames);
         return byMarkers(file, items, frames);
     }
-    // Run lengths, or no compression: one fragment each, always (PS3.5 A.4.2).
+    // Run lengths, or no compression: each frame is always one fragment (PS3.5 A.4.2).
     const bool isOneEach = count <= frames || startsOf(file, items, false).size() == count;
     return isOneEach ? std::optional(oneEach(items, frames)) : std::nullopt;
 }

@@ -34,13 +34,13 @@ class FrameIndex {
 
   private:
     std::vector<Extent> extents_;
-    std::vector<std::size_t> ends_;  // of each frame, in extents_
+    std::vector<std::size_t> ends_;  // where each frame ends, in extents_
 };
 
 // `firstItem`: where the item of the Basic Offset Table begins. `frames`: as the header claims. Separates
 // frames by that table, by the extended one (7FE0,0001; empty when there is none), by taking one fragment for
 // each, or by the markers at the beginning and end of streams; nothing when none of these fits. Takes memory
-// in proportion to the items that are there, whatever the file claims.
+// in proportion to the items in the file, whatever the header claims.
 std::optional<FrameIndex> indexFrames(const RandomFile& file, std::uint64_t firstItem, std::size_t frames,
                                       Codec codec, std::span<const std::uint64_t> extendedOffsets);
 

@@ -57,7 +57,7 @@ void leaveOutWhatNeedsMoreBits(const Stack& stack, std::span<const SliceIntensit
     }
 }
 
-// What is wrong with the pixels of images, for a sentence that begins with these.
+// The end of a sentence that begins with images: what is wrong with their pixels.
 Text describe(SliceFault fault) {
     switch (fault) {
         case SliceFault::otherSign:

@@ -12,8 +12,8 @@ namespace macula::dicom {
 // Checks the `usable` frames of the stack, clears the mark of those to leave out, and returns messages about:
 //   - values that need more bits than declared, where most images declare more, or few are affected;
 //   - pixels of a few images that are certainly wrong as read (odd_slices.h);
-//   - what is as odd and stays: such pixels of many images, images unlike their neighbours, steps of the
-//   rescale.
+//   - faults that stay in the volume: such pixels in many images, images unlike their neighbours, steps of
+//     the rescale.
 std::vector<Message> checkImages(const Stack& stack, std::span<const SliceIntensity> intensities,
                                  const FrameDecoder& decoder, const SliceSamples& samples,
                                  std::vector<bool>& usable);

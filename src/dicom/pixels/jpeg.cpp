@@ -69,7 +69,7 @@ std::optional<FrameHeader> readFrameHeader(std::span<const std::byte> stream) {
     return {};
 }
 
-// Decodes the stream as a data element of its own, with the few attributes that DCMTK's decoders ask for.
+// Decodes the stream as a data element of its own, with the few attributes that DCMTK's decoders need.
 bool decodeWithToolkit(const std::string& transferSyntaxUid, std::span<const std::byte> stream,
                        const FrameHeader& header, std::span<std::byte> target) {
     DcmItem attributes;
@@ -105,7 +105,7 @@ bool decodeWithToolkit(const std::string& transferSyntaxUid, std::span<const std
     OFString colourModel;
     const OFCondition decoded = pixels.getUncompressedFrame(&attributes, 0, startFragment, target.data(),
                                                             static_cast<Uint32>(target.size()), colourModel);
-    // libjpeg says it in words only: "Insufficient memory (case 4)".
+    // libjpeg reports lack of memory only in words: "Insufficient memory (case 4)".
     const bool noMemory =
         decoded == EC_MemoryExhausted || (decoded.bad() && std::strstr(decoded.text(), "memory"));
     if (noMemory) throw std::bad_alloc();

@@ -20,9 +20,9 @@ Error broken() {
             Text("Copy the file again from its source.")};
 }
 
-// What the header of a code stream says (ISO 15444-1 A.5.1).
+// The header of a code stream (ISO 15444-1 A.5.1).
 struct StreamHeader {
-    std::size_t begin = 0;  // of the code stream in the bytes: a JP2 file may be wrapped around it
+    std::size_t begin = 0;  // offset of the code stream: a JP2 file may be wrapped around it
     unsigned columns = 0;
     unsigned rows = 0;
     unsigned components = 0;
@@ -30,10 +30,10 @@ struct StreamHeader {
 };
 
 // Whether every tile has a part in the stream (ISO 15444-1 A.4.2, B.3). The decoder takes memory for each
-// tile that the header announces, and makes zeros of those that are missing, without a word.
+// tile that the header announces, and silently fills missing ones with zeros.
 bool hasAllTiles(std::span<const std::byte> stream, std::size_t firstTilePart, std::uint64_t tiles) {
-    constexpr std::size_t kTilePartBytes =
-        14;  // of a start of tile-part and a start of data, with nothing in it
+    // Size of an empty tile-part: start of tile-part and start of data.
+    constexpr std::size_t kTilePartBytes = 14;
     constexpr unsigned kStartOfTilePart = 0xFF90;
     if (tiles == 0 || tiles > stream.size() / kTilePartBytes) return false;
     const auto number = [&](std::size_t at, std::size_t size) {
@@ -73,7 +73,7 @@ std::optional<StreamHeader> readHeader(std::span<const std::byte> bytes) {
             value = value << 8 | std::to_integer<std::uint32_t>(stream[at + i]);
         return value;
     };
-    constexpr std::size_t kSizBytes = 45;  // of SOC and SIZ with one component
+    constexpr std::size_t kSizBytes = 45;  // size of SOC and SIZ with one component
     if (stream.size() < kSizBytes) return {};
     header.columns = number(8, 4) - number(16, 4);
     header.rows = number(12, 4) - number(20, 4);
@@ -147,12 +147,12 @@ OPJ_BOOL seekBytes(OPJ_OFF_T to, void* user) {
 
 void ignoreMessage(const char*, void*) {}
 
-// OpenJPEG's text "Not enough memory to ..." is all that tells lack of memory from a broken stream.
+// OpenJPEG's text "Not enough memory to ..." is all that distinguishes lack of memory from a broken stream.
 void noteLackOfMemory(const char* text, void* lacksMemory) {
     if (text != nullptr && std::strstr(text, "memory") != nullptr) *static_cast<bool*>(lacksMemory) = true;
 }
 
-// The library's handles are all of one type.
+// The library's handles are all void pointers, so each kind needs a deleter of its own.
 struct DestroyCodec {
     void operator()(opj_codec_t* codec) const { opj_destroy_codec(codec); }
 };
@@ -183,7 +183,7 @@ Result<void> decodeJpeg2000(std::span<const std::byte> codeStream, int columns, 
     opj_stream_set_read_function(stream.get(), readBytes);
     opj_stream_set_skip_function(stream.get(), skipBytes);
     opj_stream_set_seek_function(stream.get(), seekBytes);
-    // Its messages are no help to anybody, and would go to the terminal.
+    // Its messages help nobody, and would be printed to the terminal.
     opj_set_info_handler(codec.get(), ignoreMessage, nullptr);
     opj_set_warning_handler(codec.get(), ignoreMessage, nullptr);
     bool lacksMemory = false;

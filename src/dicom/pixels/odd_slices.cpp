@@ -9,8 +9,8 @@ namespace macula::dicom {
 
 namespace {
 
-// What differs by so many times less explains what is odd. Twice is chance, and a wrong byte or sign makes
-// hundreds.
+// A reading that makes a slice differ this many times less explains why it is odd. A factor of two is chance;
+// a wrong byte order or sign makes hundreds.
 constexpr double kFarLess = 4.0;
 constexpr std::array kReadings{SliceFault::otherSign, SliceFault::swappedBytes};
 
@@ -36,7 +36,7 @@ double distance(std::span<const float> a, std::span<const float> b) {
                                                      : sum / static_cast<double>(count);
 }
 
-// The raw value of a cell of 16 bits that is read otherwise.
+// The raw value of a cell, read with the other sign or byte order.
 int readAs(SliceFault fault, const CellFormat& format, int raw) {
     const int whole = 1 << format.bitsStored;
     if (fault == SliceFault::otherSign) {
@@ -48,8 +48,7 @@ int readAs(SliceFault fault, const CellFormat& format, int raw) {
     return format.isSigned ? static_cast<std::int16_t>(swapped) : static_cast<int>(swapped);
 }
 
-// The samples as they were if cells were read otherwise; empty where they cannot be, or where that is the
-// same.
+// The samples as they would be with that reading; empty if it is impossible, or changes nothing.
 std::vector<float> readAs(SliceFault fault, const SliceIntensity& intensity, std::span<const float> samples) {
     const CellFormat& format = intensity.format;
     if (intensity.modalityLut || !isNarrow(format)) return {};
@@ -68,7 +67,7 @@ std::vector<float> readAs(SliceFault fault, const SliceIntensity& intensity, std
     return values;
 }
 
-// From where on the samples have one value, or none.
+// The index from which on all samples have the same value, or none.
 std::size_t tailOf(std::span<const float> samples) {
     std::size_t begin = samples.size();
     const auto isLast = [&](float value) {
@@ -103,12 +102,13 @@ class OddSlices {
 
   private:
     std::span<const float> at(std::size_t i) const { return samples_[slices_[i]]; }
-    // From slice `i` to the next one.
+    // Whether values jump from slice `i` to the next one.
     bool isJump(std::size_t i) const { return !(steps_[i] <= kFarLess * typical_); }
-    // As many in a row, or in all, as may be a slip.
+    // The most slices, in a row or in all, that may be wrong by accident.
     std::size_t few() const { return std::max<std::size_t>(2, slices_.size() / 10); }
 
-    // Both neighbours have an image where slice `i` has one value, and resemble each other more than it.
+    // Whether both neighbours have an image where slice `i` has one value, and resemble each other more than
+    // they resemble slice `i`.
     bool isBlankBetween(std::size_t below, std::size_t i, std::size_t above, std::size_t tail) const {
         const auto part = [&](std::size_t of) { return at(of).last(tail); };
         const float blank = at(i).back();
@@ -119,7 +119,7 @@ class OddSlices {
             return kLeastOf * (tail - static_cast<std::size_t>(same)) >= tail;
         };
         if (!isFull(below) || !isFull(above)) return false;
-        // What is padding in part was never scanned there.
+        // A slice that is padding only in part was not scanned there.
         if (std::isnan(blank)) return tail == at(i).size();
         const double apart = std::min(distance(part(below), part(i)), distance(part(i), part(above)));
         // A part may be blank where the patient ends: then the neighbours have little there.
@@ -144,7 +144,7 @@ class OddSlices {
         }
     }
 
-    // Slices beside a jump, or with a sign that most have not: those that may be read wrongly.
+    // The slices that may be read wrongly: those next to a jump, or with another sign than most.
     std::vector<bool> suspects() const {
         std::vector<bool> suspect(slices_.size(), false);
         std::size_t isSigned = 0;
@@ -184,7 +184,7 @@ class OddSlices {
         }
     }
 
-    // One or two slices between two that resemble each other more than any of them.
+    // Finds one or two slices between neighbours that resemble each other more than they resemble these.
     void findUnlike() {
         if (!(typical_ > 0.0)) return;
         std::vector<std::size_t> unlike;
@@ -209,7 +209,7 @@ class OddSlices {
     std::span<const std::size_t> slices_;
     const SliceSamples& samples_;
     std::span<const SliceIntensity> intensities_;
-    std::vector<double> steps_;  // from each slice to the next
+    std::vector<double> steps_;  // difference of each slice from the next
     double typical_ = 0.0;
     std::vector<std::optional<SliceFault>> faults_;
 };
@@ -285,7 +285,7 @@ std::vector<RescaleStep> findRescaleSteps(std::span<const std::size_t> slices, c
     for (std::size_t i = 1; i < slices.size(); ++i) {
         if (changes(i)) places.push_back(i);
     }
-    // Where each slice has its own rescale, as of PET, nothing says how far values move by themselves.
+    // If each slice has its own rescale, as in PET, nothing shows how far values change anyway.
     if (places.empty() || 2 * places.size() > slices.size()) return {};
     std::vector<double> usual;
     for (std::size_t i = 1; i < slices.size(); ++i) {

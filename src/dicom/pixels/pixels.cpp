@@ -36,7 +36,7 @@ Tag pixelTagOf(CellKind kind) {
     return tag::kPixelData;
 }
 
-// What the header says now, in whatever VR, as Dataset::integer reads it; nothing when it does not say.
+// The number that the header gives now, in any VR, as Dataset::integer reads it; nothing if there is none.
 std::optional<double> numberOf(const ElementTree& tree, Tag tag) {
     const Element* element = tree.find(tree.root(), tag);
     if (element == nullptr) return {};
@@ -70,7 +70,7 @@ void toNumbers(const CellFormat& format, std::span<const std::byte> bytes, std::
         } else if (format.kind == CellKind::float64) {
             numbers[i] = at<double>(bytes, i);
         } else {
-            // The stored bits go to the top of the word, and back with or without their sign.
+            // Shifts the stored bits to the top of the word, and back with or without their sign.
             const std::uint32_t top = at<std::uint32_t>(bytes, i) << (31 - format.highBit);
             const int down = 32 - format.bitsStored;
             numbers[i] =
@@ -88,11 +88,11 @@ struct PixelReader::Impl {
     RandomFile file;
     Codec codec = Codec::native;
     PixelDataOutline pixels;
-    FrameIndex index;  // of encapsulated pixel data
+    FrameIndex index;  // frames of encapsulated pixel data
     bool bigEndian = false;
     bool bytesInWords = false;              // big endian, and OW: bytes are swapped too (PS3.5 7.3)
     std::uint64_t datasetOffset = 0;        // where deflated data begin
-    std::unique_ptr<ByteSource> inflating;  // of a deflated file, somewhere in its pixels
+    std::unique_ptr<ByteSource> inflating;  // a deflated file that is being read, somewhere in its pixels
     std::vector<std::byte> scratch;
 
     Impl(const std::filesystem::path& p, const PixelLayout& l, CancelToken c)
@@ -149,7 +149,7 @@ Result<void> PixelReader::Impl::open() {
     if (source.inflating()) inflating = std::make_unique<ByteSource>(path, cancel);
     bigEndian = layout.transferSyntaxUid == kBigEndian;
     if (bigEndian && !pixels.encapsulated) {
-        std::array<std::byte, 2> vr{};  // of the element header: tag, VR, two bytes, length
+        std::array<std::byte, 2> vr{};  // VR in the element header: tag, VR, two bytes, length
         if (pixels.offset < 12 || !file.read(pixels.offset - 8, vr)) return damaged();
         bytesInWords = vr == std::array{std::byte{'O'}, std::byte{'W'}};
     }
@@ -309,7 +309,7 @@ auto guarded(const std::filesystem::path& file, const Body& body) -> decltype(bo
     return Error{ErrorCode::outOfMemory, Text("There is not enough memory to decode a slice."), file.string(),
                  Text("Close other programs, or choose a smaller series.")};
 } catch (const CheckFailure&) {
-    throw;  // a mistake of ours, and none of the file
+    throw;  // a bug in Macula, not a fault of the file
 } catch (...) {
     return Error{ErrorCode::inputNotUsable, Text("The pixel data of this file cannot be decoded."),
                  file.string(), Text("Copy the file again from its source.")};

@@ -28,7 +28,8 @@ struct PixelLayout {
 class PixelReader {
   public:
     // Fails when the file is gone, changed since the scan, holds no pixel data that can be found, or is in a
-    // transfer syntax this build cannot decode. Of a deflated file, reading fails once `cancel` is cancelled.
+    // transfer syntax this build cannot decode. For a deflated file, reading fails once `cancel` is
+    // cancelled.
     static Result<PixelReader> open(const std::filesystem::path& file, const PixelLayout& layout,
                                     CancelToken cancel = {});
     PixelReader(PixelReader&&) noexcept;

@@ -7,7 +7,7 @@
 namespace macula::dicom {
 
 SliceSamples::SliceSamples(int columns, int rows, std::size_t slices) {
-    // At most half of the memory that the pixels themselves take, but for tiny images.
+    // At most half of the memory that the pixels take, except for tiny images.
     constexpr std::size_t kFewRuns = 256;
     constexpr std::size_t kMostRuns = 1024;
     constexpr std::size_t kPixelsOfARun = 64;
@@ -16,7 +16,8 @@ SliceSamples::SliceSamples(int columns, int rows, std::size_t slices) {
     if (pixels <= runs * kRun || columns < int(kRun)) {
         for (std::size_t at = 0; at + kRun <= pixels && runs_.size() < runs; at += kRun) runs_.push_back(at);
     } else {
-        // Rows follow each other evenly, columns by the golden ratio, so that no pattern of the image fits.
+        // Rows are evenly spaced, and columns follow the golden ratio, so that samples match no pattern of
+        // the image.
         constexpr double kGolden = 0.6180339887498949;
         for (std::size_t r = 0; r < runs; ++r) {
             const std::size_t row = r * static_cast<std::size_t>(rows) / runs;

@@ -9,7 +9,7 @@ namespace macula::dicom {
 
 namespace {
 
-constexpr double kSamePlace = 0.01;  // of a slice distance
+constexpr double kSamePlace = 0.01;  // fraction of a slice distance
 
 }  // namespace
 
@@ -32,8 +32,8 @@ UsableSlices withoutFrames(std::span<const SliceSource> slices, std::span<const 
                       .above = above == good.end() ? none : *above,
                       .weight = 0.0};
             if (source.above == none || source.below == none) {
-                if (result.slices.empty()) continue;  // at the beginning
-                break;                                // at the end
+                if (result.slices.empty()) continue;  // a lost slice at the beginning
+                break;                                // a lost slice at the end
             }
             if (places[source.below] >= places[source.above]) source.above = source.below;
             if (source.interpolated()) {
@@ -77,7 +77,7 @@ void blend(std::span<const std::uint16_t> below, std::span<const std::uint16_t> 
         const bool isPadding = padding && (padding->contains(below[i]) || padding->contains(above[i]));
         const auto mixed =
             static_cast<std::uint16_t>(std::lround((1.0 - weight) * below[i] + weight * above[i]));
-        // An interpolated value may happen to equal the padding value: then the nearer one is taken.
+        // An interpolated value may happen to equal the padding value: then takes the nearer one.
         result[i] = isPadding || (padding && padding->contains(mixed)) ? nearer[i] : mixed;
     }
 }

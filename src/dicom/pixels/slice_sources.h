@@ -12,7 +12,7 @@
 namespace macula::dicom {
 
 struct UsableSlices {
-    std::size_t first = 0;            // of the slices given
+    std::size_t first = 0;            // index of the first usable slice among those given
     std::vector<SliceSource> slices;  // none when no frame is usable
 };
 

@@ -18,7 +18,7 @@ class Segments {
     std::optional<std::vector<std::uint16_t>> expand() {
         std::size_t at = 0;
         while (at < words_.size()) {
-            if (words_.size() - at == 1 && words_[at] == 0) break;  // to an even length
+            if (words_.size() - at == 1 && words_[at] == 0) break;  // padding to an even length
             if (!any(at)) return {};
         }
         if (entries_.size() != count_) return {};
@@ -26,16 +26,18 @@ class Segments {
     }
 
   private:
-    // Those below move `at` behind the segment. They say whether it fits.
+    // Each of these functions moves `at` past its segment, and returns whether that fits.
     bool any(std::size_t& at) {
         if (words_[at] != kIndirect) return direct(at);
         if (words_.size() - at < 4) return false;
         const std::size_t segments = words_[at + 1];
-        std::size_t from = (std::size_t{words_[at + 3]} << 16 | words_[at + 2]) / 2;  // of bytes
-        if (from >= at) return false;  // only of what was there before
+        // The offset counts bytes.
+        std::size_t from = (std::size_t{words_[at + 3]} << 16 | words_[at + 2]) / 2;
+        if (from >= at) return false;  // only earlier segments
         at += 4;
         for (std::size_t i = 0; i < segments; ++i) {
-            if (from >= words_.size() || !direct(from)) return false;  // no indirect one within
+            // A segment of these must not be indirect.
+            if (from >= words_.size() || !direct(from)) return false;
         }
         return true;
     }
@@ -66,7 +68,7 @@ class Segments {
     std::vector<std::uint16_t> entries_;
 };
 
-// Two entries of 8 bits in a word, the first in its lower half, or one in each.
+// Entries of 8 bits come two in a word, the first in its lower half, or one in each.
 std::vector<std::uint16_t> entriesOf(std::vector<std::uint16_t> words, std::size_t count, int bits) {
     if (bits == 8 && words.size() < count && words.size() == (count + 1) / 2) {
         std::vector<std::uint16_t> entries;
@@ -76,7 +78,7 @@ std::vector<std::uint16_t> entriesOf(std::vector<std::uint16_t> words, std::size
         }
         words = std::move(entries);
     }
-    if (words.size() == count + 1) words.pop_back();  // to an even length
+    if (words.size() == count + 1) words.pop_back();  // padding to an even length
     return words;
 }
 

@@ -15,7 +15,7 @@ struct PaletteTable {
     std::vector<std::uint16_t> values;  // 65535 is full, for tables of 8 bits too; at least 2
 };
 
-// Reads a table of 8 or 16 bits, plain or else segmented. Nothing when a part is missing or does not fit.
+// Reads a table of 8 or 16 bits, plain or segmented. Nothing when a part is missing or does not fit.
 std::optional<PaletteTable> readPaletteTable(const Dataset& from, Tag descriptor, Tag data, Tag segmented);
 
 // Expands segments to entries; nothing unless there are exactly `count` entries, at most 65536.

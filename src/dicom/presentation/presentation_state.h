@@ -17,7 +17,7 @@ namespace macula::dicom {
 
 struct PresentationOwner {
     // An image of the series shown, which gives patient and study. Its file must still hold that instance. If
-    // deidentified it is optional, and only tells which objects are of one patient (pseudonyms.h).
+    // deidentified it is optional, and only shows which objects belong to one patient (pseudonyms.h).
     std::optional<SecondaryCapture::Source> image;
     // Copies nothing of patient and study, and replaces the UIDs of series, frame of reference and images by
     // those of standInUid: only with the series and this installation's key, made if there is none, can one
@@ -30,10 +30,10 @@ struct PresentationOwner {
 
 // Explicit VR little endian. Each call makes a new series and instance. The file is written whole or not at
 // all, in place of one that is there. Reading it gives the same presentation, to the last bit, if the centre
-// and the width of the palette's interval fit the 16 characters of a Decimal String; else the nearest such
-// interval. Fails with usage for numbers that are not finite or out of range, tables of unequal length, text
-// that is too long, and a missing image unless deidentified; with inputNotUsable when the image cannot be
-// read or is another one; with outputNotWritable.
+// and the width of the palette's interval fit the 16 characters of a Decimal String; otherwise the nearest
+// such interval. Fails with usage for numbers that are not finite or out of range, tables of unequal length,
+// text that is too long, and a missing image unless deidentified; with inputNotUsable when the image cannot
+// be read or is another one; with outputNotWritable.
 Result<void> writePresentationState(const std::filesystem::path& path, const VolumePresentation& presentation,
                                     const PresentationOwner& owner);
 
@@ -44,12 +44,12 @@ struct PresentationState {
     bool hasForeignChanges = false;  // ignored Macula's own state: the rest changed or has messages
 };
 
-// Never throws. Fails with inputNotUsable when the file is no such object, refers to no images, or lacks
+// Never throws. Fails with inputNotUsable when the file is not such an object, refers to no images, or lacks
 // camera or colours; or with outOfMemory.
 Result<PresentationState> readPresentationState(const std::filesystem::path& path);
 
-// Whether the presentation, deidentified or not, is of the series whose UID has the SHA-256 `seriesDigest`,
-// in lower-case hexadecimal digits.
+// Whether the presentation, deidentified or not, refers to the series whose UID has the SHA-256
+// `seriesDigest`, in lower-case hexadecimal digits.
 bool isSeries(const PresentedSeries& series, std::string_view seriesDigest);
 
 }  // namespace macula::dicom

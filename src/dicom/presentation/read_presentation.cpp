@@ -23,7 +23,7 @@ namespace tags = presentation_tag;
 
 namespace {
 
-// Reads one object, and notes what of it cannot be said.
+// Reads one object, and notes what a VolumePresentation cannot hold.
 class Reader {
   public:
     Reader(const Dataset& file, std::string where) : file_(file), where_(std::move(where)) {}
@@ -59,7 +59,7 @@ class Reader {
             message(key::kPresentationApproximated, {{"what", std::move(what)}, {"how", std::move(how)}}));
     }
 
-    // Of several the first is shown.
+    // Reads the first of several streams.
     Result<void> readStream() {
         const std::vector<Dataset> streams = file_.items(tags::kVolumeStreams);
         if (streams.empty()) return notUsable(Text("The presentation state does not say in which colours."));
@@ -154,7 +154,7 @@ class Reader {
             .positionMm = *position,
             .lookAtMm = *lookAt,
             .up = *up,
-            // Some have y downwards.
+            // Some writers have y downwards.
             .field = {f[0], f[1], std::max(f[2], f[3]), std::min(f[2], f[3]), f[4], f[5]}};
     }
 
@@ -289,7 +289,8 @@ class Reader {
         return {};
     }
 
-    // Ax + By + Cz + D = 0 says where it is, at any scale and sign; the normal, which side is cut off.
+    // Ax + By + Cz + D = 0, with any scale and sign, gives the place; the normal gives the side that is cut
+    // off.
     std::optional<CroppingPlane> planeOf(const Dataset& item) const {
         const auto equation = item.numbers(tags::kPlane, 4);
         const auto normal = point(item, tags::kPlaneNormal);
@@ -349,8 +350,8 @@ class Reader {
     const std::string where_;
     PresentationState state_;
     std::optional<Dataset> stream_;
-    std::optional<Dataset> component_;  // its first
-    std::optional<Dataset> input_;      // the one that the component is of
+    std::optional<Dataset> component_;  // the first of stream_
+    std::optional<Dataset> input_;      // the input that the component maps
     std::optional<int> inputNumber_;
 };
 

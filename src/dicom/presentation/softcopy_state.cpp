@@ -38,7 +38,7 @@ DisplayedSize sizeOf(const Dataset& item) {
     return mode == "MAGNIFY" ? DisplayedSize::magnified : DisplayedSize::fitted;
 }
 
-// Nothing: it says no window, or one that shows no value.
+// Nothing if there is no window, or one that shows no value.
 std::optional<DisplayWindow> windowOf(const Dataset& item) {
     const std::vector<double> centres = item.shortNumbers(tags::kWindowCenter);
     const std::vector<double> widths = item.shortNumbers(tags::kWindowWidth);
@@ -85,7 +85,7 @@ void readPlace(const Dataset& file, SoftcopyState& state) {
         for (int axis = 0; axis < 2; ++axis) {
             const double low = (*first)[std::size_t(axis)];
             const double high = (*last)[std::size_t(axis)];
-            // May lie beyond the image; corners the other way round would mirror it.
+            // The area may extend beyond the image, but corners in reverse order would mirror it.
             isUsable = isUsable && low >= -kLargestPixel && high <= kLargestPixel && low <= high;
             if (!isUsable) break;
             area.topLeft[axis] = int(low);

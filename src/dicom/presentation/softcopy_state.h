@@ -50,11 +50,11 @@ struct SoftcopyState {
     std::vector<SoftcopyWindow> windows;
     std::vector<DisplayedArea> areas;
     bool isInverse = false;  // white and black change places
-    // What else the object has, in words that complete "The presentation state has …".
+    // What Macula cannot apply of the object, in words that complete "The presentation state has …".
     std::vector<Text> leftOut;
 };
 
-// Never throws. Fails with inputNotUsable when it is no such object or names no images; or outOfMemory.
+// Never throws. Fails with inputNotUsable when it is not such an object, or names no images; or outOfMemory.
 Result<SoftcopyState> readSoftcopyState(const std::filesystem::path& path);
 
 }  // namespace macula::dicom

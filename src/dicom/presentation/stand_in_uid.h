@@ -10,7 +10,8 @@
 
 namespace macula::dicom {
 
-// Keyed: without the installation's key, the images do not reveal that `uid` is meant.
+// Keyed: without the installation's key, not even somebody who has the images can tell that a stand-in means
+// `uid`.
 std::string standInUid(const InstallationKey& key, std::string_view uid);
 
 // The stand-ins that this installation, or Macula before there were keys, may have written for a UID.

@@ -10,7 +10,7 @@ namespace macula::dicom {
 
 namespace {
 
-// One line for each, so that nothing runs into what is beside it; numbers as they are read back.
+// Writes a line for each value, so that neighbours cannot run together; numbers as they will be read back.
 class Digested {
   public:
     void add(std::string_view word) { text_ += fmt::format("{}:{}\n", word.size(), word); }

@@ -92,7 +92,7 @@ struct PresentedShading {
     double diffuse = 0.0;
     double specular = 0.0;
     std::optional<double> shininess;
-    glm::dvec3 lightDirection{0.0, 1.0, 0.0};  // in which light travels; a unit vector
+    glm::dvec3 lightDirection{0.0, 1.0, 0.0};  // the direction in which light travels; a unit vector
 
     bool operator==(const PresentedShading&) const = default;
 };

@@ -34,7 +34,7 @@ namespace {
 
 constexpr std::size_t kLongestLabel = 16;         // VR CS
 constexpr std::size_t kLongestDescription = 64;   // VR LO
-constexpr std::size_t kLongestOwnState = 200000;  // what is read is at most 256 KiB
+constexpr std::size_t kLongestOwnState = 200000;  // readers accept at most 256 KiB
 constexpr std::size_t kMostEntries = 65536;
 constexpr double kUnitLength = 1e-6;
 constexpr double kFarthestMm = 1e9;
@@ -160,7 +160,7 @@ class ItemWriter {
     void word(Tag tag, std::uint16_t value) {
         note(item_->putAndInsertUint16(DcmTagKey(tag.group, tag.element), value));
     }
-    // Whatever of 16 bits the dictionary takes it for.
+    // The caller gives the VR, because the dictionary leaves open which VR of 16 bits it is.
     void words(Tag tag, DcmEVR vr, std::span<const std::uint16_t> values) {
         note(item_->putAndInsertUint16Array(DcmTag(tag.group, tag.element, vr), values.data(),
                                             static_cast<unsigned long>(values.size())));
@@ -285,7 +285,7 @@ void writeCropping(ItemWriter to, const Cropping& cropping) {
     to.words(tags::kGlobalCroppingIndex, EVR_US, numbers);
 }
 
-// C.11.28: the side that is looked from, where it is one of six, else oblique. SNOMED CT.
+// C.11.28: the side of the patient that the camera is on, or oblique. Codes of SNOMED CT.
 void writeViewDescription(ItemWriter to, const PresentedView& view) {
     struct Side {
         glm::dvec3 from;
@@ -366,15 +366,15 @@ void writeDisplay(ItemWriter to, const Palette& palette) {
     to.text(tags::kColorSpace, "SRGB");
 }
 
-// As the text of its window comes back.
+// The range as it is read back from the text of its window.
 ValueRange asWritten(const ValueRange& values) {
     const auto centre = parseNumber<double>(decimalString(0.5 * (values.low + values.high)));
     const auto width = parseNumber<double>(decimalString(values.high - values.low));
-    if (!centre || !width) return values;  // check() has seen that they are finite
+    if (!centre || !width) return values;  // cannot happen: check() refuses numbers that are not finite
     return {*centre - 0.5 * *width, *centre + 0.5 * *width};
 }
 
-// What may be told of it where nobody is to be named.
+// The series as a deidentified object refers to it.
 PresentedSeries withStandIns(PresentedSeries series, const InstallationKey& key) {
     series.seriesInstanceUid = standInUid(key, series.seriesInstanceUid);
     series.frameOfReferenceUid = standInUid(key, series.frameOfReferenceUid);
@@ -416,12 +416,12 @@ Result<void> writePresentationState(const fs::path& path, const VolumePresentati
     if (!ok) return failed;
     return writeAtomically(path, [&](const fs::path& draft) -> Result<void> {
         if (format.saveFile(draft.c_str(), EXS_LittleEndianExplicit).bad()) return failed;
-        // DCMTK does not tell of the last bytes when the disk is full.
+        // DCMTK does not report that the last bytes are missing when the disk is full.
         if (examine(draft).state != FileState::complete) return failed;
         return {};
     });
 } catch (const CheckFailure&) {
-    throw;  // a mistake of ours, and none of the file
+    throw;  // a bug in Macula, not a fault of the file
 } catch (...) {
     return Error{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."), path.string(),
                  Text("Check free space and memory.")};

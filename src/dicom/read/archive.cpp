@@ -17,7 +17,7 @@ struct Kind {
     std::string_view name;
     std::size_t at = 0;
     std::string_view magic;
-    std::array<std::string_view, 5> endings;  // besides none, and those of DICOM
+    std::array<std::string_view, 5> endings;  // that names may have, besides none and those of DICOM
 };
 
 constexpr std::array kKinds = std::to_array<Kind>({
@@ -42,7 +42,7 @@ bool fits(const Kind& kind, const std::filesystem::path& file) {
     if (std::ranges::find(kind.endings, ending) == kind.endings.end() &&
         std::ranges::find(kOfImages, ending) == kOfImages.end())
         return false;
-    // Packed files of other kinds, such as volume.nii.gz.
+    // Compressed files of other kinds, such as volume.nii.gz, are not archives.
     const std::string inside = lowerCase(file.stem().extension().string());
     return inside != ".nii" && inside != ".nrrd" && inside != ".spz" && inside != ".svg";
 }
@@ -55,7 +55,7 @@ std::string_view archiveKind(const std::filesystem::path& file) {
     std::array<std::byte, kHead> head{};
     std::size_t size = head.size();
     if (!opened.read(0, head)) {
-        // A shorter file: the long magic is not in it.
+        // A shorter file cannot have the magic that lies far behind its beginning.
         constexpr std::size_t kShort = 6;
         size = kShort;
         if (!opened.read(0, std::span(head).first(kShort))) return {};

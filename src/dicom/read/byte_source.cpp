@@ -20,7 +20,7 @@ constexpr std::size_t kLargestRead = 262144;
 
 ByteSource::ByteSource(const std::filesystem::path& file, CancelToken cancel)
     : cancel_(std::move(cancel)),
-      // The file is opened without waiting: a pipe in the folder is no file to read.
+      // Opens without waiting: a pipe in the folder would block.
       descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK)),
       step_(kFirstRead) {
     struct stat status {};

@@ -24,7 +24,7 @@ class ByteSource {
     ByteSource(const ByteSource&) = delete;
     ByteSource& operator=(const ByteSource&) = delete;
 
-    // The errno of opening or reading the file when that failed, else 0.
+    // The errno of opening or reading the file when that failed, otherwise 0.
     int error() const { return error_; }
 
     // False at the end: the caller then reads no further.
@@ -52,8 +52,8 @@ class ByteSource {
     int descriptor_ = -1;
     int error_ = 0;
     std::uint64_t fileBytes_ = 0;
-    std::uint64_t position_ = 0;    // of the next byte to give out
-    std::uint64_t readOffset_ = 0;  // in the file, where the next reading begins
+    std::uint64_t position_ = 0;    // position of the next byte to return
+    std::uint64_t readOffset_ = 0;  // where the next read from the file begins
     std::size_t step_;              // bytes to read next
     std::vector<unsigned char> buffer_;
     std::size_t begin_ = 0;

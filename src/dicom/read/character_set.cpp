@@ -66,7 +66,7 @@ std::optional<Encoding> encodingOfTerm(std::string_view term) {
     for (const std::string_view prefix : {"ISOIR", "ISO2022IR"}) {
         if (!name.starts_with(prefix)) continue;
         const std::string_view number = std::string_view(name).substr(prefix.size());
-        if (number == "87" || number == "159") return nullptr;  // by escape sequences only
+        if (number == "87" || number == "159") return nullptr;  // only used through escape sequences
         for (const Term& row : kTerms) {
             if (row.number == number) return row.upperHalf;
         }
@@ -115,8 +115,8 @@ std::optional<std::string> convert(std::string_view bytes, Encoding from) {
     return converted(bytes, from);
 }
 
-// Decodes text as Latin-1, the last resort, which cannot fail. The 32 codes that are no characters in Latin-1
-// are those of Windows, which is where such text comes from.
+// Decodes text as Latin-1, the last resort, which cannot fail. The 32 codes that are not characters in
+// Latin-1 are those of Windows, which is where such text comes from.
 std::string latin1(std::string_view bytes) {
     std::string result;
     for (const char c : bytes) {
@@ -130,9 +130,9 @@ std::string latin1(std::string_view bytes) {
     return result;
 }
 
-// Decodes text that is whole but for a character at its end that was cut off when a value was cut to its
-// greatest length. Only when there are others before it: a single odd byte at the end is a letter of another
-// alphabet.
+// Decodes text that is whole except for its last character, which was cut off when a value was cut to its
+// greatest length. Only if other such characters precede it: a single odd byte at the end is a letter of
+// another alphabet.
 std::optional<std::string> cutOff(std::string_view bytes, Encoding encoding) {
     const auto isAscii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
     for (std::size_t less = 1; less <= 3 && less < bytes.size(); ++less) {
@@ -198,7 +198,7 @@ class EscapedText {
 
     void kanji() {
         if (at_ + 1 >= bytes_.size() || bytes_[at_] == ' ') {
-            // Here stands a blank between two escape sequences, or half a character.
+            // A blank between two escape sequences, or half a character.
             flush();
             if (bytes_[at_] == ' ') {
                 result_.utf8 += ' ';
@@ -215,7 +215,7 @@ class EscapedText {
     void upper() {
         Encoding encoding = upper_;
         if (encoding == nullptr) {
-            // The escape sequence was not repeated after a delimiter, or is missing at all.
+            // The escape sequence was not repeated after a delimiter, or is missing altogether.
             encoding = lastUpper_;
             for (const Encoding other : others_) {
                 if (encoding == nullptr) encoding = other;
@@ -267,7 +267,7 @@ class EscapedText {
             at_ += 3;
             return;
         }
-        result_.fallback = true;  // an unknown one: not shown, and nobody knows what follows
+        result_.fallback = true;  // an unknown sequence: not shown, and what follows is uncertain
         ++at_;
     }
 
@@ -312,14 +312,14 @@ class EscapedText {
     std::size_t at_ = 0;
     Lower lower_ = Lower::ascii;
     Encoding upper_ = nullptr;      // G1 now
-    Encoding lastUpper_ = nullptr;  // that an escape sequence designated
+    Encoding lastUpper_ = nullptr;  // the last that an escape sequence designated
     Encoding runEncoding_ = nullptr;
     std::string run_;
     DecodedText result_;
 };
 
 DecodedText decode(std::string_view bytes, std::string_view declared, Delimiters delimiters) {
-    // Converting goes once over all terms for each text; of real files none declares a dozen.
+    // Converting goes once over all terms for each text; no real file declares a dozen.
     constexpr std::size_t kLongestDeclaration = 256;
     declared = declared.substr(0, kLongestDeclaration);
     const auto terms = splitAtBackslash(declared);
@@ -331,8 +331,8 @@ DecodedText decode(std::string_view bytes, std::string_view declared, Delimiters
     }
     if (bytes.find('\x1B') != std::string_view::npos)
         return EscapedText(bytes, first.value_or(nullptr), others, isJapanese(declared), delimiters).decode();
-    // Text that is valid UTF-8 is so by no accident: in Latin-1 it would be capital letters with signs like
-    // 1/4 after them.
+    // Text is not valid UTF-8 by accident: as Latin-1 it would be capital letters, each followed by signs
+    // such as 1/4.
     if (first == kLatin1 && isValidUtf8(bytes)) return {std::string(bytes), true};
     const Encoding encoding = first.value_or(nullptr);
     if (encoding == kKatakana || encoding == kKorean || encoding == kChinese) {

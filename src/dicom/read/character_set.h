@@ -18,7 +18,7 @@ enum class Delimiters { none, betweenValues, ofPersonNames };
 struct DecodedText {
     std::string utf8;  // always valid, and without control characters but the ends of lines and tabs
     // Whether the bytes contradict the declared character set and were read as UTF-8 if that is possible,
-    // else as Latin-1. Never true for plain ASCII.
+    // otherwise as Latin-1. Never true for plain ASCII.
     bool fallback = false;
 };
 

@@ -27,8 +27,8 @@ constexpr std::size_t kPreambleBytes = 128;
 
 enum class Sniff { part10, bareDataset, notDicom };
 
-// A file without preamble is taken for DICOM only when its first element is one that a dataset can begin
-// with: group 2 or 8, a small element number, and a plausible VR (explicit) or length (implicit). PS3.5 7.1.
+// A file without preamble counts as DICOM only if its first element is one that a dataset can begin with:
+// group 2 or 8, a small element number, and a plausible VR (explicit) or length (implicit). PS3.5 7.1.
 Sniff sniff(ByteSource& source) {
     const auto head = source.ahead(kPreambleBytes + 4);
     constexpr std::array<unsigned char, 4> kMagic{'D', 'I', 'C', 'M'};
@@ -56,7 +56,7 @@ struct Dataset::File {
 
     ElementTree tree;
     std::string transferSyntaxUid;
-    std::vector<ItemNumber> ofAllFrames;  // where to look for what no frame has of its own
+    std::vector<ItemNumber> ofAllFrames;  // searched for elements that a frame does not have itself
     const Element* perFrame = nullptr;
 
     void prepareFrames() {
@@ -72,7 +72,7 @@ struct Dataset::File {
         constexpr std::size_t kMostMacros = 64;  // PS3.3 knows a third as many
         std::size_t macros = 0;
         for (const Element& macro : tree.elements(item)) {
-            // What a private sequence holds means what its owner says (PS3.5 7.8), and nothing for the
+            // The owner of a private sequence defines its content (PS3.5 7.8), which says nothing about the
             // frame (PS3.3 C.7.6.16). Those of Philips (2005,140F) and Siemens (group 0021) hold standard
             // attributes of their own, positions and rescale too, that need not be those of the frame.
             if (!macro.isSequence || macro.length == 0 || macro.tag.isPrivate()) continue;
@@ -220,7 +220,7 @@ std::vector<double> Dataset::allNumbers(Tag tag) const {
 }
 
 std::optional<std::vector<double>> Dataset::numbers(Tag tag, std::size_t count) const {
-    constexpr std::size_t kMostOfANumber = 64;  // of which DS needs 17, with the backslash
+    constexpr std::size_t kMostOfANumber = 64;  // bytes; DS needs 17, with the backslash
     if (find(tag).bytes.size() > (count + 1) * kMostOfANumber) return {};
     auto values = allNumbers(tag);
     if (values.size() != count) return {};
@@ -273,7 +273,7 @@ std::vector<std::uint16_t> Dataset::words(Tag tag) const {
 std::optional<std::uint16_t> Dataset::word(Tag tag) const {
     const auto all = words(tag);
     if (!all.empty()) return all.front();
-    const auto other = integer(tag);  // of another VR, as text
+    const auto other = integer(tag);  // the number in another VR, or as text
     if (!other || *other < std::numeric_limits<std::int16_t>::min() ||
         *other > std::numeric_limits<std::uint16_t>::max())
         return {};
@@ -342,7 +342,7 @@ bool hasPreamble(ByteSource& source) {
 
 FileState stateOfFailure(int error) {
     switch (error) {
-        case ENODATA:  // recalled from no cache
+        case ENODATA:  // the content is in no cache
         case EREMOTEIO:
         case ENXIO:
         case ESTALE:
@@ -403,7 +403,7 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
 } catch (const std::bad_alloc&) {
     throw;  // a healthy file must not pass for a damaged one
 } catch (const CheckFailure&) {
-    throw;  // a mistake of ours, and none of the file
+    throw;  // a bug in Macula, not a fault of the file
 } catch (...) {
     log::warning("reading the header of {} threw", log::Sensitive{file.native()});
     return {FileState::damaged, {}};

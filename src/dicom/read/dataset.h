@@ -38,7 +38,7 @@ HeaderFile readHeader(const std::filesystem::path& file, const CancelToken& canc
 // Immutable, cheap to copy, safe to read from several threads; keeps the data that it needs alive.
 class Dataset {
   public:
-    // The transfer syntax UID of the file meta information, else the one found from the content.
+    // The transfer syntax UID of the file meta information, otherwise the one found from the content.
     const std::string& transferSyntaxUid() const;
 
     // Whether the element is present, and not empty.
@@ -46,7 +46,7 @@ class Dataset {
 
     // All getters return nothing, and never a default, when the element is missing, empty, larger than 256
     // KiB, or of another type. Text is UTF-8 (converted from SpecificCharacterSet, PS3.3 C.12.1.1.2) without
-    // padding and without controls of direction (printable.h); text() keeps the backslashes between several
+    // padding and without direction controls (printable.h); text() keeps the backslashes between several
     // values, texts() splits at them.
     std::optional<std::string> text(Tag tag) const;
     std::vector<std::string> texts(Tag tag) const;
@@ -58,7 +58,7 @@ class Dataset {
     std::optional<double> number(Tag tag) const;      // finite
     std::optional<std::vector<double>> numbers(Tag tag,
                                                std::size_t count) const;  // exactly `count`, all finite
-    std::vector<double> allNumbers(Tag tag) const;  // every value; none when any of them is no number
+    std::vector<double> allNumbers(Tag tag) const;  // every value; none when any of them is not a number
     std::optional<int> integer(Tag tag) const;
     // The 16 bits of a US or SS, or of a whole number in another VR.
     std::optional<std::uint16_t> word(Tag tag) const;
@@ -68,7 +68,7 @@ class Dataset {
     // and was read by the fallback of character_set.h.
     bool charsetFallback() const;
 
-    // Where the item begins in its file, by which the records of a DICOMDIR refer to each other; 0 for a top
+    // The offset of the item in its file, by which the records of a DICOMDIR refer to each other; 0 for a top
     // level.
     std::uint32_t offset() const;
 
@@ -84,9 +84,9 @@ class Dataset {
     int frameCount() const;
     // All that applies to frame `i`, from 0 (PS3.3 C.7.6.16): the macros of its item of
     // PerFrameFunctionalGroupsSequence, that item, the macros that all frames share, their item, and the top
-    // level, searched in this order until one has a value. Of each macro the first item; private sequences
-    // are no macros. A frame that has no item is what the others are. Costs little, however many frames there
-    // are.
+    // level, searched in this order until one has a value. Only the first item of each macro counts; private
+    // sequences are not macros. A frame without an item has only what all frames share. Costs little, however
+    // many frames there are.
     Dataset frame(int i) const;
 
   private:
@@ -105,10 +105,10 @@ struct PixelDataExtent {
     Tag tag{};                  // PixelData, FloatPixelData or DoubleFloatPixelData
     bool encapsulated = false;  // as items of a sequence of fragments (PS3.5 A.4)
     std::uint64_t offset =
-        0;  // of the value, or of the first item; in a deflated file, in what it inflates to
+        0;  // where the value or the first item begins; in a deflated file, within the inflated data
     std::uint64_t bytesClaimed = 0;  // 0 when encapsulated
-    std::uint64_t bytesPresent = 0;  // of these, in the file; 0 when encapsulated
-    std::uint64_t fragments = 0;     // and streams: see PixelDataOutline
+    std::uint64_t bytesPresent = 0;  // those of bytesClaimed that are in the file; 0 when encapsulated
+    std::uint64_t fragments = 0;     // fragments and streams as in PixelDataOutline
     std::uint64_t streams = 0;
     bool whole = false;
     bool repeated = false;
@@ -118,7 +118,7 @@ struct HeaderFile {
     FileState state = FileState::notDicom;
     std::optional<Dataset> header;                       // when complete or truncated
     std::optional<std::uint64_t> nativePixelBytes = {};  // as the pixel data claim, unless encapsulated
-    std::uint64_t strayBytes = 0;                        // that follow the pixel data and are no elements
+    std::uint64_t strayBytes = 0;                        // bytes after the pixel data that are not elements
     std::optional<PixelDataExtent> pixels = {};
     std::string contradictedSyntaxUid = {};  // see Outline
 };

@@ -12,7 +12,7 @@ namespace macula::dicom {
 
 std::optional<double> secondsOfTime(std::string_view time) {
     time = trimmed(time);
-    if (time.ends_with('.')) time.remove_suffix(1);  // DCMTK wants a fraction after it
+    if (time.ends_with('.')) time.remove_suffix(1);  // DCMTK requires a fraction after it
     OFTime parsed;
     if (DcmTime::getOFTimeFromString(time.data(), time.size(), parsed).bad()) return {};
     return parsed.getTimeInSeconds(/*useTimeZone=*/false, /*normalize=*/false);
@@ -25,7 +25,7 @@ std::optional<long> daysOfDate(std::string_view date) {
     const std::chrono::year_month_day ymd{std::chrono::year(int(parsed.getYear())),
                                           std::chrono::month(parsed.getMonth()),
                                           std::chrono::day(parsed.getDay())};
-    if (!ymd.ok()) return {};  // a 31st of February is one to DCMTK
+    if (!ymd.ok()) return {};  // DCMTK accepts a 31st of February
     return std::chrono::sys_days(ymd).time_since_epoch().count();
 }
 

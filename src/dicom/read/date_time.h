@@ -17,15 +17,15 @@ std::optional<double> secondsOfDateTime(std::string_view dateTime);
 // "+0100", "-0330", as at the end of a DT or in TimezoneOffsetFromUTC: seconds east of Greenwich.
 std::optional<double> secondsOfOffset(std::string_view offset);
 
-// A point in time, as far as the text gives it. Moments are comparable only if both have a date, or neither.
-// Text with an offset gives UTC, other text the zone of the scanner.
+// A point in time that a text gives, perhaps without a date. Moments are comparable only if both have a date,
+// or neither. Text with an offset gives UTC, other text the zone of the scanner.
 struct Moment {
     std::optional<long> day;  // of the date as written, since 1970-01-01; empty without a date
     double seconds = 0.0;     // since 1970-01-01, or since midnight
 };
 
-// A time, or a date and a time, either with an offset: "193059", "20010105193059.25+0100". Nothing when there
-// is no time of day: a date alone does not order the images of a day.
+// A time, or a date and a time, either with an offset: "193059", "20010105193059.25+0100". Nothing without a
+// time of day: a date alone does not order the images of a day.
 std::optional<Moment> momentOf(std::string_view text);
 
 }  // namespace macula::dicom

@@ -12,7 +12,7 @@ namespace macula::dicom {
 struct DirectoryRecord {
     std::vector<std::string> fileId;  // ReferencedFileID: the names on the way to the file
     std::string sopInstanceUid;       // empty when the record does not say
-    std::string seriesInstanceUid;  // of the series that the record is listed under; empty when there is none
+    std::string seriesInstanceUid;    // the series that lists the record; empty when there is none
     std::optional<int> instanceNumber;
 };
 

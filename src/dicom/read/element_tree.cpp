@@ -78,7 +78,7 @@ std::span<unsigned char> ElementTree::addValue(Element element) {
 
 void ElementTree::finish() {
     while (!openItems_.empty()) {
-        // An item is open as deep as sequences are, or the innermost sequence is between two items.
+        // Either an item of the innermost sequence is open, or that sequence is between two items.
         if (openItems_.size() <= openSequences_.size()) closeSequence();
         closeItem();
     }

@@ -51,7 +51,7 @@ class ElementTree {
     ItemNumber root() const { return root_; }
     // The item that contains `item`; kNone for the root.
     ItemNumber parent(ItemNumber item) const { return items_[item].parent; }
-    // Where the item begins in the file; 0 for the root, and when it is not known.
+    // The offset at which the item begins in the file; 0 for the root, and when it is not known.
     std::uint32_t offset(ItemNumber item) const { return items_[item].offset; }
     std::span<const Element> elements(ItemNumber item) const {
         return {elements_.data() + items_[item].first, items_[item].count};  // sorted by tag
@@ -91,7 +91,7 @@ class ElementTree {
     // The elements and items that are still open. The root is the first open item.
     std::vector<Element> openElements_;
     std::vector<OpenItem> openItems_;
-    std::vector<Item> closedItems_;  // of the open sequences
+    std::vector<Item> closedItems_;  // items of sequences that are still open
     std::vector<OpenSequence> openSequences_;
 };
 

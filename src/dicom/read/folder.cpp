@@ -20,8 +20,8 @@ bool isLeftByMacOs(const fs::path& name) {
     return text.starts_with("._") || text == ".DS_Store" || text == "__MACOSX";
 }
 
-// Walks by hand rather than by the recursive iterator, which ends for good at the first error. Everything is
-// named by its path from the folder, without any link in it: so each has one name only.
+// Walks by hand rather than by the recursive iterator, which ends for good at the first error. Files are
+// named by their path from the folder, without any link in it, so that each has only one name.
 class Listing {
   public:
     Listing(const fs::path& folder, const fs::path& canonical) : folder_(folder), canonical_(canonical) {}
@@ -33,12 +33,13 @@ class Listing {
             const fs::path folder = std::move(waiting_.back());
             waiting_.pop_back();
             if (!list(folder, progress)) return false;
-            // Where links lead is looked at last: most of it has been found by then.
+            // Follows links last: most of their targets have been found by then.
             if (waiting_.empty() && !followLinks(progress)) return false;
         }
         auto& files = result_.files;
         std::sort(files.begin(), files.end());
-        files.erase(std::unique(files.begin(), files.end()), files.end());  // found, and by a link
+        // Removes files that were found both directly and by a link.
+        files.erase(std::unique(files.begin(), files.end()), files.end());
         std::ranges::sort(result_.unreadable, {}, &UnreadableFolder::path);
         return true;
     }
@@ -121,7 +122,7 @@ Result<FolderListing> listFiles(const fs::path& path, Progress& progress) {
             ErrorCode::inputNotUsable, Text("The path is longer than this system can open."), path.string(),
             Text("Move the folder nearer to the root of the disk, or give the folders shorter names.")};
     }
-    // What one may not look at may be there.
+    // A path that may not be examined may exist.
     if (status.type() == fs::file_type::not_found) {
         return Error{ErrorCode::inputNotUsable, Text("The folder does not exist."), path.string(),
                      Text("Check the path.")};

@@ -22,7 +22,7 @@ namespace {
 
 constexpr Tag kMediaStorageSopClass{0x0002, 0x0002};
 
-// A name without what discs change in it: its capitals, a version number, and the dot in front of it.
+// A name without what discs change: in lower case, without a version number and the dot before it.
 std::string comparable(std::string_view name) {
     const std::size_t version = name.rfind(';');
     if (version != std::string_view::npos &&
@@ -34,13 +34,13 @@ std::string comparable(std::string_view name) {
     return result;
 }
 
-// The same without an ending, which programs add that copy media, and the standard forbids (PS3.10 8.2).
+// The same without an ending, which the standard forbids (PS3.10 8.2) and programs that copy media add.
 std::string withoutEnding(const std::string& comparable) {
     const std::size_t dot = comparable.rfind('.');
     return dot == std::string::npos || dot == 0 ? comparable : comparable.substr(0, dot);
 }
 
-// The names on the way to the file; nothing when it would lead out of the folder.
+// The names along the path to the file; nothing when that would lead out of the folder.
 std::optional<std::vector<std::string>> wayTo(const std::vector<std::string>& components) {
     std::vector<std::string> way;
     for (const std::string& component : components) {
@@ -107,7 +107,7 @@ class Resolver {
     }
 
   private:
-    using Names = std::map<std::string, std::string>;  // on disk, by what is compared
+    using Names = std::map<std::string, std::string>;  // on disk, by comparable name
 
     void addMissing(const fs::path& file, const DirectoryRecord& record) {
         missing_.try_emplace(file, ListedFile{.file = file,
@@ -121,17 +121,17 @@ class Resolver {
         if (isNew) {
             std::error_code error;
             const fs::path real = fs::canonical(folder_ / folder, error);
-            // Nothing outside is listed either.
+            // A folder outside is not even listed.
             if (!error && liesInside(real, canonical_)) {
                 std::vector<std::string> added;
                 fs::directory_iterator at(real, error);
                 for (; !error && at != fs::directory_iterator(); at.increment(error)) {
                     const std::string onDisk = at->path().filename().string();
                     entry->second.try_emplace(comparable(onDisk), onDisk);
-                    entry->second.insert_or_assign(onDisk, onDisk);  // the very name goes first
+                    entry->second.insert_or_assign(onDisk, onDisk);  // the exact name has precedence
                     added.push_back(onDisk);
                 }
-                // Of several that differ in their ending, the one that says that it is DICOM.
+                // Of several names that differ only in their ending, prefers that with .dcm.
                 std::stable_partition(added.begin(), added.end(), [](const std::string& onDisk) {
                     return comparable(onDisk).ends_with(".dcm");
                 });
@@ -142,7 +142,7 @@ class Resolver {
         const Names& names = entry->second;
         auto found = names.find(name);
         if (found == names.end()) found = names.find(comparable(name));
-        // One of both has an ending that the other lacks.
+        // Only one of the two names may have an ending.
         if (found == names.end()) found = names.find(withoutEnding(comparable(name)));
         if (found == names.end()) return {};
         return found->second;

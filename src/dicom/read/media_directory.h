@@ -31,7 +31,7 @@ struct MediaDirectory {
     std::size_t outside = 0;
 };
 
-// `path` is the DICOMDIR. Opens no other file. Fails with inputNotUsable when it is none.
+// `path` is the DICOMDIR. Opens no other file. Fails with inputNotUsable when it is not one.
 Result<MediaDirectory> readMediaDirectory(const std::filesystem::path& path);
 
 }  // namespace macula::dicom

@@ -12,8 +12,8 @@ namespace {
 
 using Values = std::vector<double>;
 
-// The parts between separators, of which several in a row are one unless they are commas or backslashes: an
-// empty part between those is a number that is missing.
+// Splits text at separators. Several in a row count as one, except commas and backslashes: an empty part
+// between these is a missing number.
 std::vector<std::string> partsOf(std::string_view text, std::string_view separators) {
     constexpr std::string_view kBlanks = " \t\r\n";
     std::vector<std::string> parts(1);

@@ -36,7 +36,7 @@ struct Encoding {
 
 struct Header {
     Tag tag{};
-    Vr vr = 0;  // 0 when implicit, or when it is no VR at all
+    Vr vr = 0;  // 0 when implicit, or when it is not a VR at all
     std::uint32_t length = 0;
 
     bool isItem() const { return tag == Tag{0xFFFE, 0xE000}; }
@@ -44,7 +44,7 @@ struct Header {
     bool isSequenceEnd() const { return tag == Tag{0xFFFE, 0xE0DD}; }
 };
 
-// What the walk is inside of: a sequence, or one of its items.
+// A level of nesting that the walk is in: a sequence, or one of its items.
 struct Level {
     bool isSequence = false;
     bool ofFragments = false;  // items are bytes, not datasets
@@ -132,7 +132,7 @@ class Walk {
         return true;
     }
 
-    // Group 2 is Explicit VR Little Endian, always (PS3.10 7.1); some writers do not know.
+    // Group 2 is Explicit VR Little Endian, always (PS3.10 7.1), but not for all writers.
     bool readMetaInformation() {
         std::uint64_t end = kNoEnd;
         std::array<unsigned char, 8> first{};
@@ -158,8 +158,8 @@ class Walk {
                 std::copy(value.begin(), value.end(), kept.begin());
             }
             if (header.tag == Tag{0x0002, 0x0000} && header.length == 4) {
-                // The group length is only believed when nothing else can tell where the group ends: in front
-                // of deflated data.
+                // Uses the group length only if nothing else shows where the group ends: before deflated
+                // data.
                 groupEnd_ = source_.position() + doubleWordAt(value.data(), false);
             } else if (header.tag == Tag{0x0002, 0x0010}) {
                 const std::string_view uid(reinterpret_cast<const char*>(value.data()), value.size());
@@ -187,8 +187,8 @@ class Walk {
         if (known) {
             encoding_ = {static_cast<bool>(syntax.isExplicitVR()), static_cast<bool>(syntax.isBigEndian())};
             const Encoding found = encodingOf(head);
-            // The declared encoding is only overruled when the data cannot be in it: else another one would
-            // be a mere guess.
+            // Overrules the declared encoding only if the data cannot have it: otherwise another one would be
+            // a guess.
             if (!encoding_.bigEndian && !found.bigEndian) encoding_ = found;
             return true;
         }
@@ -208,10 +208,10 @@ class Walk {
         return plausible ? Encoding{false, false} : encoding_;
     }
 
-    // Reads one element header, and does with the value what it says. False at the end of the walk.
+    // Reads one element header, and then keeps, enters or skips its value. False at the end of the walk.
     bool step() {
         while (!levels_.empty() && source_.position() >= levels_.back().end) {
-            if (source_.position() > levels_.back().end) return false;  // reaches out of what it is in
+            if (source_.position() > levels_.back().end) return false;  // extends beyond its parent
             pop();
         }
         if (levels_.empty() && source_.ahead(1).empty()) {
@@ -238,14 +238,15 @@ class Walk {
             return false;
         }
         if (levels_.empty() && outline_.pixels) {
-            // Elements ascend (PS3.5 7.1): after the pixel data only their like may come.
+            // Tags ascend (PS3.5 7.1): none up to PixelData may follow the pixel data, except pixel data once
+            // more.
             if (!isPixelData(header.tag)) return false;
             outline_.pixels->repeated = true;
         }
         return stepIntoElement(header, encoding);
     }
 
-    // Whether what follows the pixel data is an element, and no stray bytes or further pixels.
+    // Whether an element follows the pixel data, and not stray bytes or further pixels.
     bool isPlausibleAfterPixels(const Header& header, const Encoding& encoding) const {
         if (encoding.explicitVr && header.vr == 0) return false;
         return header.length == kUndefined || source_.inflating() || header.length <= source_.bytesLeft();
@@ -270,11 +271,11 @@ class Walk {
         return true;
     }
 
-    // Looks at how a fragment of the image begins.
+    // Examines how a fragment of the image begins.
     void noteFragment(std::uint32_t bytes) {
         if (std::exchange(beforeOffsetTable_, false)) return;  // the first item is that table
         PixelDataOutline& pixels = *outline_.pixels;
-        constexpr std::size_t kMostMarkers = 4096;  // of what precedes the frame header of JPEG
+        constexpr std::size_t kMostMarkers = 4096;  // bytes that may precede the frame header of JPEG
         constexpr std::size_t kMagic = 16;
         const auto most = [&](std::size_t count) { return std::min<std::size_t>(count, bytes); };
         if (beginsStream(source_.ahead(most(kMagic)))) ++pixels.streams;
@@ -294,7 +295,7 @@ class Walk {
                               .length = undefined ? 1 : header.length};
         if (levels_.empty() && isPixelData(header.tag) && !outline_.pixels)
             return stepIntoPixels(header, element, encoding);
-        if (header.tag == tag::kPixelData && undefined) {  // of an icon
+        if (header.tag == tag::kPixelData && undefined) {  // the pixels of an icon
             if (tree_) tree_->add(element);
             return push(header.length, encoding, {.ofFragments = true});
         }
@@ -351,7 +352,7 @@ class Walk {
         return known == vrOf("SQ") || known == 0;
     }
 
-    // Inside of an unknown VR all is implicit (PS3.5 6.2.2 note 2), but not every writer knows.
+    // Inside an unknown VR everything is implicit (PS3.5 6.2.2 note 2), but not for every writer.
     Encoding encodingOfUnknown() {
         const auto head = source_.ahead(14);  // the header of an item, and the beginning of its first element
         return {head.size() == 14 && isKnownVr(head[12], head[13]), false};
@@ -435,15 +436,15 @@ class Walk {
     }
 
     ByteSource& source_;
-    ElementTree* tree_;  // null when nobody wants it, and after the pixel data
+    ElementTree* tree_;  // null if not requested, and after the pixel data
     Outline outline_;
     Encoding encoding_;
     std::optional<std::uint64_t> groupEnd_;
     std::vector<Level> levels_;
     std::size_t depth_ = 0;
-    bool endedWell_ = false;         // at the end of the file, or past where pixel data are
+    bool endedWell_ = false;         // the walk ended at the end of the file, or past the pixel data
     std::uint64_t wellUntil_ = 0;    // where the last element of the top level ends
-    bool beforeOffsetTable_ = true;  // of the encapsulated image
+    bool beforeOffsetTable_ = true;  // the next item of the image is its offset table
     std::uint64_t rows_ = 0, columns_ = 0, samples_ = 1, bits_ = 16, frames_ = 1;
 };
 

@@ -41,7 +41,7 @@ PatientIdentity patientIdentity(const Dataset& header) {
                             .name = normalisedName(text(tag::kPatientName)),
                             .birthDate = text(tag::kPatientBirthDate),
                             .sex = text(tag::kPatientSex)};
-    std::erase(patient.birthDate, '.');  // 2000.01.01, of before DICOM 3: PS3.5 6.2 note to DA
+    std::erase(patient.birthDate, '.');  // 2000.01.01, from before DICOM 3.0: PS3.5 6.2, note to DA
     std::transform(patient.sex.begin(), patient.sex.end(), patient.sex.begin(),
                    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
     return patient;

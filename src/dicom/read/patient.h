@@ -27,13 +27,14 @@ struct PatientIdentity {
 
 PatientIdentity patientIdentity(const Dataset& header);
 
-// Numbers the patients of a folder, from 0. Images that name nobody belong to one patient if they are of one
-// study (PS3.3 A.1.2), else to two: two studies that both say ANONYMOUS need not be of the same patient.
+// Numbers the patients of a folder, from 0. Images that name nobody belong to one patient if they belong to
+// one study (PS3.3 A.1.2), otherwise to two: two studies that both say ANONYMOUS need not belong to the same
+// patient.
 class PatientNumbers {
   public:
     int of(const PatientIdentity& patient, const std::string& studyInstanceUid);
     int count() const { return static_cast<int>(numbers_.size()); }
-    // How many of them are studies without a name or ID: two of those may be of one patient.
+    // How many of them are studies without a name or ID: two of those may belong to one patient.
     int nameless() const { return nameless_; }
 
   private:

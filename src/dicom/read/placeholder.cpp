@@ -9,7 +9,7 @@ namespace macula::dicom {
 
 namespace {
 
-// Lower case, letters and digits alone. In English as programs write them, and in the languages that some do.
+// In lower case, letters and digits only: English words that programs write, and those of other languages.
 constexpr std::array<std::string_view, 50> kOfNobody{
     "anon",          "anonym",       "anonyme",      "anonymes",     "anonymi",       "anonymise",
     "anonymised",    "anonymisiert", "anonymized",   "anonymizado",  "anonymizzato",  "anonymous",
@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 50> kOfNobody{
     "sconosciuto",   "unbekannt",    "undefined",    "unidentified", "unknown",       "unnamed",
     "unspecified",   "withheld"};
 
-// Name nobody either, and stand beside those: "Patient^Anonymous".
+// Words that name nobody either, and accompany those above: "Patient^Anonymous".
 constexpr std::array<std::string_view, 8> kBesideThem{"id",  "mr",      "mrs",    "name",
                                                       "mrn", "patient", "person", "subject"};
 
@@ -30,7 +30,7 @@ bool isOneOf(const std::array<std::string_view, Count>& words, std::string_view 
     return std::ranges::find(words, word) != words.end();
 }
 
-// The letters and digits between all other signs of ASCII; what is beyond ASCII is a letter.
+// Splits text into words of letters and digits; everything beyond ASCII counts as a letter.
 std::vector<std::string> wordsOf(std::string_view text) {
     std::vector<std::string> words(1);
     for (const char c : text) {
@@ -57,7 +57,7 @@ bool isPlaceholder(std::string_view text) {
     const std::vector<std::string> words = wordsOf(text);
     std::string all;
     for (const std::string& word : words) all += word;
-    if (isFiller(all) || isOneOf(kOfNobody, all)) return true;  // nothing is filler too
+    if (isFiller(all) || isOneOf(kOfNobody, all)) return true;  // an empty text is filler too
     return std::ranges::all_of(words, [](const std::string& word) {
         return isOneOf(kOfNobody, word) || isOneOf(kBesideThem, word);
     });

@@ -10,7 +10,7 @@ namespace macula::dicom {
 // values do. A word with a number ("ANON0017") is a pseudonym, and identifies a patient.
 bool isPlaceholder(std::string_view text);
 
-// Whether a date of birth, with or without points, is empty, no date, or one that programs write when they
+// Whether a date of birth, with or without points, is empty, not a date, or one that programs write when they
 // know none, such as 19000101, 00010101 and any before 1880.
 bool isPlaceholderDate(std::string_view date);
 

@@ -15,7 +15,7 @@ namespace toolkit = dcmtk::log4cplus;
 
 thread_local int quiet = 0;
 
-// An event is handed to its appenders in the thread that it comes from.
+// Drops the events of this thread: a logger calls its appenders in the thread that logs.
 class OfThisThread : public toolkit::spi::Filter {
   public:
     toolkit::spi::FilterResult decide(const toolkit::spi::InternalLoggingEvent& /*event*/) const override {

@@ -4,8 +4,8 @@
 
 namespace macula::dicom {
 
-// While one lives, nothing that DCMTK logs in this thread reaches the root logger's appenders. The logs of
-// other threads, and of this one before and after, stay as they are.
+// While such an object exists, nothing that DCMTK logs in this thread reaches the root logger's appenders.
+// The logs of other threads, and of this one before and after, stay as they are.
 class QuietToolkit {
   public:
     QuietToolkit();

@@ -10,7 +10,7 @@
 namespace macula::dicom {
 
 RandomFile::RandomFile(const std::filesystem::path& file)
-    // The file is opened without waiting: a pipe is no file to read.
+    // Opens without waiting: a pipe would block.
     : descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK)) {
     struct stat status {};
     if (descriptor_ < 0) return;

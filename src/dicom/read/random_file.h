@@ -18,7 +18,7 @@ class RandomFile {
 
     bool isOpen() const { return descriptor_ >= 0; }
     std::uint64_t size() const { return size_; }  // when it was opened
-    // All of `bytes`, or false.
+    // Fills all of `bytes`, or returns false.
     bool read(std::uint64_t offset, std::span<std::byte> bytes) const;
 
   private:

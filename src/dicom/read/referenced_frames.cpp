@@ -10,7 +10,7 @@ namespace {
 
 constexpr Tag kReferencedSopInstanceUid{0x0008, 0x1155};
 constexpr Tag kReferencedFrameNumber{0x0008, 0x1160};
-constexpr double kLargestFrame = 2147483647.0;  // of an Integer String
+constexpr double kLargestFrame = 2147483647.0;  // the largest Integer String
 
 void readNumbers(const Dataset& item, ReferencedFrames& image) {
     if (!item.has(kReferencedFrameNumber)) return;

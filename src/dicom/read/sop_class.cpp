@@ -12,7 +12,7 @@ namespace macula::dicom {
 namespace {
 
 struct Kind {
-    std::string_view root;  // the UID, or what it begins with when it ends in a dot
+    std::string_view root;  // the UID, or its beginning, which then ends in a dot
     std::string_view name;
     bool projection = false;
 };
@@ -74,7 +74,7 @@ bool isPresentationState(std::string_view sopClassUid) {
 
 bool isImage(std::string_view sopClassUid) {
     const std::string uid(sopClassUid);
-    // Doses, which DCMTK does not count as images, lie in slices.
+    // Doses are slices, though DCMTK does not count them as images.
     return isProjection(uid) || uid == UID_RTDoseStorage || dcmIsImageStorageSOPClassUID(uid.c_str());
 }
 
@@ -104,7 +104,7 @@ std::string_view modalityOfClass(std::string_view sopClassUid) {
 
 Text describeSopClass(std::string_view sopClassUid) {
     if (const Kind* kind = kindOf(sopClassUid)) return Text::of(kind->name, {});
-    // Text that is no UID is not repeated in the answer: it may be anything, a name too.
+    // Does not repeat text that is not a UID: it may be anything, even a name.
     const bool isUid = !sopClassUid.empty() && sopClassUid.size() <= 64 &&
                        sopClassUid.find_first_not_of("0123456789.") == std::string_view::npos;
     if (!isUid) return Text("Object of unknown kind");

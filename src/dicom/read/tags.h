@@ -74,7 +74,7 @@ inline constexpr Tag kBitsAllocated{0x0028, 0x0100};
 inline constexpr Tag kBitsStored{0x0028, 0x0101};
 inline constexpr Tag kHighBit{0x0028, 0x0102};
 inline constexpr Tag kPixelRepresentation{0x0028, 0x0103};
-inline constexpr std::uint16_t kOverlayBitPositionElement = 0x0102;  // of the groups 6000 to 601E
+inline constexpr std::uint16_t kOverlayBitPositionElement = 0x0102;  // in the groups 6000 to 601E
 inline constexpr Tag kPixelPaddingValue{0x0028, 0x0120};
 inline constexpr Tag kPixelPaddingRangeLimit{0x0028, 0x0121};
 inline constexpr Tag kFloatPixelPaddingValue{0x0028, 0x0122};

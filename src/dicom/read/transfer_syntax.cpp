@@ -117,7 +117,7 @@ std::string_view syntaxInstead(std::string_view named, std::span<const unsigned 
     // Pixels without compression, which may be in fragments too, can look like the header of run lengths.
     if (named == "1.2.840.10008.1.2.1.98" && inUse == Codec::rle) return {};
     if (codec != inUse) return found;
-    // The processes of JPEG have decoders of their own: with and without loss.
+    // JPEG with loss and JPEG without have separate decoders.
     const auto isLossless = [](std::string_view uid) {
         return uid == kJpegLossless || uid == kJpegFirstOrder;
     };

@@ -1,5 +1,5 @@
-// The transfer syntaxes this build decodes (PS3.5 section 10, PS3.6 annex A). Not by DCMTK's DcmXfer (3.6.7),
-// which knows neither High-Throughput JPEG 2000 nor JPEG XL, and calls lossy what may be either.
+// The transfer syntaxes this build decodes (PS3.5 section 10, PS3.6 annex A). Does not use DCMTK's DcmXfer
+// (3.6.7), which knows neither High-Throughput JPEG 2000 nor JPEG XL, and calls lossy what may be either.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ struct TransferSyntaxInfo {
 
 TransferSyntaxInfo transferSyntaxInfo(std::string_view uid);
 
-// For a person: "JPEG 2000 (1.2.840.10008.1.2.4.91)". Text that is no UID is not repeated.
+// For a person: "JPEG 2000 (1.2.840.10008.1.2.4.91)". Does not repeat text that is not a UID.
 Text describeTransferSyntax(std::string_view uid);
 
 // Whether the bytes begin a stream of JPEG, JPEG-LS, JPEG 2000 or run lengths. Takes any number of bytes; 8

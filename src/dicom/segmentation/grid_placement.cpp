@@ -8,7 +8,7 @@ namespace macula::dicom {
 namespace {
 
 constexpr double kToleranceVoxels = 0.01;
-constexpr double kFarthest = 1e6;  // of anything that could be meant; keeps sums inside an int
+constexpr double kFarthest = 1e6;  // voxels: farther is never meant, and sums stay within an int
 
 bool isNear(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 difference = glm::abs(a - b);

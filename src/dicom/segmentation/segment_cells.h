@@ -45,7 +45,7 @@ class SegmentCells {
     int shift_;
     unsigned mask_;
     unsigned maximum_;
-    std::vector<bool> isBackground_;  // by value, of a label map
+    std::vector<bool> isBackground_;  // for label maps, by value
 };
 
 }  // namespace macula::dicom

@@ -19,7 +19,8 @@ namespace macula::dicom {
 namespace {
 
 constexpr double kSmallBoxBytes = 1e7;
-constexpr double kMostVoxelsPerPixel = 64.0;  // of a box: two small frames far apart could span a huge one
+// Limit for boxes: two small frames far apart could span a huge one.
+constexpr double kMostVoxelsPerPixel = 64.0;
 
 Error notUsable(const Segmentation& segmentation, Text message, Text hint) {
     return {ErrorCode::inputNotUsable, std::move(message), segmentation.file.string(), std::move(hint)};
@@ -31,7 +32,7 @@ Error wasCancelled() {
 
 struct VoxelBox {
     glm::ivec3 low{0};
-    glm::ivec3 high{-1};  // below `low`: nothing is in it
+    glm::ivec3 high{-1};  // below `low`: the box is empty
 
     bool isEmpty() const { return high.x < low.x; }
     void add(const glm::ivec3& voxel) {
@@ -44,8 +45,8 @@ struct VoxelBox {
     }
 };
 
-// The file is read twice: first where each segment is, so that it takes no more memory than it needs; then
-// what it is.
+// Reads the file twice: first for the box of each segment, so that it takes no more memory than it needs;
+// then for its voxels.
 class Reader {
   public:
     Reader(const Segmentation& segmentation, const SegmentationGrid& grid, Progress& progress)
@@ -56,7 +57,7 @@ class Reader {
     std::size_t outside() const { return outside_; }
 
   private:
-    // visit(segment, voxel) of every cell that belongs to a segment.
+    // Calls visit(segment, voxel) for every cell that belongs to a segment.
     template <class Visit>
     Result<void> forEachCell(PixelReader& reader, const Visit& visit);
     Result<void> makeSets();
@@ -96,7 +97,7 @@ Result<void> Reader::forEachCell(PixelReader& reader, const Visit& visit) {
     return {};
 }
 
-// Once it is known what the file really holds: a header alone cannot ask for more than it could fill.
+// Called once the cells have been read, so that a false header cannot make it allocate more than they fill.
 Result<void> Reader::makeSets() {
     const double pixels =
         double(segmentation_.frames.size()) * double(segmentation_.rows) * double(segmentation_.columns);
@@ -169,7 +170,7 @@ Result<void> Reader::read() {
     return {};
 }
 
-// Of its voxels in a grid.
+// Sets volume and centroid of the segment from its voxels in a grid.
 void measure(SegmentVoxels& segment, const VoxelSet& voxels, const glm::dmat4& worldFromVoxel,
              bool hasThickness) {
     glm::dvec3 sum(0.0);
@@ -207,7 +208,7 @@ std::vector<SegmentVoxels> describe(const Segmentation& segmentation,
     return all;
 }
 
-// Those voxels of a grid whose middle may lie in a voxel of `set`, which is of another grid.
+// The box of the voxels of a grid whose centre may lie in a voxel of `set`, which is on another grid.
 VoxelBox boxOfNearest(const VoxelSet& set, const glm::dmat4& setFromVoxel, const glm::ivec3& size) {
     if (set.isEmpty()) return {};
     const glm::dmat4 voxelFromSet = glm::inverse(setFromVoxel);
@@ -226,8 +227,8 @@ VoxelBox boxOfNearest(const VoxelSet& set, const glm::dmat4& setFromVoxel, const
     return {.low = glm::ivec3(low), .high = glm::ivec3(high)};
 }
 
-// A few frames of large voxels may fill the volume with each of thousands of segments: what all of them take
-// is known before the first is made.
+// A few frames of large voxels may fill the volume with each of thousands of segments, so the memory of all
+// is checked before the first is made.
 Result<void> checkResampledFits(const std::vector<SegmentVoxels>& segments, const glm::dmat4& setFromVoxel,
                                 const glm::ivec3& size) {
     double bytes = 0.0;

@@ -23,13 +23,13 @@ struct SegmentVoxels {
 
 struct SegmentVoxelSets {
     std::vector<SegmentVoxels> segments;  // by number; described ones, and others that have voxels
-    bool isResampled = false;             // it was drawn on another grid, and its nearest voxel counts
+    bool isResampled = false;             // drawn on another grid: each voxel takes the nearest one there
     std::size_t outside = 0;              // voxels of segments outside of the grid; 0 if resampled
 };
 
 // Loads segments on the grid of a volume: without resampling if all frames lie on it, as in loadSegmentation,
-// which explains `slicePositionsMm`; else by the nearest voxel. Takes a bit for each voxel of the box around
-// a segment. Fails with inputNotUsable when the frames lie on no grid.
+// which explains `slicePositionsMm`; otherwise by the nearest voxel. Takes a bit for each voxel of the box
+// around a segment. Fails with inputNotUsable when the frames lie on no grid.
 Result<SegmentVoxelSets> loadSegmentVoxels(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
                                            glm::ivec3 size, Progress& progress,
                                            std::span<const glm::dvec3> slicePositionsMm = {});

@@ -44,14 +44,15 @@ std::optional<SegmentationType> typeOf(const Dataset& header) {
     return {};
 }
 
-// From 1, of a label map from 0 (PS3.3 C.8.20.4).
+// A valid segment number: from 1, in a label map from 0 (PS3.3 C.8.20.4).
 std::optional<std::uint16_t> segmentNumber(std::optional<int> number, SegmentationType type) {
     const int least = type == SegmentationType::labelMap ? 0 : 1;
     if (!number || *number < least || *number > 65535) return {};
     return static_cast<std::uint16_t>(*number);
 }
 
-// What an item calls its segment in words counts for a number that is none anyway.
+// Whether the code of the segment is Background. A label that only says so counts for padding and 0 alone
+// (isCalledBackground).
 bool isCodedBackground(const Dataset& segment) {
     return std::ranges::any_of(segment.items(kSegmentedPropertyType), [](const Dataset& code) {
         return code.text(kCodeValue) == "125040" && code.text(kCodingScheme) == "DCM";
@@ -68,7 +69,7 @@ bool isCalledBackground(const Segment& segment) {
 std::optional<CellRange> paddingOf(const Dataset& header, const CellFormat& format) {
     const auto value = header.integer(tag::kPixelPaddingValue);
     if (!value) return {};
-    const auto cell = [&](int number) {  // -1 is written for the highest
+    const auto cell = [&](int number) {  // some writers give the highest value as -1
         return number < 0 ? number & ((1 << format.bitsStored) - 1) : number;
     };
     const int one = cell(*value);
@@ -76,7 +77,7 @@ std::optional<CellRange> paddingOf(const Dataset& header, const CellFormat& form
     return CellRange{std::min(one, other), std::max(one, other)};
 }
 
-// Takes from the segments of a label map what is background.
+// Finds the numbers that mean background in a label map, and removes these from its segments.
 void findBackground(const Dataset& header, Segmentation& segmentation) {
     std::set<int> coded;
     for (const Dataset& item : header.items(kSegmentSequence)) {

@@ -20,7 +20,7 @@ enum class SegmentationType {
     labelMap,    // a frame holds segment numbers
 };
 
-// From the first to the last, both included.
+// A range of cell values that includes both ends.
 struct CellRange {
     int first = 0;
     int last = 0;
@@ -57,23 +57,23 @@ struct Segmentation {
     std::string contentLabel = {};  // for a person; may be empty
 };
 
-// Fails with inputNotUsable when the file is no segmentation, or does not say where its frames lie or what
+// Fails with inputNotUsable when the file is not a segmentation, or does not say where its frames lie or what
 // they hold.
 Result<Segmentation> readSegmentation(const std::filesystem::path& file);
 
-// Loads it on the grid of the series it was drawn on, without resampling: fails with inputNotUsable when a
-// frame is more than a hundredth of a voxel off that grid, wherever it begins. The frame's axes may be any of
-// the grid's, in either direction. Where segments overlap, the one in the later frame wins; messages of the
-// label map count such voxels, and those outside of the grid. At least half of fractionalMaximum is the
-// segment. In the result 0 means no segment: a segment 0 gets another number, which a message states.
-// `slicePositionsMm` are the true positions of the grid's slices, one each, when they are not quite even
-// (stack.h: slicePositionsMm): a frame in one of these planes belongs to that slice.
+// Loads the segmentation on the grid of the series it was drawn on, without resampling: fails with
+// inputNotUsable when a frame is more than a hundredth of a voxel off that grid, wherever it begins. The
+// frame's axes may be any of the grid's, in either direction. Where segments overlap, the one in the later
+// frame wins; messages of the label map count such voxels, and those outside of the grid. At least half of
+// fractionalMaximum is the segment. In the result 0 means no segment: a segment 0 gets another number, which
+// a message states. `slicePositionsMm` are the true positions of the grid's slices, one each, when they are
+// not quite even (stack.h: slicePositionsMm): a frame in one of these planes belongs to that slice.
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
                                   glm::ivec3 size, Progress& progress,
                                   std::span<const glm::dvec3> slicePositionsMm = {});
 
-// Loads it on its own grid, the smallest that holds all frames, for when the series is absent. Its slice axis
-// goes from the lowest frame to the highest, so that a sheared stack stays sheared.
+// Loads the segmentation on its own grid, the smallest that holds all frames, for when the series is absent.
+// Its slice axis goes from the lowest frame to the highest, so that a sheared stack stays sheared.
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, Progress& progress);
 
 // Converts a CIELab colour, as three words (PS3.3 C.10.7.1.1), to sRGB.

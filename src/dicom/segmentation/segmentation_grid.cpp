@@ -8,7 +8,7 @@ namespace macula::dicom {
 
 namespace {
 
-// Places a frame in the plane of a slice that lies a little off its even place, as if both lay at that place.
+// Places a frame that lies in the plane of a slice slightly off the even grid, as if both lay on the grid.
 std::optional<GridPlacement> placeOnSlice(const Segmentation& segmentation, ImagePlane plane,
                                           const glm::dmat4& worldFromVoxel, const glm::dmat4& voxelFromWorld,
                                           std::span<const glm::dvec3> slicePositionsMm) {
@@ -21,7 +21,7 @@ std::optional<GridPlacement> placeOnSlice(const Segmentation& segmentation, Imag
         const glm::dvec3 even = transformPoint(worldFromVoxel, {0.0, 0.0, k});
         plane.positionMm = positionMm + even - slicePositionsMm[static_cast<std::size_t>(k)];
         auto placement = placeOnGrid(voxelFromWorld, plane, segmentation.columns, segmentation.rows);
-        // A frame that runs across the slices has no one slice.
+        // A frame across the slices belongs to no single slice.
         if (placement && placement->origin.z == static_cast<int>(k) && placement->columnStep.z == 0 &&
             placement->rowStep.z == 0) {
             return placement;
@@ -55,8 +55,7 @@ std::vector<glm::dvec3> likelySliceAxes(const Segmentation& segmentation) {
         if (spacing <= 0.0) continue;
         const double steps = std::round(distance / spacing);
         if (steps < 1.0) continue;
-        // The step is taken over the whole length, so that what a rounded spacing is wrong by does not add
-        // up.
+        // The step comes from the whole length, so that the error of a rounded spacing does not add up.
         axes.push_back(normal * (distance / steps));
         axes.push_back((highest->plane.positionMm - lowest->plane.positionMm) / steps);
     }

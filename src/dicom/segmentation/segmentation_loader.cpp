@@ -70,13 +70,13 @@ class Painter {
         return all;
     }
 
-    // Nothing of a segment 0 can be told from another one in the map.
+    // Whether the map could not distinguish segment 0 from another segment.
     bool isAmbiguous() const { return hasZero() && isLabelOfZeroTaken_; }
 
     std::vector<std::uint16_t> take() { return std::move(labels_); }
 
   private:
-    // Above all numbers that cells can hold, where there is one; else the highest that is not described.
+    // Above all numbers that cells can hold, where there is one; otherwise the highest that is not described.
     static std::uint16_t freeLabel(const Segmentation& segmentation) {
         if (segmentation.format.bitsStored < 16) return std::uint16_t(1 << segmentation.format.bitsStored);
         std::uint16_t label = 65535;
@@ -134,8 +134,8 @@ Result<LabelMap> load(const Segmentation& segmentation, const Placements& placem
                              Text("Copy the file again from its source."));
         }
     }
-    // This is checked once it is known what the file really holds: a header alone cannot ask for more than it
-    // could fill.
+    // Checked once the cells have been read, so that a false header cannot make it allocate more than they
+    // fill.
     const double voxels = double(size.x) * double(size.y) * double(size.z);
     // Two small frames far apart span a grid that nothing fills.
     constexpr double kMostVoxelsPerPixel = 64.0;

@@ -11,12 +11,12 @@ namespace macula::dicom {
 
 namespace {
 
-constexpr double kLongS = 30.0;       // no breath is held as long again for a gap in it
-constexpr double kTimesUsual = 20.0;  // of the pause between neighbours
-constexpr std::size_t kMostGaps = 4;  // more are how the scanner works
+constexpr double kLongS = 30.0;       // longer than a pause for breath between two parts of one acquisition
+constexpr double kTimesUsual = 20.0;  // times the usual pause between neighbours
+constexpr std::size_t kMostGaps = 4;  // more are normal for that scanner
 constexpr double kSecondsOfMinute = 60.0;
 
-// The times of the first attribute that all frames have; contents may be reconstructed at any time.
+// The acquisition times, if all frames have one. Not content times: images may be reconstructed at any time.
 std::vector<double> acquisitionTimes(const Stack& stack, const SplitRules& rules) {
     for (const std::size_t attribute : rules.runs) {
         if (rules.attributes[attribute].name != "AcquisitionTime") continue;
@@ -48,7 +48,7 @@ void tellAcquiredApart(Stack& stack, const SplitRules& rules) {
     std::vector<double> sorted = pauses;
     std::ranges::sort(sorted);
     const double usual = sorted[sorted.size() / 2];
-    std::vector<std::size_t> begins;  // of the parts, but the first
+    std::vector<std::size_t> begins;  // the first frame of each part but the first
     double longest = 0.0;
     for (std::size_t n = 0; n < pauses.size(); ++n) {
         if (pauses[n] <= std::max(kLongS, kTimesUsual * usual)) continue;
@@ -56,7 +56,7 @@ void tellAcquiredApart(Stack& stack, const SplitRules& rules) {
         longest = std::max(longest, pauses[n]);
     }
     if (begins.empty() || begins.size() > kMostGaps) return;
-    // Of a part in the middle its slices; of two halves the second one.
+    // Names the slices of a part in the middle, or those of the second of two parts.
     const std::size_t first = sliceOf(stack, begins.front());
     const std::size_t last =
         begins.size() > 1 ? sliceOf(stack, begins.back() - 1) : sliceOf(stack, stack.frames.size() - 1);

@@ -1,4 +1,4 @@
-// Finds slices of a volume that were acquired long before or after those beside them.
+// Finds slices of a volume that were acquired long before or after their neighbours.
 #pragma once
 
 #include "dicom/stack/split_rules.h"

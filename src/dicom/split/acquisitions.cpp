@@ -13,19 +13,19 @@ namespace {
 
 constexpr double kToleranceOfStep = 0.02;
 constexpr std::size_t kMostLattices = 6;
-constexpr std::size_t kLeastFrames = 3;  // of a lattice
+constexpr std::size_t kLeastFrames = 3;  // in a lattice
 
-// Lattices of one step that frames at ascending places were put on.
+// Assigns frames, added in ascending order, to lattices that all have one step.
 class Lattices {
   public:
     explicit Lattices(double stepMm) : stepMm_(stepMm) {}
 
-    // False when it lies on none, and there are too many to begin another.
+    // False if the frame lies on none of them, and there are too many to begin another.
     bool add(double alongMm, std::size_t frame) {
         std::size_t best = lastMm_.size();
         double bestMultiple = 0.0;
         for (std::size_t n = 0; n < lastMm_.size(); ++n) {
-            // The step is taken from the frame before, so that rounding errors do not add up.
+            // Measures from the frame before, so that rounding errors do not add up.
             const double multiple = (alongMm - lastMm_[n]) / stepMm_;
             const double whole = std::round(multiple);
             if (whole < 1.0 || std::abs(multiple - whole) > kToleranceOfStep) continue;
@@ -48,7 +48,7 @@ class Lattices {
     std::size_t missing() const { return missing_; }
     Partition partition() && { return std::move(partition_); }
 
-    // Whether all of them are one lattice of a part of the step, from which slices are missing.
+    // Whether all of them together are one lattice with a fraction of the step, which lacks slices.
     bool areOne() const {
         const auto count = double(lastMm_.size());
         return std::ranges::all_of(lastMm_, [&](double lastMm) {
@@ -64,8 +64,8 @@ class Lattices {
     Partition partition_;
 };
 
-// Distances that may be the step of several lattices: from a frame to the next but one, but two …, and the
-// widest of them, which is that of a stretch where the lattices do not overlap.
+// Distances that may be the step of several lattices: the median distance from a frame to the next, the next
+// but one and so on; and the widest to the next, which is the step where the lattices do not overlap.
 std::vector<double> possibleSteps(const std::vector<double>& alongMm) {
     std::vector<double> possible;
     for (std::size_t apart = 1; apart <= kMostLattices && apart < alongMm.size(); ++apart) {
@@ -88,7 +88,7 @@ Partition partitionByRuns(std::span<const std::optional<double>> values, std::si
         sorted.emplace_back(*values[i], i);
     }
     std::ranges::sort(sorted);
-    std::vector<std::pair<double, std::size_t>> pauses;  // and the frame after it
+    std::vector<std::pair<double, std::size_t>> pauses;  // each pause, and the frame after it
     for (std::size_t i = 1; i < sorted.size(); ++i) {
         const double pause = sorted[i].first - sorted[i - 1].first;
         if (pause > 0.0) pauses.emplace_back(pause, i);
@@ -140,7 +140,7 @@ Partition partitionByWays(std::span<const Frame> frames) {
 }
 
 Partition separateLattices(std::span<const Frame> frames) {
-    constexpr std::size_t kMostMissing = 10;  // one of so many frames
+    constexpr std::size_t kMostMissing = 10;  // at most one in this many frames
     const Positions positions = positionsOf(frames);
     if (positions.groups.size() < 2 * kLeastFrames || positions.groups.size() != frames.size()) return {};
     Partition best;

@@ -14,9 +14,9 @@ namespace macula::dicom {
 // `values`. Empty when a frame has no value, or there are too few pauses.
 Partition partitionByRuns(std::span<const std::optional<double>> values, std::size_t count);
 
-// Divides images by their ways: in the order of their numbers each way goes along the normal in one
+// Divides images into passes along the normal: in the order of their numbers, each pass moves in one
 // direction, and the next one begins where they turn back. Parts have no `values`. Empty when there is one
-// way, or when a number is missing or repeated.
+// pass, or when a number is missing or repeated.
 Partition partitionByWays(std::span<const Frame> frames);
 
 // Divides frames into two to six lattices: each lies at multiples of one distance, the same for all, from its

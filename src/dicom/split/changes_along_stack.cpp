@@ -8,7 +8,7 @@ namespace macula::dicom {
 
 namespace {
 
-// Places in stack.frames whose value is not that of the frame before.
+// Indices in stack.frames at which the value differs from that of the frame before.
 std::vector<std::size_t> changesOf(const Stack& stack, const SplitRules& rules, std::size_t attribute) {
     std::vector<std::size_t> places;
     for (std::size_t f = 1; f < stack.frames.size(); ++f) {
@@ -35,8 +35,8 @@ void tell(Stack& stack, const Text& attribute, const std::vector<std::size_t>& p
     stack.messages.push_back(std::move(told));
 }
 
-// The few places at which the rescale changes. That of PET and of some MR changes from image to image, and a
-// few images with another one are told by their numbers.
+// Warns of a few places at which the rescale changes. In PET and some MR it changes from image to image;
+// another message (kDeviatingRescale) names a few images with another rescale.
 void tellRescaleChanges(Stack& stack) {
     const auto isTold = [](const Message& m) { return m.key == key::kDeviatingRescale; };
     if (std::ranges::any_of(stack.messages, isTold)) return;

@@ -57,12 +57,12 @@ std::vector<Twin> findTwins(const std::vector<std::vector<Frame>*>& all, Progres
 
 namespace {
 
-// The digest of the pixel data as they are stored; empty when they cannot be had.
+// The digest of the pixel data as they are stored; empty when they cannot be read.
 std::string pixelDigest(const Frame& frame) {
     constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 28;
     const HeaderFile read = readHeader(frame.instance->file);
     constexpr std::string_view kDeflated =
-        "1.2.840.10008.1.2.1.99";  // whose offsets are of what it inflates to
+        "1.2.840.10008.1.2.1.99";  // its offsets refer to the inflated data
     if (!read.pixels || frame.instance->transferSyntaxUid == kDeflated) return {};
     const RandomFile file(frame.instance->file);
     if (!file.isOpen() || file.size() < read.pixels->offset) return {};
@@ -90,8 +90,8 @@ auto orderOf(const Frame& frame) {
                       std::string_view(frame.instance->sopInstanceUid));
 }
 
-// The frames at each place that several share; none when one of them has no place, or is one of several in
-// its file.
+// The frames at each place that several share; none when one of them has no place, or its file has several
+// frames.
 std::vector<std::vector<std::size_t>> sharedPlaces(const std::vector<Frame>& frames) {
     constexpr double kDirections = 1e-4;
     std::map<std::array<double, 9>, std::vector<std::size_t>> places;
@@ -162,7 +162,7 @@ std::vector<std::size_t> dropCopies(const std::vector<std::vector<Frame>*>& all,
         twins.size(),
         [&](std::size_t i) {
             constexpr std::size_t kLargest = std::size_t{1}
-                                             << 28;  // larger ones are kept, and told of as duplicates
+                                             << 28;  // larger ones are kept, and reported as duplicates
             try {
                 if (const auto bytes = readText(twins[i].instance->file, kLargest))
                     twins[i].digest = sha256Hex(*bytes);

@@ -9,7 +9,7 @@
 namespace macula::dicom {
 
 // Keeps the first in order of identical files (a folder copied into itself). Keeps files that share a SOP
-// Instance UID but differ, because nothing tells which of them is right. `series` are the frames of one
+// Instance UID but differ, because nothing shows which of them is right. `series` are the frames of one
 // series each; returns how many files were dropped from each. Reads only files that share UID and size with
 // another, each once, on all cores; stops early when cancelled.
 std::vector<std::size_t> dropCopies(const std::vector<std::vector<Frame>*>& series, Progress& progress);

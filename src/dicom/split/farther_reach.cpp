@@ -42,7 +42,7 @@ Farther fartherVolume(const OfSeries& of, const std::vector<OfSeries>& volumes, 
     return farthest;
 }
 
-// CT is planned on its localizers, whose ends are not far beyond those of the slices.
+// CT is planned on its localizers, so that these normally end not far beyond the slices.
 Farther fartherLocalizer(const Stack& stack, const std::vector<Series>& all, StackEnd end) {
     constexpr double kLeastShare = 0.4;
     constexpr double kMostAtOtherEnd = 0.25;

@@ -13,7 +13,7 @@ constexpr double kSecondsOfDay = 86400.0;
 
 using Values = std::vector<std::optional<double>>;
 
-// Puts the times before the longest pause behind the others, if that pause is most of a day.
+// Moves the times before the longest pause to the next day, if that pause is most of a day.
 void unwrapMidnight(Values& seconds) {
     std::vector<double> sorted;
     for (const auto& value : seconds) {
@@ -21,7 +21,7 @@ void unwrapMidnight(Values& seconds) {
     }
     std::ranges::sort(sorted);
     double longest = kSecondsOfDay / 2.0;
-    std::optional<double> begin;  // of the first day
+    std::optional<double> begin;  // the first time of the first day
     for (std::size_t n = 1; n < sorted.size(); ++n) {
         if (sorted[n] - sorted[n - 1] <= longest) continue;
         longest = sorted[n] - sorted[n - 1];
@@ -79,8 +79,7 @@ Positions positionsOf(std::span<const Frame> frames, double toleranceMm) {
     std::ranges::stable_sort(sorted, {}, [](const auto& entry) { return entry.first; });
     Positions positions;
     for (const auto& [alongMm, index] : sorted) {
-        // The distance is taken to the group's first, so that a group cannot grow along a chain of small
-        // distances.
+        // Measures from the first of the group, so that a group cannot grow along a chain of small distances.
         if (positions.groups.empty() || !(alongMm - positions.alongMm.back() <= toleranceMm)) {
             positions.groups.emplace_back();
             positions.alongMm.push_back(alongMm);
@@ -91,7 +90,7 @@ Positions positionsOf(std::span<const Frame> frames, double toleranceMm) {
 }
 
 double placeToleranceMm(std::span<const Frame> frames) {
-    constexpr double kClear = 10.0;  // distances between clusters are so many times as wide as a cluster
+    constexpr double kClear = 10.0;  // distances between clusters are this many times their width
     constexpr double kMostDriftMm = 0.5;
     constexpr std::size_t kLeastClusters = 3;
     std::vector<double> alongMm;
@@ -103,7 +102,8 @@ double placeToleranceMm(std::span<const Frame> frames) {
     std::vector<double> stepsMm;
     for (std::size_t n = 1; n < alongMm.size(); ++n) stepsMm.push_back(alongMm[n] - alongMm[n - 1]);
     std::ranges::sort(stepsMm);
-    // The widest step inside of clusters, if there are any: no more than one of two frames is alone.
+    // Looks for the widest step inside clusters, if there are any: then at least one step in three is inside
+    // one.
     for (std::size_t inside = stepsMm.size() - std::min(stepsMm.size(), kLeastClusters - 1);
          3 * inside >= alongMm.size() && inside > 0; --inside) {
         const double betweenMm = stepsMm[inside];

@@ -14,8 +14,8 @@ namespace macula::dicom {
 
 namespace {
 
-// What to say when images that name different coordinate systems, or none, look as if they shared one: either
-// no two name the same, as a program leaves them that makes every identifier anew, or some name none.
+// The message on images that name different coordinate systems, or none, but probably share one: either no
+// two name the same, because a program replaced every identifier, or some name none.
 std::optional<Message> likelyOneFrameOfReference(const std::vector<Frame>& frames) {
     std::set<std::string_view> names;
     std::size_t silent = 0;
@@ -37,8 +37,8 @@ std::optional<Message> likelyOneFrameOfReference(const std::vector<Frame>& frame
     return {};
 }
 
-// Gives the frames of the part no coordinate system when they are likely to share one, and every one of them
-// is in an even volume then, with gaps perhaps.
+// Removes the coordinate systems of the part's frames if they probably share one, and every frame is then in
+// an even volume, possibly with gaps.
 bool assumeOneFrameOfReference(HardPart& part, std::size_t attribute, const TryStacks& tryStacks) {
     auto told = likelyOneFrameOfReference(part.frames);
     if (!told) return false;
@@ -58,8 +58,7 @@ bool assumeOneFrameOfReference(HardPart& part, std::size_t attribute, const TryS
     return true;
 }
 
-// Takes frames of several stacks (StackID) that lie end to end for those of one when they make one even
-// volume.
+// Treats frames of several stacks (StackID) that lie end to end as one stack if they make one even volume.
 bool assumeOneStack(HardPart& part, const Partition& partition, std::size_t attribute,
                     const TryStacks& tryStacks) {
     if (interleave(tryOut(part.frames, partition))) return false;
@@ -72,9 +71,9 @@ bool assumeOneStack(HardPart& part, const Partition& partition, std::size_t attr
     return true;
 }
 
-// Gives frames that are turned against each other by less than anybody could see the mean orientation: some
-// writers compute the directions of each slice anew. A corner of a slice may move by a tenth of a voxel, or,
-// with a warning, by half of one.
+// Replaces orientations that differ by less than anybody could see by their mean: some writers compute the
+// directions of each slice separately. A corner of a slice may move by a tenth of a voxel, or, with a
+// warning, by half of one.
 bool assumeOneOrientation(HardPart& part, std::size_t attribute) {
     constexpr double kTellOfVoxel = 0.1;
     constexpr double kMostOfVoxel = 0.5;
@@ -116,12 +115,12 @@ bool assumeOneOrientation(HardPart& part, std::size_t attribute) {
     return true;
 }
 
-// Whether `part` is a few images of the largest part that lie otherwise, or whose place is unknown. Without
-// them the volume is not complete.
+// Whether `part` is a few images of the largest part that are placed differently, or at an unknown place.
+// Without them the volume is incomplete.
 bool isLeftOver(const HardPart& part, const HardPart& largest) {
     static const std::set<std::string> kPlacement = {
         "FrameOfReferenceUID", "ImagePlane", "Rows", "Columns", "ImageOrientationPatient", "PixelSpacing"};
-    constexpr std::size_t kFew = 5;  // times
+    constexpr std::size_t kFew = 5;  // the largest part is at least this many times larger
     if (kFew * part.frames.size() > largest.frames.size()) return false;
     return std::all_of(part.labels.begin(), part.labels.end(), [&](const StackLabel& label) {
         if (kPlacement.contains(label.attribute)) return true;
@@ -129,8 +128,8 @@ bool isLeftOver(const HardPart& part, const HardPart& largest) {
     });
 }
 
-// Whether frames that differ in a hard attribute are taken for those of one stack all the same; what was
-// assumed is told then.
+// Whether frames that differ in a hard attribute count as one stack all the same; a message then states the
+// assumption.
 bool areOneAfterAll(const std::string& name, HardPart& part, const Partition& partition,
                     std::size_t attribute, const TryStacks& tryStacks) {
     if (name == "FrameOfReferenceUID") return assumeOneFrameOfReference(part, attribute, tryStacks);
@@ -139,11 +138,11 @@ bool areOneAfterAll(const std::string& name, HardPart& part, const Partition& pa
     return false;
 }
 
-// Frames that are alone in their part although they agree in all but how they lie (a rotation of projections,
-// a localizer in three planes) are put together again.
+// Rejoins frames that are alone in their part although they agree in everything but orientation and spacing
+// (a rotation of projections, a localizer in three planes).
 void joinLoners(std::vector<HardPart>& parts) {
     static const std::set<std::string> kPlacement = {"ImageOrientationPatient", "PixelSpacing"};
-    std::map<std::string, std::size_t> homes;  // by all other labels
+    std::map<std::string, std::size_t> homes;  // index in `result`, by all other labels
     std::vector<HardPart> result;
     for (HardPart& part : parts) {
         if (part.frames.size() != 1) {

@@ -1,4 +1,4 @@
-// Finds images that form one series but whose identifiers were made anew for each of them.
+// Finds images that form one series but have identifiers that were made separately for each of them.
 #pragma once
 
 #include <vector>

@@ -14,17 +14,17 @@ namespace macula::dicom {
 
 namespace {
 
-constexpr int kLocalizers = 2;  // from the front and from the side
+constexpr int kLocalizers = 2;  // usually one from the front and one from the side
 constexpr int kHundred = 100;
 
-// A stack that can be looked at for what is missing: a volume of files with one frame each.
+// A stack that can be checked for missing images: a volume of files with one frame each.
 struct Candidate {
     Series* series = nullptr;
     Stack* stack = nullptr;
     std::optional<StackNumbering> numbering;
 };
 
-// What is said to be missing, and by what.
+// How many images seem to be missing, and by what evidence.
 struct Claim {
     std::size_t count = 0;
     Text why;
@@ -61,7 +61,7 @@ std::set<int> numbersOf(const Series& series) {
     return numbers;
 }
 
-// How many images of the series each acquisition has, by its number and by what they say of that.
+// The number of images of each acquisition, by AcquisitionNumber and ImagesInAcquisition.
 using Acquisitions = std::map<std::pair<std::optional<int>, int>, std::size_t>;
 
 Acquisitions acquisitionsOf(const Series& series) {
@@ -77,7 +77,7 @@ Acquisitions acquisitionsOf(const Series& series) {
     return acquisitions;
 }
 
-// Slices that stacks know to be missing between those that are there.
+// The number of slices that stacks report as missing between others.
 std::size_t gapsIn(const Series& series) {
     std::size_t missing = 0;
     for (const Stack& stack : series.stacks) {
@@ -120,8 +120,7 @@ class StudyImages {
         return static_cast<std::size_t>(series - series_.data());
     }
 
-    // Whether all that the files or the medium say of the number of images is fulfilled, by one of them at
-    // least.
+    // Whether some file gives a number of images that is exactly the number in the series.
     static bool isSaidToBeComplete(const Series& series) {
         return std::ranges::any_of(series.stacks, [&](const Stack& stack) {
             return std::ranges::any_of(stack.frames, [&](const Frame& frame) {
@@ -144,7 +143,7 @@ class StudyImages {
         });
     }
 
-    // Whether there is another stack of the series that ends where this one does, or beyond.
+    // Whether another stack of the series ends where this one does.
     bool othersEndHere(const Candidate& candidate, StackEnd end) const {
         return std::ranges::any_of(candidates_, [&](const Candidate& other) {
             if (other.stack == candidate.stack || other.series != candidate.series) return false;
@@ -153,12 +152,12 @@ class StudyImages {
         });
     }
 
-    // What explains that numbers begin after `before`, so that nothing is to be told.
+    // Whether something explains that numbers begin after `before`, so that nothing is reported.
     bool isExplained(const Candidate& candidate, int before) const {
         constexpr int kThousand = 1000;
         for (std::size_t s = 0; s < series_.size(); ++s) {
             if (&series_[s] == candidate.series || numbers_[s].empty()) continue;
-            // Numbers go on from series to series, but for those of localizers.
+            // Numbers may continue those of another series, with those of localizers between.
             const int last = *numbers_[s].rbegin();
             if (last <= before && last >= before - kLocalizers) return true;
         }
@@ -173,7 +172,7 @@ class StudyImages {
         const int lowest = candidate.numbering->lowest();
         const int before = lowest - 1;
         if (isExplained(candidate, before)) return {};
-        // Others of the same size may have the numbers before, such as phases that were stored one by one.
+        // Other stacks of this size may have the numbers before, such as phases that were stored separately.
         const auto size = static_cast<int>(candidate.stack->frames.size());
         const bool isDoubtful =
             missing <= kLocalizers || before % kHundred == 0 || (before % size == 0 && before > size);
@@ -206,7 +205,7 @@ class StudyImages {
                              {"evidence", claim.why}}));
     }
 
-    // Gives back how many are missing by the numbers of all stacks of the series.
+    // Returns how many images are missing by the numbers of all stacks of the series.
     std::size_t reportNumbers(std::size_t s) {
         std::size_t missing = 0;
         for (Candidate& candidate : candidates_) {
@@ -221,8 +220,8 @@ class StudyImages {
         return missing;
     }
 
-    // How many images of an acquisition are said to be (ImagesInAcquisition), beyond those that are there.
-    // Some count those of one series, others those of all that were made of the acquisition.
+    // The images that ImagesInAcquisition claims beyond those present. Some writers count the images of one
+    // series, others those of all series made from the acquisition.
     std::optional<Claim> claimOfAcquisitions(const Series& series) const {
         Claim claim;
         int said = 0;
@@ -264,7 +263,7 @@ class StudyImages {
                                         said)};
     }
 
-    // PET says how many slices a volume has (PS3.3 C.8.9.1), of which the gaps are told elsewhere.
+    // PET gives the number of slices of a volume (PS3.3 C.8.9.1); gaps are reported elsewhere.
     static std::optional<Claim> claimOfSlices(const Candidate& candidate) {
         int said = 0;
         for (const Frame& frame : candidate.stack->frames)
@@ -281,8 +280,8 @@ class StudyImages {
         return Claim{found->second.size(), Text("the directory of the medium (DICOMDIR) lists them")};
     }
 
-    // The ends beyond which the numbers lie that the directory of the medium lists; false unless each of them
-    // does.
+    // Reports the ends at which images that the directory of the medium lists are missing, by their numbers;
+    // false unless each number lies beyond an end.
     bool reportListed(const Candidate& only) {
         const auto& numbers = absent_.at(only.series->seriesInstanceUid);
         std::array<std::size_t, 2> beyond{};
@@ -304,7 +303,7 @@ class StudyImages {
         return true;
     }
 
-    // What is counted, beyond what numbers told already and what is a gap.
+    // Reports missing images by counts, without those that numbers have reported already, and without gaps.
     void reportCounts(Series& series, std::size_t byNumbers) {
         std::vector<Candidate*> own;
         for (Candidate& candidate : candidates_) {
@@ -323,7 +322,7 @@ class StudyImages {
         const std::size_t known = byNumbers + gapsIn(series) + series.filesLeftOut;
         if (claim->count <= known) return;
         claim->count -= known;
-        // From the first number on all are there, so that the others come after the last.
+        // All images from the first number on are present, so the missing ones come after the last.
         if (isOne && (own.front()->numbering->lowest() <= 1 || byNumbers > 0)) {
             const bool up = own.front()->numbering->lowestIsFirst();
             tellEnd(*own.front()->stack, up ? StackEnd::last : StackEnd::first, *claim);
@@ -335,8 +334,8 @@ class StudyImages {
 
     std::vector<Series>& series_;
     const AbsentImages& absent_;
-    std::vector<std::set<int>> numbers_;      // of each series, of all its images
-    std::vector<std::set<int>> ofVolumes_;    // of each series, of its candidates
+    std::vector<std::set<int>> numbers_;      // image numbers of each series
+    std::vector<std::set<int>> ofVolumes_;    // image numbers of the candidates of each series
     std::vector<Acquisitions> acquisitions_;  // of each series
     std::vector<Candidate> candidates_;
 };

@@ -24,7 +24,7 @@ using AbsentImages = std::map<std::string, std::vector<std::optional<int>>>;
 //   - the image numbers, consecutive along the slices, begin late or leave some out next to an end. This is a
 //     warning unless something else may explain it, and then a note: two numbers at most (deleted
 //     localizers), or hundreds (a numbering with an offset). Numbers that continue those of another series,
-//     or have the offset of the series number, are no evidence, nor are those of a stack that covers what a
+//     or have the offset of the series number, are not evidence, nor are those of a stack that covers what a
 //     complete one covers.
 // Images in any stack are not missing. Gaps do not count, because stacks report them themselves.
 void reportMissingImages(std::vector<Series>& series, const AbsentImages& absent);

@@ -13,7 +13,7 @@ namespace macula::dicom {
 
 namespace {
 
-// Numbers before words; of several numbers the first that differs counts: 1\\2 is before 1\\10.
+// Orders numbers before words; of several numbers the first that differs counts: 1\\2 is before 1\\10.
 bool before(std::string_view a, std::string_view b) {
     std::string_view restOfA = a;
     std::string_view restOfB = b;
@@ -35,14 +35,14 @@ bool before(std::string_view a, std::string_view b) {
 // Maps values of one attribute to the number of their class; classes are by ascending value.
 std::map<std::string, std::size_t, std::less<>> classesOf(const Attribute& attribute,
                                                           std::vector<std::string_view> values) {
-    // Most are equal: they are told apart as text, which costs less than reading their numbers.
+    // Most values are equal: removes these as text, which is cheaper than parsing their numbers.
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
     std::sort(values.begin(), values.end(), before);
     std::map<std::string, std::size_t, std::less<>> classes;
-    std::vector<std::string_view> first;  // of each class
-    // A single number is near the class just before it, if any. Vectors have no such order; of them there
-    // are never many different ones that are all the same.
+    std::vector<std::string_view> first;  // the first value of each class
+    // A single number is near the class just before it, if any. Vectors have no such order, and are compared
+    // with many classes.
     const bool ordered = attribute.kind == Attribute::Kind::number;
     constexpr std::ptrdiff_t kMostCompared = 1000;
     for (const std::string_view value : values) {
@@ -71,7 +71,7 @@ std::vector<std::size_t> classesOfTexts(std::span<const Frame> frames, const Spl
 }
 
 std::vector<std::size_t> classesOfTimes(const std::vector<std::optional<double>>& times) {
-    std::vector<std::optional<double>> distinct = times;  // those without one first
+    std::vector<std::optional<double>> distinct = times;  // frames without a time come first
     std::ranges::sort(distinct);
     std::vector<std::size_t> result;
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());

@@ -23,14 +23,14 @@ using Partition = std::vector<Part>;
 Partition partitionByValue(std::span<const Frame> frames, const SplitRules& rules,
                            const std::vector<std::size_t>& attributes);
 
-// The parts of `finer`, which divide the frames of `coarse`, as parts of the whole.
+// The parts of `finer`, whose indices count within `coarse`, with indices of all frames.
 Partition within(const Part& coarse, const Partition& finer);
 
 // The number of positions along the normal whose part is not that of the position before.
 std::size_t alternations(std::span<const Frame> frames, const Partition& partition);
 
-// Separates the frames of the first, the second … file that share a SOP Instance UID and a position: files
-// elsewhere are no copies, since some writers give one UID to all slices.
+// Separates the frames of the first, the second … file that share a SOP Instance UID and a position: files at
+// other positions are not copies, because some writers give one UID to all slices.
 Partition separateCopies(std::span<const Frame> frames);
 
 // Separates the first frame at each position from all others.

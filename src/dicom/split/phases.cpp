@@ -64,7 +64,7 @@ class NumberRanks {
     std::vector<std::size_t> map_;
 };
 
-// Puts the frames of one position into the parts, or beside them.
+// Puts the frames of one position into the parts, or into `unclear`.
 void assign(const std::vector<std::size_t>& frames, const Ranks& byValue, const Ranks& byNumber,
             Phases& phases) {
     enum class Support { none, one, both };
@@ -74,7 +74,8 @@ void assign(const std::vector<std::size_t>& frames, const Ranks& byValue, const 
     };
     std::vector<bool> isTaken(phases.parts.size(), false);
     std::vector<bool> isPlaced(frames.size(), false);
-    // The frames for which more speaks come first; among equals the one with the lowest number, as given.
+    // Frames that both value and number support come first; among equals, that with the lowest number, which
+    // is their order.
     for (const Support support : {Support::both, Support::one}) {
         for (std::size_t n = 0; n < frames.size(); ++n) {
             if (supportOf(n) != support) continue;
@@ -111,7 +112,7 @@ std::optional<Phases> phasesByRank(std::span<const Frame> frames,
         const auto& group = positions.groups[k];
         assign(group, byValue->ranksOf(k, group), numberRanks.ranksOf(k, group), phases);
     }
-    constexpr std::size_t kMostUnclear = 5;  // one of so many frames
+    constexpr std::size_t kMostUnclear = 5;  // at most one in this many frames
     if (kMostUnclear * phases.unclear.size() > frames.size()) return {};
     for (Part& part : phases.parts) {
         if (part.frames.empty()) return {};

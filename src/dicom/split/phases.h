@@ -12,8 +12,9 @@
 namespace macula::dicom {
 
 struct Phases {
-    Partition parts;                    // one for each phase, in the order of the value; without `values`
-    std::vector<std::size_t> unclear;   // frames in no part: their phase is unknown, or taken
+    Partition parts;  // one for each phase, in the order of the value; without `values`
+    // Frames in no part: their phase is unknown, or has another frame there.
+    std::vector<std::size_t> unclear;
     std::vector<std::size_t> byNumber;  // frames in a part by their number, because the value does not decide
 };
 

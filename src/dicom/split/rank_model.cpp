@@ -8,7 +8,7 @@ namespace macula::dicom {
 
 namespace {
 
-// Of the usual distance between ranks.
+// As fractions of the usual distance between ranks.
 constexpr double kTolerance = 0.5;
 constexpr double kExactTolerance = 0.15;
 constexpr double kClear = 0.3;  // beyond this a value may belong to two ranks
@@ -56,7 +56,7 @@ bool RankModel::hasUsualDistances(std::size_t position, double tolerance) const 
     return true;
 }
 
-// What the nearest regular positions on both sides, without this one, let expect; at an end the nearest two.
+// The values expected from the nearest regular positions on both sides; at an end from the nearest two.
 std::optional<std::vector<double>> RankModel::expectedAt(std::size_t position) const {
     std::vector<std::size_t> below;
     std::vector<std::size_t> above;
@@ -87,8 +87,8 @@ std::optional<std::vector<double>> RankModel::expectedAt(std::size_t position) c
     return expected;
 }
 
-// Whether a value is what the neighbours let expect, at most positions; those where it is not are not regular
-// then, the worst first, because it spoils what is expected beside it.
+// Whether values are as expected from their neighbours at most positions. The others become irregular, the
+// worst first, because it spoils the expectation for its neighbours.
 void RankModel::findSteadiness() {
     const auto errorAt = [&](std::size_t k) {
         const auto expected = expectedAt(k);
@@ -101,7 +101,7 @@ void RankModel::findSteadiness() {
     if (errors.size() < 3) return;
     const double allowed = kTolerance * leastDistance();
     const auto good = std::ranges::count_if(errors, [&](double e) { return e <= 0.5 * allowed; });
-    // One that is wrong spoils what is expected at both sides of it.
+    // Half is enough, because a wrong position spoils the expectation on both sides of it.
     isSteady_ = 2 * good >= std::ssize(errors);
     while (isSteady_) {
         std::size_t worst = 0;
@@ -116,7 +116,7 @@ void RankModel::findSteadiness() {
     }
 }
 
-// Whether all of a rank comes before the next, and no pause inside of a rank could be one between ranks.
+// Whether all values of a rank come before the next, and no pause within a rank could be one between ranks.
 void RankModel::findBlocks() {
     constexpr double kTimesUsual = 4.0;
     std::vector<std::vector<double>> blocks(ranks_);

@@ -12,7 +12,7 @@ namespace macula::dicom {
 
 // A model of a value along a stack that was imaged several times: the value of each rank at each position.
 // Built from the positions at which the distances between ranks are the usual ones, up to a factor (heart
-// beats differ), and where the value fits that of the positions beside it.
+// beats differ), and where the value fits that of the neighbouring positions.
 class RankModel {
   public:
     // `values` has one entry for each frame. Nothing when fewer than three quarters of the positions have

@@ -11,8 +11,7 @@ namespace macula::dicom {
 
 namespace {
 
-// Whether frames of one time are slices side by side, as those of the largest part are, and not some images
-// of here and there.
+// Whether the frames of a run are adjacent slices, as those of the largest run are, and not scattered images.
 bool isAcquisition(const Trial& run, const Trial& largest) {
     constexpr std::size_t kLeastSlices = 4;
     constexpr double kMostTimesStep = 1.5;
@@ -32,8 +31,8 @@ std::optional<std::vector<Stack>> RunSplitter::split(const Stack& whole, Grade l
     return {};
 }
 
-// Divides a stack by gaps between its times into the fewest runs that make better volumes than the whole
-// does, and each run again: two of three acquisitions may make an even volume together.
+// Divides a stack at pauses between its times into the fewest runs that are better volumes than the whole,
+// and each run again: two of three acquisitions may make an even volume together.
 Partition RunSplitter::runsOf(const Stack& whole, std::size_t attribute, Grade least) const {
     constexpr std::size_t kMostRuns = 12;
     // Odd and even slices of MR are often acquired in turn.
@@ -56,9 +55,9 @@ Partition RunSplitter::runsOf(const Stack& whole, std::size_t attribute, Grade l
     return {};
 }
 
-// The runs of one run, or it alone.
+// Divides one run further, or returns it alone.
 Partition RunSplitter::runsWithin(const Stack& whole, const Part& run, std::size_t attribute) const {
-    // Frames of a volume keep the order that they have along the whole stack.
+    // Only for a volume, because makeStack keeps the order of its frames, so that indices in `finer` fit.
     if (tryOut(whole.frames, {run}).front().grade == Grade::none) return {run};
     std::vector<Frame> frames;
     for (const std::size_t index : run.frames) frames.push_back(whole.frames[index]);
@@ -67,7 +66,7 @@ Partition RunSplitter::runsWithin(const Stack& whole, const Part& run, std::size
     return finer.empty() ? Partition{run} : within(run, finer);
 }
 
-// Stacks of runs. Images that were made once more, one by one, are a run of nothing.
+// Makes stacks of the runs. Images that were repeated one by one are not an acquisition.
 std::vector<Stack> RunSplitter::asAcquisitions(const Stack& whole, Partition runs, std::size_t attribute,
                                                std::vector<Message>& messages) const {
     const std::vector<Trial> trials = tryOut(whole.frames, runs);

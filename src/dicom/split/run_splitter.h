@@ -19,8 +19,8 @@ class RunSplitter {
     RunSplitter(const StackMaker& maker, const SplitRules& rules, SplitBudget& budget)
         : maker_(maker), rules_(rules), budget_(budget) {}
 
-    // Two or more acquisitions at interleaved positions, or that overlap, one after the other; nothing where
-    // there are none.
+    // Separates two or more acquisitions that were made one after the other, and interleave or overlap;
+    // nothing if there are none.
     std::optional<std::vector<Stack>> split(const Stack& whole, Grade least,
                                             std::vector<Message>& messages) const;
 

@@ -26,7 +26,7 @@ void sortFrames(std::vector<Frame>& frames) {
     });
 }
 
-// Frames that have their identifier and number in common with another one of the part.
+// The number of frames that share UID and frame number with another one of the part.
 std::size_t countOfSharedUids(const Part& part, const std::vector<Frame>& frames) {
     std::map<std::pair<std::string_view, int>, std::size_t> counts;
     for (const std::size_t index : part.frames) {
@@ -43,7 +43,7 @@ std::string modalityOf(const std::vector<Frame>& frames, const std::string& ofSe
     return own.empty() ? ofSeries : own;
 }
 
-// Files that share an identifier and a position, and differ: the first of each stays.
+// Removes files that share a UID and a position, but differ, as stacks of their own; the first of each stays.
 std::vector<Stack> takeCopies(std::vector<Frame>& frames, const std::string& modality,
                               std::vector<Message>& messages) {
     const Partition partition = separateCopies(frames);

@@ -22,16 +22,16 @@ struct Split {
 //   - frames at the same positions that name their phase are separated by it;
 //   - one or two soft attributes separate a stack when the parts are volumes. They separate a volume only
 //     into volumes that interleave or overlap, and an even one only when the rules name them for that;
-//   - volumes that interleave or overlap are separated by runs of their times, by the ways of their image
+//   - volumes that interleave or overlap are separated by runs of their times, by passes of their image
 //     numbers along the normal, or by the lattices they lie on (acquisitions.h);
 //   - a stack that is now a volume stays whole, with warnings where attributes change along its slices, or
 //     where part of it was acquired apart;
 //   - frames at the same positions are separated as phases, by value, or by ranks that agree along the stack
-//     (phases.h); frames of unknown phase become a stack of their own that is no volume;
+//     (phases.h); frames of unknown phase become a stack of their own, not a volume;
 //   - of a few repeated positions the frames with the lowest number make the volume, and the rest are a stack
 //     of their own;
 //   - blocks that are far apart are separated at the gap;
-//   - else the stack stays whole, is no volume, and its message asks.
+//   - otherwise the stack stays whole, is not a volume, and its message asks a person.
 // Deterministic: the order of `frames` does not matter. Once cancelled, it separates no further, and the
 // caller must discard the result.
 Split splitSeries(std::vector<Frame> frames, const std::string& modality, const SplitRules& rules,

@@ -14,7 +14,7 @@ class SplitBudget {
     explicit SplitBudget(const CancelToken& cancel) : cancel_(cancel) {}
 
     bool isCancelled() const { return cancel_.cancelled(); }
-    // Whether one more way may be tried with so many frames.
+    // Whether one more way may be tried with this many frames.
     bool spend(std::size_t frames) {
         constexpr std::size_t kMostFramesTried = 1'000'000;
         tried_ += frames;

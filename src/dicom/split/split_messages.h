@@ -1,4 +1,4 @@
-// Says of stacks, and of their series, why they were separated.
+// Adds messages that say why stacks were separated, to the stacks and to their series.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@ namespace macula::dicom {
 
 void tellSplit(std::vector<Message>& messages, const std::vector<std::string>& names, std::size_t count);
 
-// That these phases were told apart by the attribute of that name, `assumed` as the last resort.
+// Reports that `count` phases were separated by the attribute `name`, `assumed` if that was a last resort.
 void tellPhases(std::vector<Message>& messages, const std::string& name, bool assumed, std::size_t count);
 void tellIncomplete(const std::vector<Stack>& phases, std::vector<Message>& messages);
 void nameStackPhases(std::vector<Stack>& stacks, bool assumed);
 
-// Says it of each of the stacks, too, so that it goes with the volume.
+// Adds the message to each of the stacks too, so that a volume made from one of them has it.
 void tellAll(std::vector<Stack>& stacks, std::vector<Message>& messages, const Message& told);
 
 // The numbers of these frames of the stack, for a message.

@@ -10,7 +10,7 @@ namespace macula::dicom {
 
 namespace {
 
-// Whether the fault is one that separating frames cannot mend: it would only multiply the message.
+// Whether the stack has a fault that separating frames cannot mend: it would only multiply the message.
 bool isHopeless(const Stack& stack) {
     return std::any_of(stack.messages.begin(), stack.messages.end(), [](const Message& m) {
         return m.severity >= Severity::blocksVolume && m.key != key::kDuplicatePositions &&
@@ -62,8 +62,8 @@ std::vector<Stack> Splitter::split(std::vector<Frame> frames, std::vector<StackL
     return one(std::move(whole));
 }
 
-// Parts that are even, or lack slices, come before parts in which slices would be interpolated between frames
-// of several acquisitions.
+// Prefers parts that are even or lack slices to parts in which slices would be interpolated between frames of
+// several acquisitions.
 Splitter::Stacks Splitter::separated(const Stack& whole, bool repeats, Messages& messages) const {
     for (const Grade least : {Grade::gapped, Grade::irregular}) {
         if (auto parts = bySoftAttributes(whole, least, messages)) return parts;
@@ -107,7 +107,8 @@ std::vector<std::vector<std::size_t>> Splitter::softCandidates(const Stack& whol
     return candidates;
 }
 
-// Images of an even volume of which some lack a value that all others share are not of two kinds.
+// Whether the partition is no reason to separate: in an even volume, images that lack a value which all
+// others share are not of another kind.
 bool Splitter::separatesNothing(const Stack& whole, const Partition& partition) const {
     return whole.isEven() && partition.size() == 2 &&
            std::ranges::any_of(partition, [](const Part& part) { return part.values.front().empty(); });
@@ -117,7 +118,7 @@ Splitter::Stacks Splitter::bySoftAttributes(const Stack& whole, Grade least, Mes
     for (const auto& attributes : softCandidates(whole)) {
         if (!budget_.spend(whole.frames.size())) break;
         const Partition partition = partitionByValue(whole.frames, rules_, attributes);
-        if (partition.size() > whole.frames.size() / 2) continue;  // single slices are no volumes
+        if (partition.size() > whole.frames.size() / 2) continue;  // single slices are not volumes
         if (!isBetter(whole, partition, least)) continue;
         const auto names = maker_.namesOf(attributes);
         tellSplit(messages, names, partition.size());
@@ -140,13 +141,13 @@ Splitter::Stacks Splitter::byWays(const Stack& whole, Messages& messages) const 
     return stacks;
 }
 
-// Acquisitions of which nothing but their positions tells: these lie at multiples of one distance.
+// Separates acquisitions that only their positions distinguish: each lies at multiples of one distance.
 Splitter::Stacks Splitter::byLattices(const Stack& whole, Messages& messages) const {
     if (whole.isEven()) return {};
     const Partition partition = separateLattices(whole.frames);
     if (partition.empty() || !interleave(tryOut(whole.frames, partition))) return {};
     if (!isBetter(whole, partition, Grade::gapped)) return {};
-    // A volume that lacks slices is no two, unless it lacked every third throughout.
+    // A volume that lacks slices is not two volumes, unless every third slice is missing throughout.
     const std::size_t count = alternations(whole.frames, partition);
     if (gradeOf(whole) == Grade::gapped && count + 1 < whole.frames.size()) return {};
     std::vector<Stack> stacks = maker_.stacksOf(whole, partition, {"Positions"});
@@ -173,7 +174,7 @@ Splitter::Stacks Splitter::asPhases(const Stack& whole, const SplitRules::Phase&
     if (!areVolumes(trials, Grade::gapped)) return {};
     const std::string& name = rules_.attributes[rule.attribute].name;
     const bool areReal = arePhases(trials, positions.groups.size());
-    // What only overlaps is no phase, and a time of its own does not make an image one.
+    // Parts that only overlap are not phases, and an image is not a phase just because it has its own time.
     const bool haveLeftovers =
         std::ranges::any_of(trials, [](const Trial& trial) { return trial.grade == Grade::none; });
     const bool isValue = rule.by == SplitRules::Phase::By::value;
@@ -206,7 +207,7 @@ Splitter::Stacks Splitter::byPhases(const Stack& whole, PhasesAsked asked, Messa
     return {};
 }
 
-// Several phases in each of several reconstructions.
+// Separates several phases in each of several reconstructions.
 Splitter::Stacks Splitter::bySoftAttributesAndPhases(const Stack& whole, PhasesAsked asked,
                                                      Messages& messages) const {
     for (const auto& attributes : softCandidates(whole)) {
@@ -255,7 +256,7 @@ Splitter::Stacks Splitter::bySoftAttributesAndPhases(const Stack& whole, PhasesA
 Splitter::Stacks Splitter::byRepetition(const Stack& whole, Messages& messages) const {
     const Partition partition = separateRepetitions(whole.frames);
     if (partition.size() != 2) return {};
-    // Many repetitions are no slip, and which of them belong together is for a person to say.
+    // Many repetitions are not an accident, and only a person can say which of them belong together.
     if (5 * partition[1].frames.size() > partition[0].frames.size()) return {};
     std::vector<Stack> stacks = maker_.stacksOf(whole, partition, {"Repetition"});
     if (!stacks[0].canBeVolume()) return {};

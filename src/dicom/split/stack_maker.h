@@ -20,10 +20,10 @@ class StackMaker {
     const std::string& modality() const { return modality_; }
     std::vector<std::string> namesOf(const std::vector<std::size_t>& attributes) const;
 
-    // A stack of each part, called by its values of what `names` says.
+    // Makes a stack of each part, labelled by its values of the attributes `names`.
     std::vector<Stack> stacksOf(const Stack& whole, const Partition& partition,
                                 const std::vector<std::string>& names) const;
-    // Puts frames of which nothing says where they belong beside the stacks, as one that is no volume.
+    // Adds one more stack, which is not a volume, for frames that nothing assigns to one of `stacks`.
     void addUnclear(const Stack& whole, std::vector<std::size_t> frames, std::vector<Stack>& stacks,
                     std::vector<Message>& messages) const;
 

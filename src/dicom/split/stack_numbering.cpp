@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kHighestNumber = 100'000;
 
-// The numbers along the stack; nothing when an image has none that counts.
+// The numbers along the stack; nothing when an image has no usable number.
 std::optional<std::vector<int>> numbersOf(const Stack& stack) {
     std::vector<int> numbers;
     numbers.reserve(stack.frames.size());
@@ -44,7 +44,7 @@ std::optional<StackNumbering> numberingOf(const Stack& stack) {
 NumbersBeyond numbersBeyond(int from, int by, const std::set<int>& taken) {
     NumbersBeyond beyond;
     if (by == 0) return beyond;
-    // Where others have numbers between, only those count that are as many steps away as a whole number.
+    // If other stacks have numbers between, only numbers that are a whole number of steps away count.
     const auto found = [&](int number) {
         if ((number - from) % by != 0) return false;
         beyond.count = (number - from) / by - 1;
@@ -55,7 +55,7 @@ NumbersBeyond numbersBeyond(int from, int by, const std::set<int>& taken) {
         for (auto at = taken.upper_bound(from); at != taken.end(); ++at) {
             if (found(*at)) return beyond;
         }
-        return beyond;  // nobody has a higher one
+        return beyond;  // no taken number is higher
     }
     for (auto at = taken.lower_bound(from); at != taken.begin();) {
         if (*--at < 1) break;

@@ -10,7 +10,7 @@ namespace macula::dicom {
 
 // A numbering that rises or falls along the whole stack, by the same step in four of five places.
 struct StackNumbering {
-    int first = 0;  // of the first image along the slice normal
+    int first = 0;  // number of the first image along the slice normal
     int last = 0;
     int step = 1;  // from one image to the next; not 1 or -1 if other stacks have numbers between
 

@@ -19,7 +19,7 @@ Grade gradeOf(const Stack& stack);
 struct Trial {
     Grade grade = Grade::none;
     std::size_t frames = 0;
-    double lowMm = 0.0;  // extent along the normal of the first frame of all
+    double lowMm = 0.0;  // extent along the normal of the first of all frames
     double highMm = 0.0;
 };
 

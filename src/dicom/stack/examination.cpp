@@ -16,7 +16,7 @@ void dropFramesCutOff(Examination& found, const HeaderFile& read) {
     if (!read.pixels) return;
     const PixelDataExtent& pixels = *read.pixels;
     if (pixels.encapsulated) {
-        // Which frames are whole is seen when they are decoded; of a single one it is clear.
+        // Decoding finds which frames are whole; a single one is certainly cut off.
         if (found.state == FileState::truncated && found.frames.size() > 1) found.state = FileState::complete;
         return;
     }
@@ -65,7 +65,7 @@ PresentationHeading headingOf(const Dataset& header, const std::vector<Dataset>&
                                 .images = {}};
     std::vector<ReferencedFrames> images;
     for (const Dataset& series : referencedSeries) {
-        // Those of slices name them so, those of volumes as instances (PS3.3 C.11.11 and C.12.2).
+        // States of slices refer to images, those of volumes to instances (PS3.3 C.11.11 and C.12.2).
         for (const Tag named : {tags::kReferencedImages, tags::kReferencedInstances}) {
             for (ReferencedFrames& image : referencedFrames(series.items(named)))
                 images.push_back(std::move(image));
@@ -124,7 +124,7 @@ Examination examine(const std::filesystem::path& file, const CancelToken& cancel
     const bool hasImage = header.has(tag::kRows) && header.has(tag::kColumns) && !isSegmentation(sopClass) &&
                           sopClass != sop_class::kMrSpectroscopy;
     if (!hasImage && isImage(sopClass)) {
-        found.state = FileState::damaged;  // cut off before them, at the border of two elements
+        found.state = FileState::damaged;  // cut off between two elements, before rows and columns
     } else if (!hasImage) {
         found.kind = Examination::Kind::other;
         found.object = readObject(file, header, sopClass);

@@ -19,7 +19,7 @@ struct Examination {
 
     FileState state = FileState::notDicom;
     Kind kind = Kind::other;
-    std::vector<Frame> frames;       // of an image; only those with pixels in the file
+    std::vector<Frame> frames;       // if it is an image; only frames with pixels in the file
     std::size_t framesMissing = 0;   // frames that the file claims but has no pixels for
     bool invalidFrameCount = false;  // NumberOfFrames is present, but no number
     OtherObject object;              // when kind is other

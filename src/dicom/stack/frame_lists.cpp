@@ -23,7 +23,7 @@ FrameLists::FrameLists(const SplitRules& rules, const Dataset& header) {
         if (attribute.reading == Attribute::Reading::dimensions) ofDimensions_.push_back(a);
         if (attribute.reading != Attribute::Reading::list) continue;
         std::vector<double> values = header.allNumbers(attribute.tags.front().tag);
-        // A list of another length says nothing for sure of any frame.
+        // The values of a list of another length cannot be assigned to frames.
         if (values.size() == frames) lists_.push_back({a, std::move(values)});
     }
     for (const Dataset& dimension : header.items(tag::kDimensionIndex)) {

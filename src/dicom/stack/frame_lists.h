@@ -29,7 +29,7 @@ class FrameLists {
 
     std::vector<List> lists_;
     std::vector<std::size_t> ofDimensions_;  // attributes of the rules
-    std::vector<bool> isOfPlace_;            // of each dimension
+    std::vector<bool> isOfPlace_;            // for each dimension, whether it gives a place
 };
 
 }  // namespace macula::dicom

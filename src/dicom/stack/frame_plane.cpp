@@ -27,7 +27,7 @@ std::optional<std::vector<double>> readList(const Dataset& dataset, Tag tag, std
 Spacing readSpacing(const Dataset& frame, Frame& noted) {
     if (const auto mm = readList(frame, tag::kPixelSpacing, "PixelSpacing", 2, noted))
         return {*mm, PixelSpacingSource::pixelSpacing};
-    // Another one in its place would be a guess.
+    // Using another attribute in its place would be a guess.
     if (!noted.malformedNumber.empty()) return {};
     if (auto mm = readList(frame, tag::kImagerPixelSpacing, "ImagerPixelSpacing", 2, noted)) {
         // Spacing at the detector; at the patient it is smaller by the magnification (PS3.3 C.8.7.10).
@@ -43,7 +43,7 @@ Spacing readSpacing(const Dataset& frame, Frame& noted) {
     return {};
 }
 
-// Whether a letter of PatientOrientation (PS3.3 C.7.6.1.1.1) names the side that the direction goes away
+// Whether a letter of PatientOrientation (PS3.3 C.7.6.1.1.1) names the side that the direction points away
 // from.
 bool isOpposite(std::string_view letters, const glm::dvec3& direction) {
     constexpr double kClearly = 0.5;
@@ -66,8 +66,9 @@ bool isOpposite(std::string_view letters, const glm::dvec3& direction) {
     }
 }
 
-// Images that were turned over by a program say so in one of both places only. Animals have other letters,
-// such as RT and PR, and not always say what they are.
+// Whether PatientOrientation contradicts the directions: a program that flips images may update only one of
+// both. Animals have other letters, such as RT and PR, even where the header does not say that they are
+// animals.
 bool contradicts(const Dataset& dataset, const glm::dvec3& row, const glm::dvec3& column) {
     const auto letters = dataset.shortTexts(tag::kPatientOrientation);
     const auto isOfPerson = [](std::string_view side) {
@@ -79,8 +80,8 @@ bool contradicts(const Dataset& dataset, const glm::dvec3& row, const glm::dvec3
     return isOpposite(letters[0], row) || isOpposite(letters[1], column);
 }
 
-// One position, one distance and no functional groups, as some cone-beam scanners write volumes. Frames that
-// follow each other in time say so.
+// Offsets for files with one position, one distance and no functional groups, as some cone-beam scanners
+// write volumes. Frames that follow each other in time have an element that says so.
 FrameOffsets framesInARow(const Dataset& header, double stepMm) {
     const bool isInTime =
         header.has(tag::kFrameTime) || header.has(tag::kFrameTimeVector) || header.has(tag::kCineRate);

@@ -8,8 +8,8 @@ namespace macula::dicom {
 // The distance of each frame along the normal, for objects with one position for all frames: those of dose
 // and of nuclear medicine, which list the offsets, and those that only give the distance between slices.
 struct FrameOffsets {
-    std::vector<double> mm;  // of each frame with a known one; empty for other objects
-    bool isByOrder = false;  // only their order tells where frames after the first lie
+    std::vector<double> mm;  // one for each frame whose offset is known; empty for other objects
+    bool isByOrder = false;  // only their order shows where frames after the first lie
 };
 FrameOffsets frameOffsets(const Dataset& header);
 

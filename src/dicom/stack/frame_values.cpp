@@ -16,8 +16,8 @@ struct Mapping {
     std::string unit;  // UCUM code
 };
 
-// The real world value mapping, for PET and parametric maps only (PS3.3 A.75): there it is what the values
-// mean, elsewhere it is for display. Only a mapping in the unit of the image is taken, or the first when the
+// The real world value mapping, for PET and parametric maps only (PS3.3 A.75): there it gives the meaning of
+// the values, elsewhere it is for display. Uses only a mapping in the unit of the image, or the first if the
 // image names no unit.
 std::optional<Mapping> realWorldMapping(const Dataset& dataset) {
     if (dataset.text(tag::kModality) != "PT" && dataset.text(tag::kSopClassUid) != sop_class::kParametricMap)
@@ -92,7 +92,7 @@ void readPadding(const Dataset& dataset, Frame& frame) {
 }
 
 // Several pairs of centre and width, each perhaps with an explanation. Half a pair, a width of less than 1
-// for LINEAR (C.11.2.1.2), and lookup tables are no windows; a bad one spoils none of the others.
+// for LINEAR (C.11.2.1.2), and lookup tables are left out; the others are kept.
 void readWindows(const Dataset& dataset, Frame& frame) {
     const auto centers = dataset.shortNumbers(tag::kWindowCenter);
     const auto widths = dataset.shortNumbers(tag::kWindowWidth);

@@ -10,19 +10,20 @@ namespace macula::dicom {
 
 namespace {
 
-constexpr double kDirectionTolerance = 1e-3;  // of unit length and perpendicularity
+constexpr double kDirectionTolerance = 1e-3;  // deviation from unit length and perpendicularity
 constexpr double kExactDirection = 1e-4;      // files often have 5 or 6 decimals; beyond this it is repaired
 constexpr double kSameDirection = 1e-4;       // per component, between slices
 constexpr double kSameSpacing = 1e-4;         // relative
-// No patient is as far away, and no pixel as small or large; beyond, sums of positions would lose the slices.
+// No patient is this far away, and no pixel is this small or large. Beyond, rounding would hide the slice
+// distances.
 constexpr double kMostMm = 1e7;
 constexpr double kLeastSpacingMm = 1e-6;
 constexpr double kMostSpacingMm = 1e5;
-constexpr double kUnevenErrorOfStep = 0.01;     // error of a slice's position that is worth telling
+constexpr double kUnevenErrorOfStep = 0.01;     // error of a slice's position that is worth a message
 constexpr double kIrregularErrorOfStep = 0.10;  // and the one above which slices are resampled
 constexpr double kExactOfStep = 0.01;           // a resampled slice this near to a plane is that plane
 constexpr double kTiltWorthTellingDeg = 0.1;
-constexpr double kMostTiltDeg = 60.0;  // no gantry tilts by 30
+constexpr double kMostTiltDeg = 60.0;  // gantries tilt by at most 30
 constexpr double kDegPerRad = 57.29577951308232;
 
 bool near(const glm::dvec3& a, const glm::dvec3& b) {
@@ -117,7 +118,7 @@ std::vector<SliceSource> slicesEvenly(const Positions& positions, std::size_t co
         const double weight =
             std::clamp((at - positions.alongMm[below]) / positions.stepsMm[below], 0.0, 1.0);
         const double toleranceOfGap = kExactOfStep * step / positions.stepsMm[below];
-        // Both of two planes that lie close may be near enough: the nearer one is taken.
+        // If both planes are near enough, takes the nearer one.
         if (std::min(weight, 1.0 - weight) <= toleranceOfGap) {
             const std::size_t nearest = weight <= 0.5 ? below : below + 1;
             slices.push_back({nearest, nearest, 0.0});
@@ -144,7 +145,7 @@ std::string listInterpolated(const std::vector<SliceSource>& slices) {
     return list;
 }
 
-// Where along the normal of the first plane each lies, in the order given.
+// The position of each plane along the normal of the first one, in the order given.
 std::vector<double> alongNormal(std::span<const StackedPlane> planes) {
     const glm::dvec3 normal = planes[0].plane.normal();
     std::vector<double> along;
@@ -193,7 +194,7 @@ struct StackLine {
     glm::dvec3 extentMm{0.0};
 };
 
-// Sideways every plane has to lie on the line, however they are spaced, and the line has to leave the plane.
+// The message if a plane lies off the line sideways, at whatever spacing, or the line runs along the planes.
 std::optional<Message> offTheLine(std::span<const StackedPlane> planes, const std::vector<std::size_t>& order,
                                   const Positions& positions, const StackLine& line) {
     const ImagePlane& first = line.first;
@@ -231,7 +232,7 @@ std::optional<Message> placeSlices(const Positions& positions, StackGeometry& st
     }
     // The step between slices of the volume is fine enough for the smallest distance between planes, and
     // bounded from below: one pair of almost equal positions among wide distances must not make a volume of
-    // thousands of slices, and a wide gap none of melted ones.
+    // thousands of slices, and a wide gap must not be filled with blended ones.
     constexpr double kMostSlicesPerPlane = 4.0;
     constexpr double kWideGapOfStep = 8.0;
     const double wantedMm =
@@ -255,7 +256,7 @@ glm::dvec3 sliceStepMm(const StackLine& line, const StackGeometry& stack) {
     return line.extentMm / double(stack.slices.size() - 1);
 }
 
-// Says what of the slices is interpolated and why, and settles the quality of the stack.
+// Reports which slices are interpolated and why, and sets the final quality of the stack.
 void tellSpacing(const Positions& positions, StackGeometry& stack) {
     const double spacingMm = gridStepMm(positions, stack);
     const auto interpolated = std::count_if(stack.slices.begin(), stack.slices.end(),
@@ -279,7 +280,7 @@ void tellSpacing(const Positions& positions, StackGeometry& stack) {
     }
 }
 
-// How far planes that are slices lie from their place on the even grid.
+// Measures and reports how far planes that are slices lie from their place on the even grid.
 void tellUnevenness(std::span<const StackedPlane> planes, const Positions& positions, const StackLine& line,
                     StackGeometry& stack) {
     const glm::dvec3 sliceStep = sliceStepMm(line, stack);
@@ -294,7 +295,8 @@ void tellUnevenness(std::span<const StackedPlane> planes, const Positions& posit
     }
 }
 
-// The angle between the way from slice to slice and the normal of the planes: 0 unless the gantry was tilted.
+// The angle between the step from slice to slice and the normal of the planes: 0 unless the gantry was
+// tilted.
 double tiltDegOf(const StackLine& line, const StackGeometry& stack) {
     const double cosTilt = std::clamp(
         glm::dot(glm::normalize(sliceStepMm(line, stack)), glm::normalize(line.first.normal())), -1.0, 1.0);
@@ -307,7 +309,7 @@ bool isUsable(const ImagePlane& plane) {
     const auto within = [](double value, double target) {
         return std::abs(value - target) <= kDirectionTolerance;
     };
-    const auto isNear = [](double mm) { return std::abs(mm) <= kMostMm; };  // false for what is no number
+    const auto isNear = [](double mm) { return std::abs(mm) <= kMostMm; };  // false for NaN
     const auto isSpacing = [](double mm) { return mm >= kLeastSpacingMm && mm <= kMostSpacingMm; };
     return within(glm::length(plane.rowDirection), 1.0) && within(glm::length(plane.columnDirection), 1.0) &&
            within(glm::dot(plane.rowDirection, plane.columnDirection), 0.0) &&

@@ -55,10 +55,12 @@ struct StackGeometry {
     };
 
     Quality quality = Quality::none;
-    std::vector<std::size_t> order;            // of the planes given, ascending along the normal of the first
+    // Indices of the planes given, ascending along the normal of the first.
+    std::vector<std::size_t> order;
     std::vector<SliceSource> slices;           // of the volume, ascending
     std::optional<glm::dmat4> worldFromVoxel;  // set unless quality is none
-    double largestErrorMm = 0.0;               // of any plane that is a slice, against worldFromVoxel
+    // Largest distance of a plane that is a slice from its place by worldFromVoxel.
+    double largestErrorMm = 0.0;
     std::vector<Message> messages;
 };
 

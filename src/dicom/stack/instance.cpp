@@ -15,7 +15,7 @@ namespace macula::dicom {
 
 namespace {
 
-// No real object has as many; a header that says so costs memory and nothing else.
+// No real object has as many; the limit bounds the memory that a false header takes.
 constexpr int kMostFrames = 100'000;
 
 std::optional<CellFormat> readFormat(const Dataset& header) {
@@ -39,7 +39,7 @@ int mostFrames(const std::filesystem::path& file, const HeaderFile& read) {
     const bool isRead = transferSyntaxInfo(header.transferSyntaxUid()).codec != Codec::unsupported;
     if (read.pixels && read.pixels->encapsulated && read.pixels->whole && read.pixels->fragments > 1 &&
         isRead) {
-        // One fragment may hold several frames, and of several each begins one or goes on with it.
+        // One fragment may hold several frames; each of several fragments begins a frame or continues one.
         most = read.pixels->streams > 0 ? read.pixels->streams : read.pixels->fragments;
     } else if (read.pixels && read.pixels->encapsulated) {
         constexpr std::uint64_t kFragmentHeader = 8;
@@ -68,7 +68,7 @@ std::uint16_t overlayBitsOf(const Dataset& header) {
     return static_cast<std::uint16_t>(bits);
 }
 
-// How many frames more than NumberOfFrames the file has pixels or functional groups for.
+// The number of frames beyond NumberOfFrames for which the file has pixels or functional groups.
 double framesBeyond(const Instance& instance, const HeaderFile& read) {
     const auto claimed = static_cast<double>(instance.framesClaimed);
     auto there = static_cast<double>(read.header->itemCount(tag::kPerFrameFunctionalGroups));
@@ -83,7 +83,7 @@ double framesBeyond(const Instance& instance, const HeaderFile& read) {
     return std::max(0.0, there - claimed);
 }
 
-// What the values and the place of voxels, and whose they are, depend on.
+// Elements that determine the values and places of voxels, or the patient.
 struct Decisive {
     Tag tag;
     std::string_view keyword;
@@ -150,7 +150,7 @@ std::vector<std::string_view> contradictedOf(const Dataset& dataset) {
     return keywords;
 }
 
-// Code Strings are in capitals (PS3.5 6.2); some writers do not know.
+// Code Strings are in capitals (PS3.5 6.2), but not for all writers.
 std::string inCapitals(std::string text) {
     std::ranges::transform(text, text.begin(),
                            [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
@@ -213,7 +213,7 @@ Frame readFrame(const Dataset& header, const Dataset& dataset, std::shared_ptr<c
     return frame;
 }
 
-// Keeps of what lists say only what tells frames of the file apart, or of the files that it is continued in.
+// Clears attributes from lists that are equal in all frames, unless the image continues in other files.
 void dropWhatAllShare(const FrameLists& lists, std::vector<Frame>& frames) {
     if (!frames.front().instance->concatenationUid.empty()) return;
     for (std::size_t a = 0; a < frames.front().attributes.size(); ++a) {

@@ -19,12 +19,12 @@ namespace macula::dicom {
 // An optional is empty when the file gives no value, or an invalid one. Paths and UIDs may name a patient:
 // never logged.
 
-// What all frames of a file share.
+// The data that all frames of a file share.
 struct Instance {
     std::filesystem::path file;
     std::string sopClassUid;
     std::string sopInstanceUid;
-    std::string transferSyntaxUid;      // of the pixels
+    std::string transferSyntaxUid;      // the one that the pixels are in
     std::string contradictedSyntaxUid;  // the one that the file names, if it differs
     std::string photometricInterpretation;
     std::string modality;          // that of the SOP class where the file gives none; may be empty
@@ -43,11 +43,11 @@ struct Instance {
     bool greyscaleAssumed = false;  // PhotometricInterpretation is missing, as in ACR-NEMA files
     bool lossy = false;             // lossily compressed, now or before
     std::uint64_t strayBytes = 0;   // see HeaderFile
-    std::uint64_t pixelBytes = 0;   // of the pixel data, if uncompressed
+    std::uint64_t pixelBytes = 0;   // size of the pixel data, if uncompressed
     double framesBeyond = 0.0;      // frames beyond NumberOfFrames that have pixels or descriptions
     std::uint16_t overlayBits = 0;  // bits of a cell that hold an overlay (retired: PS3.3 2004 C.9.2)
     Suv suv;
-    std::string concatenationUid;  // PS3.3 C.7.6.16.2.2.4; empty when the file is no part of one
+    std::string concatenationUid;  // PS3.3 C.7.6.16.2.2.4; empty when the file is not part of one
     int concatenationTotal = 0;    // 0: not said
 };
 
@@ -58,27 +58,25 @@ struct Frame {
     std::shared_ptr<const Instance> instance;
     int number = 0;  // of the file's frames, from 0
 
-    std::vector<std::string> imageType;  // of the frame, where frames have their own
+    std::vector<std::string> imageType;  // the frame's own, where frames have one
     std::string frameOfReferenceUid;
     std::optional<glm::dvec3> positionMm;
     std::optional<ImagePlane> plane;  // needs position, orientation and pixel spacing
     bool hasOrientation = false;
-    bool orientationContradicted = false;  // by the letters of PatientOrientation
+    bool orientationContradicted = false;  // the letters of PatientOrientation contradict it
     PixelSpacingSource spacingSource = PixelSpacingSource::none;
-    bool isInVolumeFrame =
-        false;  // of ultrasound: it lies in a frame of the transducer's, and not of the patient's
-    bool isPlacedByOrder = false;  // by its frame number: see frameOffsets
-    bool numbersRepaired = false;  // numbers of its position were malformed, but readable
-    std::string_view
-        malformedNumber;  // the keyword of one of them that cannot be read; empty when there is none
+    bool isInVolumeFrame = false;      // ultrasound: placed relative to the transducer, not the patient
+    bool isPlacedByOrder = false;      // placed by its frame number: see frameOffsets
+    bool numbersRepaired = false;      // numbers of its position were malformed, but readable
+    std::string_view malformedNumber;  // the keyword of such numbers that cannot be read; empty if all can
     std::optional<double> sliceLocation;
     std::optional<double> sliceThicknessMm;  // above 0; does not affect where slices lie
 
-    std::optional<double> slope;  // of RescaleSlope, or of the real world value mapping
+    std::optional<double> slope;  // RescaleSlope, or that of the real world value mapping
     std::optional<double> intercept;
     bool rescaleInvalid = false;  // present, but not usable: no number, or a slope of 0
     std::string rescaleType;      // also the unit of the real world value mapping, and of the modality LUT
-    std::string units;            // of PET (0054,1001)
+    std::string units;            // Units of PET (0054,1001)
     bool realWorld = false;       // slope and intercept come from a real world value mapping
     std::shared_ptr<const ModalityLut> modalityLut;  // replaces slope and intercept
     bool modalityLutInvalid = false;
@@ -88,7 +86,7 @@ struct Frame {
     bool windowInvalid = false;
     bool hasDisplayTable = false;  // VOI LUT Sequence, PS3.3 C.11.2.1.1
 
-    std::vector<std::string> attributes;  // of splitRules()
+    std::vector<std::string> attributes;  // values of the attributes of splitRules()
     // Keywords of elements that affect voxels' values or places and occur twice with different values.
     std::vector<std::string_view> contradicted;
 };

@@ -15,7 +15,7 @@ int offsetOf(const CellFormat& format) {
     return format.isSigned ? kSignedOffset : 0;
 }
 
-// What the stored bits can hold.
+// The raw values that the stored bits can hold.
 RawRange storedBitsRange(const CellFormat& format) {
     if (format.isSigned) return {-(1 << (format.bitsStored - 1)), (1 << (format.bitsStored - 1)) - 1};
     return {0, (1 << format.bitsStored) - 1};
@@ -32,7 +32,7 @@ std::uint16_t unpack(const CellFormat& format, std::uint16_t cell) {
 }
 
 float toFloat(double value) {
-    const bool fits = std::abs(value) <= double{std::numeric_limits<float>::max()};  // no NaN does
+    const bool fits = std::abs(value) <= double{std::numeric_limits<float>::max()};  // false for NaN
     return fits ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 

@@ -1,6 +1,6 @@
-// From pixel cells to the voxels of a Volume: bits and sign (PS3.5 8.1.1), rescale and modality LUT (PS3.3
-// C.11.1), padding (PS3.3 C.7.5.1.1.2). Pure functions; values are kept, never windowed, and MONOCHROME1 is
-// not inverted (it says how to draw a value, not what it is).
+// Converts pixel cells to the voxels of a Volume: bits and sign (PS3.5 8.1.1), rescale and modality LUT
+// (PS3.3 C.11.1), padding (PS3.3 C.7.5.1.1.2). Pure functions; values are kept, never windowed, and
+// MONOCHROME1 is not inverted (it says how to draw a value, not what it is).
 #pragma once
 
 #include <array>
@@ -70,7 +70,7 @@ struct ModalityLut {
 std::shared_ptr<const ModalityLut> readModalityLut(const std::array<std::uint16_t, 3>& descriptor,
                                                    std::span<const std::uint16_t> data, bool pixelsAreSigned);
 
-// One slice: value = modalityLut(raw) when there is one, else slope * raw + intercept.
+// One slice: value = modalityLut(raw) when there is one, otherwise slope * raw + intercept.
 struct SliceIntensity {
     CellFormat format;
     double slope = 1.0;  // not 0; may be negative
@@ -91,9 +91,9 @@ std::optional<Text> completePadding(std::span<SliceIntensity> slices);
 void unpackCells(const CellFormat& format, const std::optional<RawRange>& padding,
                  std::span<std::uint16_t> cells);
 
-// Counts cells, as in the file, with bits set outside the stored ones of `format` that are no sign extension:
-// overlays (PS3.5 8.1.2), or values that need more bits, or lie lower. Ignores padding and the bits of
-// `overlays`, which the file declares.
+// Counts cells, as in the file, with bits set outside the stored ones of `format` that are not a sign
+// extension: overlays (PS3.5 8.1.2), or values that need more bits, or lie lower. Ignores padding and the
+// bits of `overlays`, which the file declares.
 std::size_t cellsBeyondStoredBits(const CellFormat& format, const std::optional<RawRange>& padding,
                                   std::span<const std::uint16_t> cells, std::uint16_t overlays = 0);
 
@@ -124,7 +124,7 @@ void applyIntensity(const SliceIntensity& slice, std::span<const std::uint16_t> 
 std::size_t applyIntensity(const SliceIntensity& slice, std::span<const double> numbers,
                            std::span<float> values);
 
-// The format of the volume: 16 bits where they hold every value exactly, else float32.
+// The format of the volume: 16 bits where they hold every value exactly, otherwise float32.
 struct IntensityPlan {
     VoxelFormat format = VoxelFormat::stored16;
     // stored16 only.

@@ -13,12 +13,12 @@ namespace {
 
 constexpr int kSignedOffset = 32768;
 constexpr double kLargestStored = 65535.0;
-// A slice whose slope is more steps than this has room for a few different values at most: its slope shares
-// no step with the others but that of the digits it was written with.
+// A slice whose slope is more steps than this leaves room for only a few different values: a common step this
+// fine comes from the decimal digits of the slopes, not from the data.
 constexpr double kMostStepsOfASlope = 4096.0;
 constexpr double kLargestShift = 1e12;  // far from where integers are no longer exact
 
-// What unpacking adds to the raw values of narrow cells; wide ones are not packed.
+// The offset that unpacking adds to the raw values of narrow cells; wide cells are not packed.
 int offsetOf(const CellFormat& format) {
     return format.isSigned && isNarrow(format) ? kSignedOffset : 0;
 }
@@ -38,7 +38,7 @@ bool isNearlyInteger(double value) {
     return std::abs(value - std::round(value)) <= 1e-9 * std::max(1.0, std::abs(value));
 }
 
-// The greatest common measure by Euclid's algorithm, for numbers that were written in decimal digits.
+// The greatest common divisor by Euclid's algorithm, for numbers that were written in decimal digits.
 double greatestCommonDivisor(double a, double b) {
     const double negligible = 1e-9 * std::max(a, b);
     while (b > negligible) {
@@ -60,7 +60,7 @@ std::optional<double> commonStep(std::span<const Line> lines) {
         if (!(step * kMostStepsOfASlope >= steepest)) return {};
     }
     if (!std::isfinite(step)) return {};
-    step = steepest / std::round(steepest / step);  // sheds what rounding added up
+    step = steepest / std::round(steepest / step);  // removes accumulated rounding errors
     for (const Line& line : lines) {
         if (!isNearlyInteger(line.slope / step) || std::round(line.slope / step) == 0.0) return {};
         if (!isNearlyInteger((line.intercept - lines[0].intercept) / step)) return {};
@@ -68,7 +68,7 @@ std::optional<double> commonStep(std::span<const Line> lines) {
     return step;
 }
 
-// What the stored bits can hold, unpacked.
+// The unpacked values that the stored bits can hold.
 StoredRange formatRange(const CellFormat& format) {
     const int low = format.isSigned ? kSignedOffset - (1 << (format.bitsStored - 1)) : 0;
     return {static_cast<std::uint16_t>(low), static_cast<std::uint16_t>(low + (1 << format.bitsStored) - 1)};
@@ -97,7 +97,7 @@ std::optional<IntensityPlan> planWithStep(std::span<const SliceIntensity> slices
         const ValueRange range = valueRange(slices[k], lines[k]);
         all = {std::min(all.low, range.low), std::max(all.high, range.high)};
     }
-    // Stored 0 is kept for padding, because the slices' own padding values need not lie in one place in
+    // Reserves stored 0 for padding, because the slices' own padding values need not lie in one place in
     // units.
     const double first = hasPadding ? 1.0 : 0.0;
     if (!(std::round((all.high - all.low) / step) <= kLargestStored - first)) return {};
@@ -119,7 +119,7 @@ std::optional<IntensityPlan> planWithStep(std::span<const SliceIntensity> slices
     return plan;
 }
 
-// All slices have one linear map, and one padding.
+// Whether all slices have one linear map and one padding.
 bool isUniform(std::span<const SliceIntensity> slices) {
     return std::ranges::all_of(slices, [&](const SliceIntensity& slice) {
         return !slice.modalityLut && slice.format.isSigned == slices[0].format.isSigned &&
@@ -219,7 +219,8 @@ std::optional<NarrowedVoxels> narrowed(std::span<const float> values, const Unit
                   extent.hasPadding || part.hasPadding};
     }
     if (extent.low > extent.high) extent.low = extent.high = steps.intercept;
-    // Where a step is finer than float, values have been rounded already, and 16 bits would look exact.
+    // If a step is finer than float resolves, values have been rounded already, and 16 bits would only look
+    // exact.
     constexpr double kWholeNumbersOfFloat = 1 << 24;
     if (std::max(std::abs(extent.low), std::abs(extent.high)) > kWholeNumbersOfFloat * steps.slope) return {};
     const double first = extent.hasPadding ? 1.0 : 0.0;

@@ -15,7 +15,7 @@ namespace macula::dicom {
 
 namespace {
 
-// At most one of so many images of a part is odd: more are no slip.
+// At most one in this many images of a part counts as odd: more are not an accident.
 constexpr std::size_t kOneOddOf = 10;
 
 double median(std::vector<double> values) {
@@ -38,7 +38,7 @@ bool isComplete(const Frame& frame) {
     return frame.slope && frame.intercept && !frame.rescaleInvalid;
 }
 
-// Largest magnitude that the stored bits can become.
+// The largest magnitude that the stored bits can give.
 double reachOf(const Frame& frame) {
     const CellFormat& format = *frame.instance->format;
     return std::abs(*frame.slope) * std::exp2(format.bitsStored) + std::abs(*frame.intercept);
@@ -85,8 +85,8 @@ bool hasNoRescale(const Frame& frame) {
     return !frame.slope && !frame.intercept && !frame.rescaleInvalid;
 }
 
-// Whether images without any rescale are of another kind than those with one, and not few, where none is
-// required (PS3.3 A.4.3, MR): magnitude has none, phase has one, in one series.
+// Whether images without any rescale are of another kind than those with one, and not just a few, where no
+// rescale is required (PS3.3 A.4.3, MR): magnitude has none, phase has one, in one series.
 bool areOfAnotherKind(const std::vector<Frame>& frames, const std::string& modality) {
     if (modality == "CT" || modality == "PT" || modality == "RTDOSE") return false;
     std::set<std::vector<std::string>> without;
@@ -110,7 +110,7 @@ bool isOddRescale(const Frame& frame, const UsualRescale& usual, const std::stri
     return isAbsurd(frame, usual, modality);
 }
 
-// A frame's place along the normal of the first one, and sideways of it.
+// A frame's position along the normal of the first frame, and its offset sideways.
 struct Place {
     double alongMm;
     glm::dvec3 sidewaysMm;
@@ -202,8 +202,8 @@ std::vector<bool> oddPositions(const std::vector<Frame>& frames) {
     return odd;
 }
 
-// The units of frames that say one, those of most first; fewer than two when they agree. A frame that says
-// none may be in any.
+// The units that frames name, the most common first; fewer than two when they agree. A frame that names none
+// may have any unit.
 std::vector<std::string> unitsOf(const std::vector<Frame>& frames, const std::string& modality) {
     std::map<std::string, std::size_t> counts;
     for (const Frame& frame : frames) {
@@ -217,7 +217,7 @@ std::vector<std::string> unitsOf(const std::vector<Frame>& frames, const std::st
     return units;
 }
 
-// Takes the frames in each unit but that of most out of `frames`, as a stack for each unit.
+// Removes the frames in other units than the most common from `frames`, and returns a stack for each unit.
 std::vector<OddImages> takeOtherUnits(std::vector<Frame>& frames, const std::string& modality) {
     std::vector<OddImages> taken;
     const std::vector<std::string> units = unitsOf(frames, modality);
@@ -237,7 +237,7 @@ std::vector<OddImages> takeOtherUnits(std::vector<Frame>& frames, const std::str
     return taken;
 }
 
-// Takes the frames that `odd` names out of `frames`.
+// Removes the frames that `odd` marks from `frames`, and returns them.
 OddImages take(std::vector<Frame>& frames, const std::vector<bool>& odd, StackLabel label,
                std::string_view key) {
     OddImages taken{.frames = {}, .label = std::move(label), .message = {}};
@@ -296,7 +296,7 @@ std::optional<Message> imagesWithoutPosition(const std::vector<Frame>& frames) {
         }
     }
     if (placed == nullptr || unplaced.empty() || unplaced.size() * kOneOddOf > frames.size()) return {};
-    // Captures and reports beside the slices have another size or kind, and need no position.
+    // Captures and reports among the slices have another size or kind, and need no position.
     std::erase_if(unplaced, [&](const Frame* frame) {
         return frame->instance->sopClassUid != placed->instance->sopClassUid ||
                frame->instance->columns != placed->instance->columns ||

@@ -24,13 +24,13 @@ struct PresentationHeading {
     bool operator==(const PresentationHeading&) const = default;
 };
 
-// A DICOM object that is no image: a report, a structure set, a segmentation, a presentation state.
+// A DICOM object that is not an image: a report, a structure set, a segmentation, a presentation state.
 struct OtherObject {
     std::filesystem::path file;
     std::string sopClassUid;
     Text kind;                                      // "Segmentation"; for a person
     std::vector<std::string> referencedSeriesUids;  // of a segmentation or presentation state; sorted
-    std::string label;  // of a presentation state: its description, else its label; may be empty
+    std::string label;  // of a presentation state: its description, otherwise its label; may be empty
     std::optional<PresentationHeading> presentation = {};  // of a presentation state of any kind
 };
 

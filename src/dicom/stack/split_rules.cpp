@@ -32,8 +32,8 @@ Tag tagOf(const std::string& text) {
     return {hex(0), hex(5)};
 }
 
-// One tag; two with a plus, the second with the first before it; with a slash, the second in an item of the
-// first; or with a minus, a tag and what may have been added to its number.
+// Parses one tag, or two: with a plus, the text of the first goes before that of the second; with a slash,
+// the second is in an item of the first; or, with a minus, a tag and the bias of its number.
 Attribute::Source sourceOf(const std::string& text) {
     const std::size_t minus = text.find('-');
     if (minus != std::string::npos) {
@@ -64,7 +64,7 @@ Attribute::Kind kindOf(const std::string& name) {
     return Attribute::Kind::text;
 }
 
-// The place of the attribute among the rules', where it is entered if it is new.
+// The index of the attribute in the rules, to which it is added if it is new.
 std::size_t enter(SplitRules& rules, const Json& json) {
     Attribute attribute{.name = json.at("name"),
                         .kind = kindOf(json.value("as", "text")),
@@ -89,8 +89,8 @@ SplitRules::Soft::Step stepOf(const std::string& name) {
     return Step::silent;
 }
 
-// Enters what is read from data sets first, and what later versions of the rules added last: saved views name
-// attributes by their place.
+// Adds attributes that are read from data sets first, and those of later versions of the rules last, because
+// saved views refer to attributes by index.
 void enterInOrder(SplitRules& rules, const Json& json) {
     const auto enterThoseOf = [&](const Json& list, bool alsoRead) {
         for (const Json& rule : list) {
@@ -146,7 +146,7 @@ bool sameNumber(const Attribute& attribute, std::string_view a, std::string_view
     return std::abs(*x - *y) <= allowed;
 }
 
-// The first number without what was added to it; text that is no number as it is.
+// The first number without the bias; text that is not a number stays as it is.
 std::string withoutBias(std::string text, double bias) {
     const auto number = numberOf(text);
     if (!number) return text;
@@ -164,8 +164,8 @@ std::optional<std::string> textAt(const Dataset& frame, const Attribute::Source&
     return items.empty() ? std::nullopt : items.front().text(source.tag);
 }
 
-// With the offset of the image's time zone, where it has one and the text none. Nothing when the text has no
-// time of day.
+// The time, with the offset of the image's time zone if the text has none. Nothing when the text has no time
+// of day.
 std::optional<std::string> timeAt(const Dataset& frame, const Attribute::Source& source) {
     auto text = textAt(frame, source);
     if (!text || !momentOf(*text)) return {};

@@ -83,7 +83,7 @@ std::vector<std::string> readAttributes(const SplitRules& rules, const Dataset& 
 // Whether two values of an attribute are the same, within its tolerance.
 bool sameValue(const Attribute& attribute, std::string_view a, std::string_view b);
 
-// The first number of the text; nothing when that is no number.
+// The first number of the text; nothing when that is not a number.
 std::optional<double> numberOf(std::string_view text);
 
 }  // namespace macula::dicom

@@ -24,24 +24,24 @@ bool any(const Stack& stack, Predicate predicate) {
 }
 
 void tell(Stack& stack, Message message) {
-    // Assumptions go with the volume, wherever the messages are shown.
+    // Warnings are also assumptions, which stay with the volume wherever it goes.
     if (message.severity == Severity::warning) stack.assumptions.push_back(message.sentence);
     stack.messages.push_back(std::move(message));
 }
 
-// Whether the image is a mosaic: slices beside each other in one image, of Siemens' EPI.
+// Whether the image is a mosaic: slices side by side in one image, as in EPI by Siemens.
 bool isMosaic(const Frame& frame) {
     return std::ranges::find(frame.imageType, "MOSAIC") != frame.imageType.end();
 }
 
-// Tells that images lack the Modality (0008,0060), and which one was taken in its place: that of their SOP
-// class, or of the first file of the series.
+// Reports that images lack the Modality (0008,0060), and which one is used instead: that of their SOP class,
+// or of the first file of the series.
 void tellMissingModality(Stack& stack) {
     const auto isMissing = [](const Frame& f) { return f.instance->modalityMissing; };
     const auto first = std::ranges::find_if(stack.frames, isMissing);
     if (first == stack.frames.end()) return;
     const auto count = std::ranges::count_if(stack.frames, isMissing);
-    // What others of the series say is text of a file, which may be anything, and is not repeated.
+    // The modality of other images is text from a file, which may be anything, so it is not repeated.
     const std::string& ofClass = first->instance->modality;
     const Text taken = !ofClass.empty()         ? Text("{}, by their kind of object", ofClass)
                        : stack.modality.empty() ? Text("images of an unknown device")
@@ -74,7 +74,7 @@ Text bytesText(std::uint64_t bytes) {
     return Text("{} MB", bytes / (kKilo * kKilo));
 }
 
-// Tells what files hold beyond the frames that they say they have.
+// Reports frames and bytes in files beyond the number of frames that they state.
 void tellWhatIsBeyond(Stack& stack) {
     std::set<const Instance*> instances;
     for (const Frame& frame : stack.frames) instances.insert(frame.instance.get());
@@ -92,13 +92,13 @@ void tellWhatIsBeyond(Stack& stack) {
     if (files > 0)
         tell(stack, message(key::kSurplusFrames, {{"files", files}, {"frames", Text("{:.3g}", frames)}}));
     if (bytes > 0) {
-        // As many bytes as the images have may be further images.
+        // As many bytes as the images take may be further images.
         tell(stack, message(key::kStrayBytes, isMoreThanImages ? Severity::warning : Severity::info,
                             {{"bytes", bytesText(bytes)}}));
     }
 }
 
-// Tells of files whose pixels are encoded otherwise than they say.
+// Reports files whose pixels have another encoding than the header names.
 void tellContradictedSyntaxes(Stack& stack) {
     std::set<std::pair<std::string, std::string>> pairs;
     for (const Frame& frame : stack.frames) {
@@ -112,7 +112,7 @@ void tellContradictedSyntaxes(Stack& stack) {
     }
 }
 
-// Tells of attributes that images say twice, and differently.
+// Reports elements that images have twice, with different values.
 void tellRepeatedElements(Stack& stack) {
     std::set<std::string_view> keywords;
     for (const Frame& frame : stack.frames)
@@ -294,7 +294,7 @@ std::optional<Message> sparseness(const Stack& stack) {
                                         {"percent", 100.0 * (1.0 - thicknessMm / spacingMm)}});
 }
 
-// Images may be mirrored whose two ways of saying where sides are do not agree.
+// Reports images whose two statements of the patient's sides disagree: they may be mirrored.
 void tellContradictions(Stack& stack) {
     const auto count = std::ranges::count_if(stack.frames, &Frame::orientationContradicted);
     if (count == 0) return;
@@ -302,7 +302,7 @@ void tellContradictions(Stack& stack) {
                         {{"count", std::int64_t(count)}, {"total", std::int64_t(stack.frames.size())}}));
 }
 
-// Numbers of where images lie that are not separated by backslashes, or have decimal commas.
+// Reports numbers of positions that are not separated by backslashes, or have decimal commas.
 void tellRepairedNumbers(Stack& stack) {
     const auto count = std::ranges::count_if(stack.frames, &Frame::numbersRepaired);
     if (count == 0) return;

@@ -26,9 +26,10 @@ struct Stack {
     int phase = 0;                    // number of `phases`, from 0, if positions were imaged several times
     int phases = 1;
 
-    // Ascending along the slice normal when they have positions, else by SliceLocation, else by number.
+    // Ascending along the slice normal when they have positions, otherwise by SliceLocation, otherwise by
+    // number.
     std::vector<Frame> frames;
-    std::vector<SliceSource> slices;  // of the volume, from `frames`; empty when there is none
+    std::vector<SliceSource> slices;  // slices of the volume, made from `frames`; empty when there is none
 
     int columns = 0;
     int rows = 0;

@@ -21,7 +21,7 @@ std::optional<double> secondsOf(const Dataset& header, Tag dateTag, Tag timeTag)
 
 // Whether dose and weight are in Bq and kg, as they have to be (PS3.3 C.8.9.2, C.7.2.2). Files that were
 // edited or converted have kBq, MBq or g, and uptake values that are false by a factor of a thousand or more.
-// What is given to mice and men is between 0.1 and 1000 MBq/kg.
+// Doses for mice and men lie between 0.1 and 1000 MBq/kg; the limits are ten times wider.
 bool isPlausibleDose(double doseBq, double weightKg) {
     constexpr double kLeastBqPerKg = 1e4;
     constexpr double kMostBqPerKg = 1e10;

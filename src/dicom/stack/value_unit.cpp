@@ -60,7 +60,7 @@ std::vector<std::string> wordsOf(std::string_view value) {
 }
 
 // Whether ImageType says that a CT object holds no attenuation: a material, perfusion, atomic number,
-// density, or what is worked out of several images. Monoenergetic images and those without a material are in
+// density, or a result computed from several images. Monoenergetic images and those without a material are in
 // HU.
 bool isMapOfCt(const Frame& frame) {
     constexpr std::array kTerms = std::to_array<std::string_view>(  // PS3.3 C.8.2.1.1.1
@@ -81,7 +81,7 @@ bool isMapOfCt(const Frame& frame) {
     const std::vector<std::string>& type = frame.imageType;
     for (std::size_t v = 2; v < type.size(); ++v) {
         if (std::ranges::find(kTerms, std::string_view(type[v])) != kTerms.end()) return true;
-        if (type[0] == "ORIGINAL") continue;  // what maps are made of is called like them
+        if (type[0] == "ORIGINAL") continue;  // images that maps are made from have the same words
         const std::vector<std::string> words = wordsOf(type[v]);
         const auto has = [&](const auto& list) {
             return std::ranges::any_of(
@@ -116,7 +116,7 @@ Text whyNoHounsfield(std::span<const Frame> frames) {
 }
 
 std::string unitTerm(std::string_view modality, const Frame& frame) {
-    // PET says it in an attribute of its own (PS3.3 C.8.9.1.1.3), real world values in a code of UCUM.
+    // PET names its unit in an attribute of its own (PS3.3 C.8.9.1.1.3), real world values by a UCUM code.
     const bool hasUnits = modality != "CT" && !frame.realWorld && !frame.units.empty();
     const std::string& name = hasUnits ? frame.units : frame.rescaleType;
     if (name.empty() && modality == "CT" && whyNoHounsfield(std::span(&frame, 1)).empty()) return "HU";
@@ -129,7 +129,7 @@ std::string unitTerm(std::string_view modality, const Frame& frame) {
 ValueUnit valueUnit(std::string_view modality, std::span<const Frame> frames) {
     const std::string name = unitTerm(modality, frames.front());
     if (std::ranges::any_of(frames, [&](const Frame& f) { return unitTerm(modality, f) != name; })) return {};
-    // Of an unknown device only the type of the rescale can say so.
+    // For an unknown device only the type of the rescale can show that values are HU.
     const bool mayBeHounsfield = modality == "CT" || (modality.empty() && isHounsfield(name));
     if (mayBeHounsfield && whyNoHounsfield(frames).empty()) return {Unit::hounsfield, {}};
     if (name.empty() || (mayBeHounsfield && isHounsfield(name))) return {};

@@ -30,7 +30,7 @@ Text unitText(const ValueUnit& unit);
 // be any text. "HU" for CT whose values are HU by definition.
 std::string unitTerm(std::string_view modality, const Frame& frame);
 
-// The reason why CT values are no Hounsfield units; empty when they are: each image has a rescale slope and
+// The reason why CT values are not Hounsfield units; empty when they are: each image has a rescale slope and
 // intercept (or lookup table) whose type is HU, or names no type in a CT image of more than 8 bits (PS3.3
 // C.8.2.1, C.11.1.1.2) whose ImageType does not say that it is a map of something else. Never assumed for
 // captures and images without a rescale.

@@ -16,8 +16,8 @@ namespace macula::dicom {
 
 namespace {
 
-// Of the Patient and the General Study module (PS3.3 C.7.1.1, C.7.2.1), those that archives file by. Those of
-// type 2 are written empty where the source has none.
+// Elements of the Patient and General Study modules (PS3.3 C.7.1.1, C.7.2.1) by which archives file objects.
+// Those of type 2 are written empty if the source has none.
 struct Taken {
     DcmTagKey tag;
     bool isWrittenEmpty;
@@ -47,7 +47,7 @@ std::string textOf(DcmDataset& from, const DcmTagKey& tag) {
     return from.findAndGetOFString(tag, value).good() ? value.c_str() : "";
 }
 
-// Whether it is there, is that instance, and says which study it is of.
+// Whether the file exists, holds that instance, and names its study.
 bool isRead(DcmFileFormat& format, const SecondaryCapture::Source& source) {
     const bool isThere = format
                              .loadFileUntilTag(source.file.c_str(), EXS_Unknown, EGL_noChange,

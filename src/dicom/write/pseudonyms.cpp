@@ -20,11 +20,11 @@ std::string chance128() {
     return digits;
 }
 
-// Keeps digests under a key of this run: memory that is dumped lists no patients.
+// Keeps digests under a key of this run, so that a memory dump lists no patients.
 class Pseudonyms {
   public:
     Pseudonym of(const PatientIdentity& patient, const std::string& study) {
-        // By their lengths, so that no two values can be taken for one.
+        // Each with its length, so that no two values can be mistaken for one.
         std::string who = patient.isOfNobody() ? "study " + study : std::string("patient");
         if (!patient.isOfNobody())
             for (const std::string* text : {&patient.id, &patient.name, &patient.birthDate, &patient.sex})

@@ -152,12 +152,12 @@ Result<void> writeSecondaryCapture(const fs::path& path, const SecondaryCapture&
     if (!write.ok() || !refer(dataset, origin)) return failed;
     return writeAtomically(path, [&](const fs::path& draft) -> Result<void> {
         if (format.saveFile(draft.c_str(), EXS_LittleEndianExplicit).bad()) return failed;
-        // DCMTK does not tell of the last bytes when the disk is full.
+        // DCMTK does not report that the last bytes are missing when the disk is full.
         if (examine(draft).state != FileState::complete) return failed;
         return {};
     });
 } catch (const CheckFailure&) {
-    throw;  // a mistake of ours, and none of the file
+    throw;  // a bug in Macula, not a fault of the file
 } catch (...) {
     return Error{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."), path.string(),
                  Text("Check free space and memory.")};

@@ -69,7 +69,7 @@ void registerEncoders() {
     });
 }
 
-// All that is the same in every file of the series.
+// The data that every file of the series shares.
 struct Common {
     bool isCt = true;
     bool isSigned = false;
@@ -231,11 +231,11 @@ Result<void> writeSlice(const Volume& volume, const Common& common, const Series
     const E_TransferSyntax syntax = transferSyntax(options.syntax);
     if (dataset.chooseRepresentation(syntax, nullptr).bad() || !dataset.canWriteXfer(syntax)) return failed;
     if (format.saveFile(file.c_str(), syntax).bad()) return failed;
-    // DCMTK does not tell of the last bytes when the disk is full.
+    // DCMTK does not report that the last bytes are missing when the disk is full.
     if (examine(file).state != FileState::complete) return failed;
     return {};
 } catch (const CheckFailure&) {
-    throw;  // a mistake of ours, and none of the file
+    throw;  // a bug in Macula, not a fault of the file
 } catch (...) {
     return notWritable(Text("A DICOM file could not be written."), file,
                        Text("Check free space and memory."));

@@ -41,9 +41,9 @@ struct SeriesWriterOptions {
 //   - the volume is right-handed (DICOM has no other: slices of a left-handed one come back in reverse
 //   order).
 // The patient is PHANTOM^MACULA. UIDs are derived from the content (root 2.25, PS3.5 B.2): the same volume
-// gives the same files. All or nothing: files are written to a hidden folder beside, which is then renamed.
-// `folder` must be missing or empty, or hold exactly what would be written. Modality CT or MR; rows and
-// columns perpendicular. Fails with usage, outputNotWritable or cancelled.
+// gives the same files. All or nothing: files are written to a hidden folder next to it, which is then
+// renamed. `folder` must be missing or empty, or hold exactly what would be written. Modality CT or MR; rows
+// and columns perpendicular. Fails with usage, outputNotWritable or cancelled.
 Result<std::vector<std::filesystem::path>> writeSeries(const Volume& volume,
                                                        const std::filesystem::path& folder,
                                                        const SeriesWriterOptions& options,

@@ -8,14 +8,14 @@ namespace macula::dicom {
 
 namespace {
 
-// From the diaphragm to the feet (PS3.16 L). No hands and arms, which are held over the head; no chest, of
-// which the uppermost slices may show the chin.
+// From the diaphragm to the feet (PS3.16 L). Without hands and arms, which are held over the head, and
+// without the chest, whose uppermost slices may show the chin.
 constexpr std::array<std::string_view, 26> kBelowTheChest{
     "ABDOMEN", "ABDOMENPELVIS", "ANKLE",  "BLADDER", "CALF",     "COCCYX", "COLON",    "FOOT",   "HIP",
     "KIDNEY",  "KNEE",          "LEG",    "LIVER",   "LOWERLEG", "LSPINE", "PANCREAS", "PELVIS", "PROSTATE",
     "RECTUM",  "SACRUM",        "SPLEEN", "SSPINE",  "THIGH",    "TOE",    "UPPERLEG", "UTERUS"};
 
-constexpr double kHighestMm = 600.0;  // of a tall patient from the diaphragm to the thigh
+constexpr double kHighestMm = 600.0;  // a tall patient from the diaphragm to the thigh
 
 }  // namespace
 

@@ -17,21 +17,21 @@ namespace macula::scene {
 namespace {
 
 constexpr double kLongestS = 3600.0;
-constexpr double kStopEveryDeg = 5.0;  // of a turntable: the way between two stops is a part of a circle
+constexpr double kStopEveryDeg = 5.0;  // stops of a turntable, between which the eye follows an arc
 
 // From unit vector `a` to `b` by the shorter way, at constant speed.
 glm::dvec3 turned(const glm::dvec3& a, const glm::dvec3& b, double t) {
     const glm::dvec3 axis = glm::cross(a, b);
     const double sine = glm::length(axis);
     const double angle = std::atan2(sine, glm::dot(a, b));
-    if (sine < 1e-9) return a;  // the same, or opposite: no way is the shorter one
+    if (sine < 1e-9) return a;  // the same, or opposite: then neither way is shorter
     const glm::dvec3 across = glm::cross(axis / sine, a);
     return std::cos(t * angle) * a + std::sin(t * angle) * across;
 }
 
-constexpr double kUpright = 1e-6;  // of the up directions of two pictures that look the same
+constexpr double kUpright = 1e-6;  // distance of up directions below which two pictures look the same
 
-// A camera as numbers that may be interpolated one by one.
+// A camera as numbers that can each be interpolated separately.
 struct OnTurntable {
     // target x, y, z, distance, azimuth, elevation, field of view, logarithm of the height at the target
     std::array<double, 8> values{};
@@ -59,14 +59,15 @@ Camera toCamera(const OnTurntable& at) {
                                 .verticalFovDeg = v[6]});
 }
 
-// Between two stops rays are parallel where they are at both, and the picture grows by the same factor in the
-// same time. From an eye to parallel rays there is nothing between: the way there is that of an eye.
+// Between two stops rays are parallel if they are at both; the picture then grows by equal factors in equal
+// times. Nothing lies between perspective and parallel rays, so the way from one to the other is in
+// perspective.
 bool isParallelBetween(const Camera& a, const Camera& b) {
     return isParallel(a) && isParallel(b);
 }
 
-// The slope at a point between two pieces of the way: their harmonic mean, none at a turning point. A cubic
-// with such slopes never leaves the values at its ends (Fritsch and Butland).
+// The slope at a stop between two pieces of the path: a weighted harmonic mean of both slopes, 0 at a turning
+// point. A cubic with such slopes never leaves the values at its ends (Fritsch and Butland).
 double slopeAt(double before, double beforeS, double after, double afterS) {
     if (!(before * after > 0.0)) return 0.0;
     const double a = 2.0 * afterS + beforeS;
@@ -74,7 +75,8 @@ double slopeAt(double before, double beforeS, double after, double afterS) {
     return (a + b) / (a / before + b / after);
 }
 
-// Of the way from stop `from` to the next, at `t` of it, 0 to 1.
+// The camera at the fraction `t` of the way from stop `from` to the next. Nothing if a camera nearby is
+// rolled.
 std::optional<Camera> smoothly(const std::vector<CameraPath::Stop>& stops, std::size_t from, double t) {
     const std::size_t first = from == 0 ? 0 : from - 1;
     const std::size_t last = std::min(from + 2, stops.size() - 1);
@@ -92,7 +94,7 @@ std::optional<Camera> smoothly(const std::vector<CameraPath::Stop>& stops, std::
     const double spanS = stops[from + 1].atS - stops[from].atS;
     OnTurntable now;
     for (std::size_t v = 0; v < now.values.size(); ++v) {
-        const auto slope = [&](std::size_t i) {  // of the piece that begins there
+        const auto slope = [&](std::size_t i) {  // slope and duration of the piece that begins at stop i
             const double seconds = stops[first + i + 1].atS - stops[first + i].atS;
             return std::pair((around[i + 1].values[v] - around[i].values[v]) / seconds, seconds);
         };
@@ -185,7 +187,7 @@ Camera cameraAt(const CameraPath& path, double atS) {
     now.verticalFovDeg = glm::mix(a.verticalFovDeg, b.verticalFovDeg, t);
     if (isParallelNow)
         now.parallelHeightMm = a.parallelHeightMm * std::pow(b.parallelHeightMm / a.parallelHeightMm, t);
-    // Halfway the up direction may come to lie along the view; the one of before is as good.
+    // On the way the up direction may come to lie along the view; that of the stop before will do then.
     if (!basis(now)) now.up = a.up;
     return basis(now) ? now : a;
 }

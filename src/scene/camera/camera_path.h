@@ -34,8 +34,8 @@ std::string toJson(const CameraPath& path);
 
 // The camera stands still before the first stop and after the last. Between upright stops with upright
 // neighbours it moves as on a turntable, by the shorter way: smoothly through every stop, never beyond the
-// values at both ends, never upside down. Between others the target moves straight, and the eye turns around
-// it by the shorter way. Rays are parallel between two parallel stops, else in perspective.
+// values at both ends, never upside down. Between other stops the target moves straight, and the eye turns
+// around it by the shorter way. Rays are parallel between two parallel stops, otherwise in perspective.
 Camera cameraAt(const CameraPath& path, double atS);
 
 }  // namespace macula::scene

@@ -13,18 +13,18 @@ namespace {
 
 constexpr double kFovDeg = 30.0;  // as macula render
 constexpr double kStray = 0.01;
-constexpr double kDeviations = 2.0;  // beyond these a splat hardly shows
+constexpr double kDeviations = 2.0;  // standard deviations: beyond these a splat hardly shows
 constexpr double kUsualWidth = 0.98;
 constexpr double kLeastNear = 1e-3;  // RasterView takes no less
 
-// The value that `share` of the values are below. At least one value.
+// The value below which the fraction `share` of the values lie. Needs at least one value.
 float quantile(std::vector<float> values, double share) {
     const auto place = static_cast<std::ptrdiff_t>(std::lround(share * double(values.size() - 1)));
     std::nth_element(values.begin(), values.begin() + place, values.end());
     return values[static_cast<std::size_t>(place)];
 }
 
-// The box of the centres in the world, the share `stray` of them left out at either side along each axis.
+// The box of the centres in the world, without the fraction `stray` of them at either side along each axis.
 Box boxOfCentres(const splat::Splats& splats, double stray) {
     if (stray <= 0.0) return splat::boundingBox(splats);
     Box box;
@@ -38,7 +38,7 @@ Box boxOfCentres(const splat::Splats& splats, double stray) {
     return box;
 }
 
-// The box of all that is to be seen of the model.
+// The box around all visible splats of the model.
 Box boxOf(const splat::Splats& splats, double stray) {
     if (splats.size() == 0) return {.low = splats.originMm - 1.0, .high = splats.originMm + 1.0};
     Box box = boxOfCentres(splats, stray);
@@ -46,8 +46,8 @@ Box boxOf(const splat::Splats& splats, double stray) {
     std::transform(splats.logScale.begin(), splats.logScale.end(), widths.begin(), [](const glm::vec3& s) {
         return std::min(std::max({s.x, s.y, s.z}), splat::kMaxLogScale);
     });
-    // A usual width is taken, not the largest: a splat that went astray would leave nothing to see of the
-    // others.
+    // A high percentile of the widths, not the largest: with one huge stray splat the others would be too
+    // small to see.
     const double beyond = kDeviations * std::exp(double(quantile(std::move(widths), kUsualWidth)));
     return {.low = box.low - beyond, .high = box.high + beyond};
 }

@@ -32,7 +32,7 @@ Directions directions(const OrbitCamera& camera) {
     const glm::dvec3 upright = -std::sin(elevation) * outward + std::cos(elevation) * superior;
     const glm::dvec3 level = glm::cross(-eye, upright);
     if (camera.rollDeg == 0.0) return {eye, upright, level};
-    // The camera turns the other way than what it sees.
+    // The camera rolls the opposite way from what it sees.
     const double roll = glm::radians(camera.rollDeg);
     return {eye, std::cos(roll) * upright - std::sin(roll) * level,
             std::cos(roll) * level + std::sin(roll) * upright};
@@ -59,7 +59,7 @@ OrbitCamera orbitCameraOf(const Camera& camera) {
     const glm::dvec3 toEye = near.positionMm - near.targetMm;
     const double distanceMm = glm::length(toEye);
     const glm::dvec3 eye = toEye / distanceMm;
-    // Above and below, the upright of the picture says how the turntable stands.
+    // From straight above or below, the up direction of the picture gives the azimuth.
     constexpr double kAtThePole = 1e-9;
     glm::dvec3 outward = eye;
     if (std::hypot(eye.x, eye.y) < kAtThePole) outward = eye.z > 0.0 ? -camera.up : camera.up;
@@ -131,7 +131,7 @@ OrbitCamera orbited(OrbitCamera camera, double azimuthDeg, double elevationDeg) 
 
 OrbitCamera orbitedByDrag(const OrbitCamera& camera, double dxPx, double dyPx, double heightPx) {
     const double degreesPerPixel = kDegreesPerPictureHeight / std::max(heightPx, 1.0);
-    // In the picture as it would be upright.
+    // The drag in the picture as it would be without roll.
     const double roll = glm::radians(camera.rollDeg);
     const double right = std::cos(roll) * dxPx + std::sin(roll) * dyPx;
     const double down = std::cos(roll) * dyPx - std::sin(roll) * dxPx;

@@ -1,4 +1,5 @@
-// A turntable camera: it circles a target, with the patient's superior axis upright but for a roll.
+// A turntable camera: it circles a target, with the patient's superior axis upright unless the camera is
+// rolled.
 #pragma once
 
 #include <span>
@@ -18,7 +19,7 @@ struct OrbitCamera {
     double elevationDeg = 0.0;  // kept in [-90, 90]
     double verticalFovDeg = 30.0;
     double rollDeg = 0.0;     // in [-180, 180): turns the patient clockwise in the picture
-    bool isParallel = false;  // with the height at the target that the eye would see
+    bool isParallel = false;  // its picture is as high as an eye would see at the target
 };
 
 Camera toCamera(const OrbitCamera& camera);

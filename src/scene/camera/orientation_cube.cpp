@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array kSides{ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left,
                             ViewDirection::right,    ViewDirection::superior,  ViewDirection::inferior};
-constexpr double kLeastFacing = 0.01;  // what is flatter is a line
+constexpr double kLeastFacing = 0.01;  // a face that is seen flatter is a line
 
 }  // namespace
 
@@ -18,7 +18,7 @@ std::vector<CubeFace> facesSeen(const CameraBasis& axes) {
     };
     std::vector<CubeFace> faces;
     for (const ViewDirection side : kSides) {
-        // As who stands at that side sees it: so no letter is ever mirrored.
+        // The side as seen by a viewer who faces it, so that no letter is ever mirrored.
         const CameraBasis seen = standardBasis(side);
         const double facing = glm::dot(seen.forward, axes.forward);
         if (!(facing > kLeastFacing)) continue;

@@ -16,7 +16,7 @@ namespace macula::scene {
 // the cube is always parallel.
 struct CubeFace {
     ViewDirection side = ViewDirection::anterior;
-    std::string letter;                 // of the side of the patient: A, P, L, R, S, I
+    std::string letter;                 // names the side of the patient: A, P, L, R, S, I
     std::array<glm::dvec2, 4> corners;  // top left, top right, bottom right, bottom left of its letter
     glm::dvec2 middle{0.0};
     glm::dvec2 right{0.0};  // from the middle to the right edge, as the letter reads
@@ -30,7 +30,7 @@ inline constexpr double kCubeReach = 1.7320508075688772;
 // The visible faces, one to three.
 std::vector<CubeFace> facesSeen(const CameraBasis& axes);
 
-// The face at `place`, or nothing beside the cube.
+// The face at `place`, or nothing outside the cube.
 std::optional<ViewDirection> faceAt(const CameraBasis& axes, const glm::dvec2& place);
 
 }  // namespace macula::scene

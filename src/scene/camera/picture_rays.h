@@ -12,7 +12,8 @@ namespace macula::scene {
 struct PictureRay {
     glm::dvec3 originMm{0.0};
     glm::dvec3 direction{0.0, 0.0, 1.0};  // unit
-    bool beginsThere = true;              // at an eye; a parallel ray also shows what is behind its origin
+    // True for an eye; a parallel ray also shows what is behind its origin.
+    bool beginsThere = true;
 
     glm::dvec3 at(double mm) const { return originMm + mm * direction; }
 };

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kMostBytes = 256u << 20;
 constexpr std::size_t kMostCameras = 1u << 20;
 
-// The rotation that is nearest to one which was rounded to a few digits (polar decomposition, Newton's
-// iteration); others are left as they are, and refused later.
+// The rotation nearest to one that was rounded to a few digits (polar decomposition, Newton's iteration).
+// Returns any other matrix unchanged; validation refuses it later.
 glm::dmat3 rotationNear(const glm::dmat3& rounded) {
     constexpr double kRounded = 0.01;
     const glm::dmat3 square = rounded * glm::transpose(rounded);
@@ -29,14 +29,13 @@ glm::dmat3 rotationNear(const glm::dmat3& rounded) {
     return m;
 }
 
-// Whether a picture of the one size, made smaller or larger, is one of the other, but for rounding of each
-// side.
+// Whether a picture of one size, scaled, has the other size, apart from rounding of each side.
 bool isScaled(const glm::ivec2& from, const glm::ivec2& to) {
     return std::abs(double(to.x) * from.y - double(to.y) * from.x) <= double(std::max(from.x, from.y));
 }
 
 // Changes a view to another picture size. Where the shape stays, the whole picture is scaled, as trainers
-// shrink theirs; else the vertical field of view stays.
+// shrink theirs; otherwise only the vertical field of view stays.
 void resize(splat::RasterView& view, const glm::ivec2& size) {
     glm::dvec2 scale(double(size.y) / view.sizePx.y);
     if (isScaled(view.sizePx, size)) scale.x = double(size.x) / view.sizePx.x;
@@ -62,7 +61,8 @@ SplatCamera cameraOf(const JsonNode& node) {
     const std::vector<double> position = node["position"].numbers(3, {-1e8, 1e8});
     view.eyeMm = {position[0], position[1], position[2]};
     const std::vector<JsonNode> rows = node["rotation"].items(3, 3);
-    // The columns of what glm calls cameraFromWorld are the rows of worldFromCamera.
+    // cameraFromWorld is the transpose of the file's worldFromCamera, so its columns are the rows of the
+    // file.
     for (int row = 0; row < static_cast<int>(rows.size()); ++row) {
         const std::vector<double> numbers = rows[std::size_t(row)].numbers(3, {-2.0, 2.0});
         view.cameraFromWorld[row] = {numbers[0], numbers[1], numbers[2]};

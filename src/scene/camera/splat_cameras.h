@@ -1,7 +1,7 @@
 // The cameras that `macula splat-render` draws with.
 //
 // There are two kinds of file: Macula's own, with one camera (camera_file.h), and the cameras.json that
-// trainers in the manner of 3DGS (Kerbl et al. 2023) write beside their models, a list of
+// trainers in the manner of 3DGS (Kerbl et al. 2023) write next to their models, a list of
 //   { "id": 0, "img_name": "DSC08116.JPG", "width": 5187, "height": 3361,
 //     "position": [x, y, z], "rotation": [[a, b, c], [d, e, f], [g, h, i]], "fy": 4649.5, "fx": 4627.3 }
 // where `position` is the centre of the camera in the coordinates of the model, and `rotation` is

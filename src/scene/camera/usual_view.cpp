@@ -19,7 +19,7 @@ constexpr std::array<std::pair<ViewReason, std::string_view>, 4> kNames{
      {ViewReason::shortScan, "short-scan"},
      {ViewReason::body, "body"}}};
 
-// Codes of PS3.16 Annex L. The neck is none of them: a portrait shows nothing of it.
+// Codes of PS3.16 Annex L. The neck is not among them: a portrait would not show it.
 constexpr std::array<std::string_view, 15> kOfHead{"BRAIN",    "EAR",   "EYE",   "FACE",     "HEAD",
                                                    "HEADNECK", "IAC",   "JAW",   "MANDIBLE", "MAXILLA",
                                                    "NOSE",     "ORBIT", "SINUS", "SKULL",    "TMJ"};
@@ -27,14 +27,14 @@ constexpr std::array<std::string_view, 15> kOfHead{"BRAIN",    "EAR",   "EYE",  
 // A head is 120 to 260 mm long along each axis. Between the percentiles an ellipsoid has 0.88 of its length.
 constexpr double kLeastHeadMm = 105.0;
 constexpr double kMostHeadMm = 260.0;
-constexpr double kMostCutAside = 0.1;      // a head lies free but for what holds it
-constexpr double kLeastPortraitMm = 60.0;  // lower slabs of a head are bands as others are
+constexpr double kMostCutAside = 0.1;      // a head touches no side of the volume, except by its holder
+constexpr double kLeastPortraitMm = 60.0;  // a lower slab of a head is a thin band like any other
 constexpr double kShort = 0.5;
 
 constexpr double kMatterHu = -300.0;
 constexpr double kPercentile = 0.01;
 
-// About so many voxels along each axis of the grid are looked at.
+// Samples about this many voxels along each axis of the grid.
 constexpr int kAlongAxis = 48;
 
 struct Sample {
@@ -43,7 +43,7 @@ struct Sample {
     bool isAside = false;  // at one of the sides of the volume that are not above or below
 };
 
-// The axis of the grid that is nearest to the patient's long one.
+// The axis of the grid that is nearest to the patient's superior-inferior axis.
 int longAxis(const Volume& volume) {
     int best = 0;
     double most = -1.0;
@@ -76,7 +76,7 @@ std::vector<Sample> samplesOf(const Volume& volume) {
     return samples;
 }
 
-// What matter lies above; nothing where values do not tell.
+// The value above which a voxel is matter; nothing if values cannot tell matter from air.
 std::optional<double> leastOfMatter(const Volume& volume, const std::vector<Sample>& samples) {
     if (volume.unit() == Unit::hounsfield) return kMatterHu;
     if (volume.unit() != Unit::raw || samples.empty()) return std::nullopt;

@@ -1,4 +1,4 @@
-// The default view direction of a volume, chosen by what was scanned as far as that is known.
+// The default view direction of a volume, chosen by the body part and the shape of the scan.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,8 +14,8 @@ namespace macula::scene {
 
 // Why usualView chose its direction.
 enum class ViewReason {
-    headByCode,   // Body Part Examined (0018,0015) is of the head; 60 mm high or more
-    headByShape,  // no body part is given, and the matter in the volume is as large as a head
+    headByCode,   // Body Part Examined (0018,0015) names the head; 60 mm high or more
+    headByShape,  // no body part is given, and the matter in the volume has the size of a head
     shortScan,    // less than half as high as it is wide or deep: a thin band from the front
     body,         // anything else
 };
@@ -37,20 +37,20 @@ bool isShort(const Volume& volume);
 // body part it reads a grid of voxels, at most 95 along each axis.
 UsualView usualView(const Volume& volume);
 
-// The direction that was asked for, or else that of usualView.
+// The direction `asked` for, otherwise that of usualView.
 ViewDirection firstDirection(std::optional<ViewDirection> asked, const Volume& volume);
 
 // A sentence for the user: the direction of the view, and why.
 Text sentenceOf(const UsualView& view);
 
-// Whether a code of Body Part Examined is of the head (PS3.16 Annex L), in any case; ignores blanks and all
-// else but letters.
+// Whether a code of Body Part Examined names a part of the head (PS3.16 Annex L), in upper or lower case;
+// looks only at its letters.
 bool isOfHead(std::string_view bodyPart);
 
 // The extent of the matter in a volume along the patient's axes, in mm: from the 1st to the 99th percentile
 // of the voxels above -300 HU, or of raw values above their mean. `cutAside` is the share of matter among the
 // voxels at the four sides (not above and below): where it is high, the patient reaches beyond the volume.
-// Nothing where values do not tell matter from air (PET), or without any matter.
+// Nothing if values cannot tell matter from air (PET), or there is no matter.
 struct MatterExtent {
     glm::dvec3 sizeMm{0.0};
     double cutAside = 0.0;

@@ -25,8 +25,8 @@ struct ChosenText {
 Result<ChosenText> chooseText(std::span<const presets::EmbeddedFile> files, const Text& noSuch,
                               const std::string& nameOrFile);
 
-// The name to show in a picture or a report: a built-in name, else "custom", because the name of a user's
-// file may identify a person.
+// The name to show in a picture or a report: a built-in name, otherwise "custom", because the name of a
+// user's file may identify a person.
 std::string publicName(std::span<const presets::EmbeddedFile> files, const std::string& nameOrFile);
 
 // All files, each parsed by parse(text, where).

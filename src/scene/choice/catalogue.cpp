@@ -36,7 +36,7 @@ Result<Catalogue> builtInCatalogue() {
     Catalogue catalogue;
     MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
     for (const TransferFunction& function : presets) {
-        // Only presets that can be drawn as they are meant are offered.
+        // Offers only presets that can be drawn as intended.
         if (validate(function))
             catalogue.presets.push_back(std::make_shared<const TransferFunction>(function));
     }

@@ -23,7 +23,8 @@ struct Catalogue {
 // The built-in ones, Macula's own first.
 Result<Catalogue> builtInCatalogue();
 
-// Finds by name, presets by number too. Fails with usage when there is none; the hint lists the names.
+// Finds a preset by name or number, and lights by name. Fails with usage when there is none; the hint lists
+// the names.
 Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& catalogue, std::string_view name);
 Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catalogue, std::string_view name);
 

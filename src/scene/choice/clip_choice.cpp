@@ -24,7 +24,7 @@ std::string publicClipName(const std::string& nameOrFile) {
 std::string publicClipName(const ClipPreset& clip) {
     if (clip == ClipPreset{}) return publicClipName(std::string());
     const Result<std::vector<ClipPreset>> all = builtInClips();
-    // The last bits of a box may have changed when it was written, and only then.
+    // Compares as text, because writing rounds the last bits of a box.
     const auto isIt = [text = toJson(clip)](const ClipPreset& known) { return toJson(known) == text; };
     return all && std::ranges::any_of(*all, isIt) ? clip.name : "custom";
 }

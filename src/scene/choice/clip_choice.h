@@ -1,4 +1,4 @@
-// From what the user typed after --clip to a clip.
+// Converts what the user typed after --clip to a clip.
 #pragma once
 
 #include <string>

@@ -53,7 +53,7 @@ Result<trace::Environment> fromPicture(const fs::path& path) {
     return environment;
 }
 
-// Nothing where it must be a picture.
+// Nothing if the name can only be that of a picture.
 Result<std::optional<trace::LightRig>> rigNamed(const std::string& nameOrFile) {
     if (const presets::EmbeddedFile* file = findBuiltIn(presets::lightFiles(), nameOrFile)) {
         MACULA_TRY(trace::LightRig rig, trace::lightRigFromJson(file->text, std::string(file->name)));

@@ -1,4 +1,4 @@
-// From what the user typed after --lights to an environment.
+// Converts what the user typed after --lights to an environment.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@ namespace macula::scene {
 
 namespace {
 
-// Letters to put in, leave out or change (Levenshtein).
+// The number of letters to insert, delete or replace (Levenshtein).
 std::size_t changesBetween(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

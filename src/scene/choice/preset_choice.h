@@ -1,4 +1,4 @@
-// From what the user typed after --preset to a transfer function.
+// Converts what the user typed after --preset to a transfer function.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace macula::scene {
 // usage when it is none of these; inputNotUsable when the file is malformed.
 Result<presets::ImportedPreset> choosePreset(const std::string& typed);
 
-// The name to show in a picture or a report: a built-in name, else "custom", because the name of a user's
-// file may identify a person.
+// The name to show in a picture or a report: a built-in name, otherwise "custom", because the name of a
+// user's file may identify a person.
 std::string publicPresetName(const std::string& typed);
-// The same of a preset that nobody typed, whether it is fitted to the volume or not.
+// The same for a preset itself; a fit to the volume does not make a built-in one custom.
 std::string publicPresetName(const TransferFunction& preset);
 
 }  // namespace macula::scene

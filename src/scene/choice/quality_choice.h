@@ -1,4 +1,4 @@
-// From what the user typed after --quality to samples, bounces, filter and denoising.
+// Converts what the user typed after --quality to samples, bounces, filter and denoising.
 #pragma once
 
 #include <string>

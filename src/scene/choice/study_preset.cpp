@@ -20,7 +20,7 @@ Text otherUnits() {
     return Text("The preset is made for other units than those of the series.");
 }
 
-// What the volume is shown with when nobody chose, and some of the others that are made for it.
+// The default preset of the volume, followed by some of the others that are made for it.
 std::vector<std::string> namesFor(const Volume& volume) {
     constexpr std::size_t kMostNames = 6;
     std::vector<std::string> names{presets::defaultTransfer(volume)};
@@ -58,7 +58,7 @@ PresetNotes notesToDraw(const presets::ImportedPreset& preset, const Volume& vol
     for (Text& note : told.notes) {
         if (note != otherUnits()) continue;
         const std::vector<std::string> names = namesFor(volume);
-        if (preset.function.name == names.front()) continue;  // there is no better one
+        if (preset.function.name == names.front()) continue;  // it is the default for this volume
         note =
             Text::joined({note, Text("Presets for it: {}.", fmt::format("{}", fmt::join(names, ", ")))}, " ");
         told.warnings.push_back(note);

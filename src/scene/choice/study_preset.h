@@ -15,14 +15,14 @@ namespace macula::scene {
 // preset (validate).
 Result<presets::ImportedPreset> presetToDraw(const std::string& typed, bool fit);
 
-// Sentences on what reading changed, on the stretch to the volume, and on a unit other than the volume's.
+// Sentences on what the import changed, on the stretch to the volume, and on a unit other than the volume's.
 std::vector<Text> notesOf(const presets::ImportedPreset& preset, const Volume& volume);
 
 // The same for a picture. A unit other than the volume's is also a warning, with presets that suit the
 // volume, unless the preset is the volume's default.
 struct PresetNotes {
     std::vector<Text> notes;
-    std::vector<Text> warnings;  // those of the notes that affect what is seen
+    std::vector<Text> warnings;  // the notes that affect what is seen
 };
 PresetNotes notesToDraw(const presets::ImportedPreset& preset, const Volume& volume);
 // Adds the notes and warnings of notesToDraw to those of the study.

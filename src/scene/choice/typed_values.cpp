@@ -34,7 +34,7 @@ std::optional<std::array<double, count>> numbersIn(std::string_view text) {
 Result<glm::ivec2> parseSize(const std::string& text) {
     glm::ivec2 size(0);
     int used = 0;
-    // %n tells how much was read: "640x480garbage" is no size.
+    // %n gives the count of characters read, to refuse "640x480garbage".
     const bool read = std::sscanf(text.c_str(), "%6dx%6d%n", &size.x, &size.y, &used) == 2 &&
                       used == static_cast<int>(text.size());
     if (!read || std::min(size.x, size.y) < 1 || std::max(size.x, size.y) > trace::kMaxPictureSide) {

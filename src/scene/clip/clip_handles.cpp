@@ -15,9 +15,8 @@ namespace {
 
 using Kind = ClipHandle::Kind;
 
-constexpr double kOnFace = 1e-6;  // of the volume's diagonal
-constexpr double kAcross =
-    0.1;  // the sine of an angle: what lies along a slice more than that is no line on it
+constexpr double kOnFace = 1e-6;   // fraction of the volume's diagonal
+constexpr double kAcross = 0.1;    // the sine of the least angle at which a plane makes a line on a slice
 constexpr double kInsetPx = 12.0;  // from the border of the picture, so that handles are seen whole
 
 struct Segment {
@@ -48,7 +47,7 @@ void addFaces(std::vector<PlacedHandle>& handles, Kind kind, const Box& box) {
     }
 }
 
-// The part of a segment within the picture, less a margin; nothing where it is not in it.
+// The part of a segment within the picture, less a margin; nothing if the segment is outside.
 std::optional<Segment> inPicture(const Segment& segment, const slices::SliceFrame& frame) {
     const glm::dvec2 size(frame.sizePx);
     const glm::dvec2 inset = glm::min(glm::dvec2(kInsetPx), 0.25 * size);
@@ -118,7 +117,7 @@ class OnSlice {
         const auto sides = sidesOf(corner);
         const double offMm = frame_.distanceMm(corner.pointMm);
         const glm::dvec3 at = corner.pointMm - offMm * frame_.plane.normal();
-        // The slice passes through the part that is removed, or beside it.
+        // Whether the slice passes through the part that the corner removes.
         const glm::dvec3 inside = at + volume_.worldBox().diagonal() * kOnFace * corner.towards;
         const bool meets = std::ranges::all_of(sides, [&](const HalfSpace& side) {
             const bool isAlong = std::abs(glm::dot(side.normal, frame_.plane.normal())) < kAcross;

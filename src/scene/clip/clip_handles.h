@@ -13,8 +13,8 @@ namespace macula::scene {
 
 struct ClipHandle {
     enum class Kind {
-        face,         // of the kept box: keptBox
-        removedFace,  // of a box that is removed
+        face,         // a face of keptBox
+        removedFace,  // a face of a box that is removed
         plane,        // an oblique plane of the clip
         eye,          // the plane of the EyeCut
         corner,
@@ -39,8 +39,9 @@ struct PlacedHandle {
 // the border of the volume let a user begin one. A clip that leaves nothing has no kept faces.
 std::vector<PlacedHandle> handlesOf(const OptionalClip& clip, const Cuts& cuts, const Volume& volume);
 
-// The same on a slice: in the middle of the line where a part's border meets it, as far as that is within the
-// picture. A part that misses the slice, or is nearly parallel to it, has none. `along` lies in the slice.
+// The same on a slice: each handle is in the middle of the visible part of the line where the border of its
+// part meets the slice. A part that misses the slice, or is nearly parallel to it, has no handle. `along`
+// lies in the slice.
 std::vector<PlacedHandle> handlesOn(const slices::SliceFrame& frame, const OptionalClip& clip,
                                     const Cuts& cuts, const Volume& volume);
 

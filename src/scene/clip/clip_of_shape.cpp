@@ -58,7 +58,7 @@ Result<OptionalClip> clipOfShape(const Clip& shapeMm, const OptionalClip& before
     if (!next.clip.hasShape()) return OptionalClip{};
     next.name = kOwnClipName;
     next.title = "Own clip";
-    // What cannot be read again would be lost with all else of the study.
+    // A clip that cannot be read again would make the whole saved state unreadable.
     const Result<ClipPreset> read = clipPresetFromJson(toJson(next), {});
     if (!read) return notKept();
     return OptionalClip(*read);

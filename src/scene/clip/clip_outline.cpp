@@ -11,9 +11,9 @@ namespace {
 using Polygon = std::vector<glm::dvec3>;
 
 constexpr double kSamePoint = 1e-9;  // in diagonals of the box
-constexpr double kNoArea = 1e-12;    // in their squares
+constexpr double kNoArea = 1e-12;    // in squared diagonals
 
-// One step of Sutherland and Hodgman: what lies on the box's side of one face.
+// One step of Sutherland-Hodgman clipping: the part of the polygon on the inner side of one face.
 Polygon within(const Polygon& polygon, const Box& box, Face face) {
     const int axis = axisOf(face);
     const double faceAt = faceMm(box, face);
@@ -58,7 +58,7 @@ std::vector<glm::dvec3> outlineMm(const Box& box, const slices::SlicePlane& plan
     if (!std::isfinite(diagonal) || !isFinite(plane.centreMm) || !isFinite(plane.right) ||
         !isFinite(plane.down) || !glm::all(glm::lessThan(box.low, box.high)))
         return {};
-    // A square of the plane that holds all that can be in the box.
+    // A square in the plane, large enough to cover the box.
     const glm::dvec3 toBox = box.centre() - plane.centreMm;
     const glm::dvec3 centre = plane.centreMm + glm::dot(toBox, plane.right) * plane.right +
                               glm::dot(toBox, plane.down) * plane.down;

@@ -1,4 +1,4 @@
-// Where a slice meets what a clip keeps, to be drawn on the slice. World frame: patient LPS, mm.
+// The line where a slice meets what a clip keeps, for drawing on the slice. World frame: patient LPS, mm.
 #pragma once
 
 #include <vector>

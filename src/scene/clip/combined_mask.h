@@ -13,7 +13,7 @@ namespace macula::scene {
 
 // Shows the voxels that all masks show; nothing without masks. A single mask is returned as it is, at no
 // cost; several become one bit per voxel of the volume, with the remarks joined in order. Runs on all cores;
-// not for a thread that draws. Errors: cancelled, outOfMemory.
+// do not call it on a thread that draws. Errors: cancelled, outOfMemory.
 Result<std::optional<Mask>> combinedMask(std::span<const Mask> masks, const Volume& volume,
                                          Progress& progress);
 

@@ -18,15 +18,16 @@ namespace macula::scene {
 // how it changes when the camera moves.
 struct EyeCut {
     HalfSpace plane;
-    // The distance asked for, from the middle of the volume's box along the normal; negative: towards the
-    // eye. The plane is nearer where the box ends before that.
+    // The requested distance from the middle of the volume's box along the normal; negative: towards the eye.
+    // `plane` is nearer if the box ends before that.
     double fromMiddleMm = 0.0;
-    bool followsCamera = true;  // else it stays where it is in the patient
+    bool followsCamera = true;  // if not, it stays where it is in the patient
 
     bool operator==(const EyeCut&) const = default;
 };
 
-// An outline drawn over a picture. Removes what lies behind it along the rays of `camera`, or all else.
+// An outline drawn over a picture. Removes what lies behind it along the rays of `camera`, or everything
+// else.
 struct ScissorCut {
     Camera camera;
     SharedOutline outline;  // in half heights from the middle of the picture, right and up positive

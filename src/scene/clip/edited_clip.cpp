@@ -13,11 +13,11 @@ namespace macula::scene {
 
 namespace {
 
-constexpr double kMostRadius = 10.0;  // of the JSON, in shortest sides of the volume
-// An open face lies that far beyond the volume, in its sizes: on the border the last bits of a number would
-// decide about the outermost voxels.
+constexpr double kMostRadius = 10.0;  // the limit of the JSON, in shortest sides of the volume
+// An open face lies this far beyond the volume, as a fraction of its size: on the border itself, rounding
+// would decide about the outermost voxels.
 constexpr double kBeyond = 0.5;
-constexpr double kAtBorder = 1e-9;   // likewise in its sizes: an open face
+constexpr double kAtBorder = 1e-9;   // a face nearer to the border counts as open; a fraction of the size
 constexpr double kSamePlace = 1e-6;  // in voxels: a face that is there already
 
 Error error(Text message, Text hint) {
@@ -67,7 +67,7 @@ Result<OptionalClip> own(ClipPreset next, const Volume& volume) {
     if (next == ClipPreset{.name = next.name, .title = next.title, .clip = {}, .planesAt = {}})
         return OptionalClip{};
     Clip clip = clipFor(next, volume);
-    clip.greyFaces.reset();  // of the series, and nothing that was edited
+    clip.greyFaces.reset();  // belongs to the series, not to the edit
     MACULA_TRY_VOID(validate(clip));
     const Box voxels{glm::dvec3(-0.5), glm::dvec3(volume.size()) - 0.5};
     if (removesAll(clip, volume.worldFromVoxel(), voxels)) return nothingLeft();
@@ -92,7 +92,7 @@ bool isOpen(Face face, const Box& fractions) {
     return isHigh(face) ? at >= 1.0 - kAtBorder : at <= kAtBorder;
 }
 
-// In fractions of the volume; open faces are beyond it.
+// The box in fractions of the volume; its open faces lie beyond the volume.
 OrientedBox boxOf(const Box& fractions) {
     Box box = fractions;
     for (const Face face : kFaces) {
@@ -237,8 +237,8 @@ Result<OptionalClip> withBallRemoved(const OptionalClip& clip, const glm::dvec3&
     return own(std::move(next), volume);
 }
 
-// On the diagonal that goes along the normal most, which is within the box wherever the plane meets it. The
-// point that is nearest to the middle is far outside of a flat one.
+// The point lies on the diagonal that runs most along the normal: this is within the box wherever the plane
+// meets the box. The point nearest to the middle would lie far outside a flat box.
 glm::dvec3 fractionOnPlane(const glm::dvec3& normal, double fromMiddleMm, const Volume& volume) {
     const Box all = volume.worldBox();
     const double reach = glm::dot(0.5 * (all.high - all.low), glm::abs(normal));
@@ -338,7 +338,7 @@ Parts partsOf(const Clip& clip) {
             .ball = clip.ball.has_value()};
 }
 
-// What the corner removes is kept, as a box.
+// Keeps what the corner removes, as a box.
 Result<OptionalClip> cornerKept(ClipPreset next, const Volume& volume) {
     const Octant corner = *clipFor(next, volume).cut;
     next.clip.cut.reset();

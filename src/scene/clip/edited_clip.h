@@ -15,11 +15,12 @@ namespace macula::scene {
 inline constexpr const char* kOwnClipName = "own";
 
 // Moves one face of keptBox to `atMm`, and pushes the opposite face where it must. If the clip removes a box
-// or keeps a turned one, the faces become planes, of which a clip has six.
+// or keeps a turned one, the faces become planes, of which a clip can have six.
 Result<OptionalClip> withFace(const OptionalClip& clip, Face face, double atMm, const Volume& volume);
 Result<OptionalClip> withFaceOpen(const OptionalClip& clip, Face face, const Volume& volume);
 
-// Also removes all that lies further to that side than the point. Fails if nothing that is kept lies there.
+// Also removes everything that lies farther to that side than the point. Fails if nothing that is kept lies
+// there.
 Result<OptionalClip> withSideRemoved(const OptionalClip& clip, Face side, const glm::dvec3& pointMm,
                                      const Volume& volume);
 
@@ -33,14 +34,15 @@ Result<OptionalClip> withSlabKept(const OptionalClip& clip, slices::Orientation 
 Result<OptionalClip> withCornerRemoved(const OptionalClip& clip, const std::array<Face, 3>& sides,
                                        const glm::dvec3& pointMm, const Volume& volume);
 
-// The usable radii: from half the smallest voxel spacing to the box diagonal, or ten shortest sides if less.
+// The usable radii: from half the smallest voxel spacing to the box diagonal, or to ten times the shortest
+// side of the box if that is less.
 ValueRange ballRadiiMm(const Volume& volume);
 // Removes a ball around a point within the volume's box. Replaces a previous ball, removed or kept.
 Result<OptionalClip> withBallRemoved(const OptionalClip& clip, const glm::dvec3& centreMm, double radiusMm,
                                      const Volume& volume);
 
-// A point, in fractions of the volume's box, of the plane at this distance from the box's middle along the
-// unit normal. A plane that misses the box is moved until it touches it.
+// A point on the plane at this distance from the middle of the volume's box along the unit normal, in
+// fractions of the box. A plane that misses the box is moved until it touches it.
 glm::dvec3 fractionOnPlane(const glm::dvec3& normal, double fromMiddleMm, const Volume& volume);
 
 // Moves an existing part as near to the point as the volume allows, and keeps whether its inside or outside
@@ -53,8 +55,9 @@ Result<OptionalClip> withCornerAt(const OptionalClip& clip, const glm::dvec3& po
 Result<OptionalClip> withBallAt(const OptionalClip& clip, const glm::dvec3& centreMm, double radiusMm,
                                 const Volume& volume);
 
-// Shows what was removed, and removes what was shown. usage for a clip of several parts, as no clip can show
-// the rest; parts are all faces together, each oblique plane, a box, a corner and a ball.
+// Shows what was removed, and removes what was shown. usage for a clip of several parts, because no clip can
+// show what they remove together; parts are all faces together, each oblique plane, a box, a corner and a
+// ball.
 Result<OptionalClip> turnedInsideOut(const OptionalClip& clip, const Volume& volume);
 
 }  // namespace macula::scene

@@ -10,7 +10,7 @@
 namespace macula::scene {
 
 // Cuts across the view of `camera` at this distance from the middle of the volume's box. The plane leaves at
-// least a voxel of the box, while fromMiddleMm keeps the distance asked for: along another direction the box
+// least a voxel of the box, while fromMiddleMm keeps the requested distance: along another direction the box
 // may reach farther. usage for an invalid camera, or a distance that is not finite.
 Result<EyeCut> eyeCut(const Camera& camera, double fromMiddleMm, bool followsCamera, const Volume& volume);
 
@@ -19,7 +19,8 @@ EyeCut at(EyeCut cut, double fromMiddleMm, const Volume& volume);
 // The cut through `mm`, or as near to it as leaves a voxel of the box.
 EyeCut through(EyeCut cut, const glm::dvec3& mm, const Volume& volume);
 
-// Distances from before all of the volume's box to a voxel before its end.
+// The distances from the middle that are useful: from the near end of the volume's box, where the cut removes
+// nothing, to one voxel before its far end.
 ValueRange eyeCutRangeMm(const glm::dvec3& normal, const Volume& volume);
 
 // Whether the clip has room for one more plane; if not, the cut from the eye is left out.

@@ -13,10 +13,9 @@ namespace macula::scene {
 
 namespace {
 
-constexpr double kEdgeOn = 1e-6;  // how far a slice must be from being seen from its edge
+constexpr double kEdgeOn = 1e-6;  // relative: below this a slice counts as seen edge-on
 
-// The signed distance of a half-space as a linear function of the pixel: it is positive where the half-space
-// keeps.
+// The signed distance of a half-space as a linear function of the pixel: positive where the half-space keeps.
 class SideInPicture {
   public:
     SideInPicture(const HalfSpace& side, const slices::SliceFrame& frame)
@@ -32,7 +31,7 @@ class SideInPicture {
     glm::dvec2 perPixel_;
 };
 
-// One step of Sutherland and Hodgman: where `inside` is not below 0.
+// One step of Sutherland-Hodgman clipping: the part of the polygon where `inside` is not below 0.
 template <class Point, class Inside>
 std::vector<Point> within(const std::vector<Point>& polygon, const Inside& inside) {
     std::vector<Point> kept;
@@ -64,7 +63,7 @@ void addBeyond(std::vector<Contour>& contours, const HalfSpace& side, const slic
     if (beyond.size() > 2) contours.push_back(std::move(beyond));
 }
 
-// Nothing where they do not meet.
+// Nothing if the slice misses the ball.
 std::optional<Contour> circleOf(const Ball& ball, const slices::SliceFrame& frame) {
     const double offMm = frame.distanceMm(ball.centreMm);
     const double radius2 = ball.radiusMm * ball.radiusMm - offMm * offMm;
@@ -83,7 +82,7 @@ void addBall(std::vector<Contour>& contours, const Clip& clip, const slices::Sli
     auto circle = circleOf(*clip.ball, frame);
     if (clip.ofBall == Keep::inside) {
         contours.push_back(pictureOf(frame));
-        // The other way round: in it, the picture and the circle make nothing.
+        // Reversed, so that within the circle the windings of picture and circle cancel out.
         if (circle) std::ranges::reverse(*circle);
     }
     if (circle) contours.push_back(std::move(*circle));
@@ -102,7 +101,7 @@ void addClosed(std::vector<Contour>& lines, Contour polygon) {
     lines.push_back(std::move(polygon));
 }
 
-// Where a plane crosses the outline of the volume.
+// Adds the line in which a plane crosses the outline of the volume.
 void addCrossing(std::vector<Contour>& lines, const HalfSpace& plane, const Contour& outline,
                  const slices::SliceFrame& frame) {
     const SideInPicture side(plane, frame);
@@ -116,7 +115,7 @@ void addCrossing(std::vector<Contour>& lines, const HalfSpace& plane, const Cont
     if (ends.size() == 2) lines.push_back(std::move(ends));
 }
 
-// What is drawn of an outline that has no end: the picture, and as much around it on each side.
+// The area to which unbounded outlines are clipped: the picture, and as much around it on each side.
 Contour aroundPicture(double size) {
     return {{-size, -size}, {2.0 * size, -size}, {2.0 * size, 2.0 * size}, {-size, 2.0 * size}};
 }
@@ -134,7 +133,7 @@ struct SeenLine {
     glm::dvec2 along() const { return {-normal.y, normal.x}; }
 };
 
-// What a slice that is seen from its edge is seen as. Nothing where that is not before the eye.
+// The line that a slice appears as when seen edge-on. Nothing if it is not in front of the eye.
 std::optional<SeenLine> lineSeenOf(const glm::dmat3& seenFromPicture) {
     glm::dvec3 across(0.0);
     double most = 0.0;
@@ -142,7 +141,7 @@ std::optional<SeenLine> lineSeenOf(const glm::dmat3& seenFromPicture) {
         const glm::dvec3& p = seenFromPicture[a];
         const glm::dvec3& q = seenFromPicture[(a + 1) % 3];
         const double sine = glm::length(glm::cross(p, q)) / (glm::length(p) * glm::length(q));
-        if (!(sine > most)) continue;  // nor where one of them is nothing
+        if (!(sine > most)) continue;  // also skips a zero vector, where it is NaN
         most = sine;
         across = glm::cross(p, q);
     }
@@ -151,8 +150,7 @@ std::optional<SeenLine> lineSeenOf(const glm::dmat3& seenFromPicture) {
     return SeenLine{.normal = glm::dvec2(across) / length, .offset = across.z / length};
 }
 
-// Of a slice seen from its edge: strips along the rays through those parts of its line that the outline winds
-// around.
+// For a slice seen edge-on: strips along the rays through the parts of its line that the outline encloses.
 std::vector<Contour> stripsBehind(const std::vector<glm::dvec2>& outline, const glm::dmat3& seenFromPicture,
                                   const slices::SliceFrame& frame) {
     const auto line = lineSeenOf(seenFromPicture);
@@ -178,7 +176,7 @@ std::vector<Contour> stripsBehind(const std::vector<glm::dvec2>& outline, const 
         if (winding == 0) from = crossing.at;
         winding += crossing.turn;
         if (winding != 0 || !(crossing.at > from)) continue;
-        // Both together ask for z above 0: before the eye.
+        // The two conditions together imply z above 0, in front of the eye.
         const auto placeAt = [&](const glm::dvec2& px) {
             const glm::dvec3 p = seenFromPicture * glm::dvec3(px, 1.0);
             return glm::dvec2(glm::dot(line->along(), glm::dvec2(p)), p.z);
@@ -242,7 +240,7 @@ std::vector<Contour> clipLines(const OptionalClip& clip, const Cuts& cuts, const
 std::vector<Contour> behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame) {
     const auto rays = PictureRays::of(cut.camera, 1.0);
     if (!rays || !frame.isUsable()) return {};
-    // From pixels to half heights, both homogeneous: lines stay lines.
+    // Maps pixels to half heights of the camera's picture, both homogeneous, so that lines stay lines.
     const glm::dmat3 seenFromPicture(rays->homogeneousStep(frame.plane.right * frame.mmPerPixel),
                                      rays->homogeneousStep(frame.plane.down * frame.mmPerPixel),
                                      rays->homogeneous(frame.worldFromPicture({0.0, 0.0})));
@@ -253,8 +251,8 @@ std::vector<Contour> behindOutline(const ScissorCut& cut, const slices::SliceFra
     const glm::dmat3 pictureFromSeen = glm::inverse(seenFromPicture);
     std::vector<glm::dvec3> seen;
     for (const glm::dvec2& p : cut.outline) seen.push_back(pictureFromSeen * glm::dvec3(p, 1.0));
-    // Where the slice goes past the eye, or behind it, an outline has no end: it is cut off around the
-    // picture. Before the eye z is above 0, which these sides together ask for.
+    // Where the slice passes beside or behind the eye, an outline is unbounded: it is cut off around the
+    // picture. These sides together imply z above 0, in front of the eye.
     const double size = sizeOf(frame);
     for (int axis = 0; axis < 2; ++axis) {
         seen = within(seen, [&](const glm::dvec3& p) { return p[axis] + size * p.z; });

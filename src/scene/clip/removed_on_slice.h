@@ -12,13 +12,13 @@ namespace macula::scene {
 
 using Contour = std::vector<glm::dvec2>;  // closed
 
-// Within the picture the contours wind around what box, planes, corner and ball of the clip remove (shows); a
-// ball is a polygon of kBallSides. Empty for an unusable frame.
+// Within the picture the contours wind around what box, planes, corner and ball of the clip remove, by the
+// rules of shows(); a ball is a polygon of kBallSides. Empty for an unusable frame.
 inline constexpr int kBallSides = 128;
 std::vector<Contour> removedContours(const Clip& clip, const slices::SliceFrame& frame);
 
-// The lines where the border of each part meets the slice, within the volume but for a ball; faces are those
-// of keptBox. A closed line ends with its first point.
+// The lines where the border of each part meets the slice, cut off at the volume except for a ball; faces are
+// those of keptBox. A closed line ends with its first point.
 std::vector<Contour> clipLines(const OptionalClip& clip, const Cuts& cuts, const Volume& volume,
                                const slices::SliceFrame& frame);
 

@@ -24,7 +24,7 @@ double distanceToLine(const glm::dvec2& point, const glm::dvec2& a, const glm::d
     return glm::distance(point, a + t * along);
 }
 
-// Douglas and Peucker, without recursion: an outline may be as long as a hand likes.
+// Douglas-Peucker without recursion, because an outline drawn by hand may have any number of points.
 std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& line, double off) {
     std::vector<bool> stays(line.size(), false);
     stays.front() = stays.back() = true;
@@ -90,7 +90,7 @@ std::vector<glm::dvec2> simplified(const std::vector<glm::dvec2>& outline, doubl
         fewer = thinned(points, off);
     }
     if (fewer.size() >= 3) return fewer;
-    // A scribble whose parts are all as far away as it is large: some of its points, evenly.
+    // The tolerance has grown to the size of a scribble, and left too few points: takes evenly spaced ones.
     const std::size_t count = std::min(points.size(), kMostOutlinePoints);
     fewer.clear();
     for (std::size_t i = 0; i < count; ++i) fewer.push_back(points[i * points.size() / count]);

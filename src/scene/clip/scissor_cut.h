@@ -25,11 +25,12 @@ class ScissorBlades {
     // The cut must be valid.
     explicit ScissorBlades(const ScissorCut& cut);
 
-    // By PictureRays::homogeneous of the point. A point not in front of the eye is not within the outline.
+    // Takes PictureRays::homogeneous of the point. A point not in front of the eye is not within the outline.
     bool removes(const glm::dvec3& homogeneous) const;
     bool removesPoint(const glm::dvec3& mm) const { return removes(rays_.homogeneous(mm)); }
 
-    // True only if the outline encloses no point of the straight line between the two; tests bounding boxes.
+    // If true, the outline encloses no point of the straight line between the two; if false, it may still
+    // enclose none, because this tests bounding boxes.
     bool isClearOf(const glm::dvec3& fromHomogeneous, const glm::dvec3& toHomogeneous) const;
 
     const PictureRays& rays() const { return rays_; }

@@ -37,7 +37,7 @@ class CutRow {
     bool isClear_;
 };
 
-// Words are shared by rows, and by slices.
+// Atomic, because neighbouring rows and slices share words.
 void addBits(MaskBits& bits, std::size_t word, std::uint32_t shown) {
     if (shown != 0) std::atomic_ref(bits.words[word]).fetch_or(shown, std::memory_order_relaxed);
 }
@@ -57,7 +57,7 @@ bool cutSlice(int k, const std::vector<ScissorBlades>& cuts, const MaskBits* bef
             CutRow row(cut, firstMm, glm::dvec3(worldFromVoxel[0]), size.x);
             if (!row.removesNothing()) rows.push_back(row);
         }
-        std::uint32_t shown = 0;  // of the word of voxel n
+        std::uint32_t shown = 0;  // bits of the word of voxel n
         for (int i = 0; i < size.x; ++i, ++n) {
             bool isShown = before == nullptr || before->shows(i, j, k);
             for (std::size_t row = 0; isShown && row < rows.size(); ++row) isShown = !rows[row].removes(i);

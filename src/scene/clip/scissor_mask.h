@@ -15,7 +15,7 @@ namespace macula::scene {
 
 // Hides the voxels whose centres the cuts remove. `before` is the result of this function for earlier cuts,
 // or nothing: cuts can be applied together or one after the other. Without cuts the result is `before`.
-// combinedMask adds what else is hidden. On all cores.
+// combinedMask adds what else is hidden. Runs on all cores.
 //
 // Errors: usage for an invalid cut and when nothing would be left; cancelled; outOfMemory.
 Result<std::optional<Mask>> scissorMask(std::optional<Mask> before, std::span<const ScissorCut> scissors,

@@ -18,15 +18,15 @@ Text numberText(const ParameterOf<Of>& p, const Of& of) {
                           : Text("{} {:g} {}", label, p.get(of), Text::of(p.unit, {}));
 }
 
-// What an edited preset's matter is like that it is not in the preset which it was copied from. Of one that
-// somebody brings along nothing is to be said: its numbers are its own.
+// Adds a remark on each number of matter in which an edited preset differs from the preset that it was copied
+// from. A preset that is not a copy gets no remark: its numbers are its own.
 void addMatter(std::vector<Text>& remarks, const TransferFunction& preset, const Catalogue& catalogue) {
     const std::string from = copiedFrom(preset);
     if (from.empty()) return;
     const Result<std::shared_ptr<const TransferFunction>> original = findPreset(catalogue, from);
     if (!original) return;
     for (const MatterParameter& p : matterParameters()) {
-        if (p.unit == "per mm") continue;  // a hand that widens the curves changes it too
+        if (p.unit == "per mm") continue;  // widening the curves changes a gradient too
         if (p.get(preset) != p.get(**original)) remarks.push_back(numberText(p, preset));
     }
 }

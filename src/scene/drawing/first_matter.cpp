@@ -18,15 +18,15 @@ namespace {
 
 constexpr double kStepOfVoxel = 1.0 / 3.0;
 constexpr double kMostSteps = 8192.0;
-constexpr double kLeastLoss = 0.02;  // of light: what is thinner is not pointed at
+constexpr double kLeastLoss = 0.02;  // of the light: thinner matter does not count as pointed at
 
-// Along the ray, in mm.
+// A part of the ray, in mm from its origin.
 struct Span {
     double begin;
     double end;
 };
 
-// Where the ray is within the voxels' volume.
+// The part of the ray within the volume.
 std::optional<Span> spanIn(const Volume& volume, const PictureRay& ray) {
     const glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel());
     const glm::dvec3 origin = transformPoint(voxelFromWorld, ray.originMm);
@@ -75,7 +75,7 @@ class Matter {
         return shows(*clip_, pointMm) && !(clip_->mask && isMasked(*clip_->mask, labelFromWorld_, pointMm));
     }
 
-    // As slices show it, linear between the voxels that are no padding; NaN where there are none.
+    // As slices show it: linear between the voxels that are not padding; NaN where all are.
     double valueAt(const glm::dvec3& pointMm) const {
         const glm::dvec3 at = transformPoint(voxelFromWorld_, pointMm);
         return std::visit([&](const auto& voxels) { return voxels.linear(at); }, voxels_);
@@ -87,7 +87,7 @@ class Matter {
         return (spacing.x + spacing.y + spacing.z) / 3.0;
     }
 
-    // In units per voxel of mean edge, as TransferFunction::gradientOpacity has it.
+    // The gradient in units per voxel of mean edge, as TransferFunction::gradientOpacity needs it.
     double gradientAt(const glm::dvec3& pointMm) const {
         const double edge = edgeMm();
         glm::dvec3 gradient(0.0);
@@ -100,12 +100,12 @@ class Matter {
         return std::isfinite(length) ? length : 0.0;
     }
 
-    // Of a second volume in the same picture, per mm.
+    // The extinction of a second volume in the same picture, per mm.
     double secondExtinctionAt(const glm::dvec3& pointMm) const {
         return second_ ? second_->at(transformPoint(voxelFromWorld_, pointMm)) : 0.0;
     }
 
-    // What the segment of the nearest voxel leaves of the extinction.
+    // The share of the extinction that the segment of the nearest voxel leaves.
     double segmentOpacityAt(const glm::dvec3& pointMm) const {
         if (tints_ == nullptr) return 1.0;
         const TintBox& box = *tints_->box;
@@ -162,7 +162,7 @@ std::optional<glm::dvec3> extremeAlong(const Walk& walk, const Matter& matter, b
     return found;
 }
 
-// A face of the clip is opaque where its window is not black, or is black itself.
+// A face of the clip is opaque where its window is above black, or where faces also show black.
 bool isGreyFace(const Clip* clip, double value) {
     return clip != nullptr && clip->greyFaces && clip->hasShape() &&
            (clip->facesBelowWindowAreBlack || value > clip->greyFaces->center - 0.5 * clip->greyFaces->width);
@@ -174,7 +174,7 @@ std::optional<glm::dvec3> matterAlong(const Walk& walk, const Matter& matter, co
     const TransferFunction steep = withCurvesSwapped(function);
     const bool usesSteep = usesSteepCurves(function);
     const bool usesGradient = usesGradientOpacity(function);
-    std::vector<double> depths{0.0};  // optical, behind so many steps
+    std::vector<double> depths{0.0};  // optical depth after each number of steps
     bool wasHidden = false;
     for (std::size_t i = 0; i < walk.steps(); ++i) {
         const glm::dvec3 point = walk.at(i);

@@ -14,7 +14,7 @@ namespace macula::scene {
 
 namespace {
 
-// "Nothing is visible in the picture. The series has values from …": of a volume that has some.
+// "Nothing is visible in the picture. The series has values from …", for a volume that has values.
 Text nothingOf(const Volume& volume, const ValueRange& range) {
     const std::string unit = volume.unitName().empty() ? "" : " " + volume.unitName();
     return Text("Nothing is visible in the picture. The series has values from {:g} to {:g}{}.", range.low,

@@ -11,12 +11,13 @@ namespace macula::scene {
 
 namespace {
 
-constexpr double kWidthPerHeight = 20.0;  // times wider for a drag over the height of the picture
-constexpr double kNarrowest = 1e-3;       // of the volume's units
+// A drag over the height of the picture makes the window this many times wider.
+constexpr double kWidthPerHeight = 20.0;
+constexpr double kNarrowest = 1e-3;  // of the volume's units
 constexpr double kNarrowestLinear = 2.0;
 constexpr double kWidestOfValues = 2.0;  // times their range
 
-// What a hand may drag a window to.
+// The limits of a window that is dragged.
 struct WindowReach {
     double widest;
     ValueRange centers;
@@ -48,7 +49,7 @@ DisplayWindow dragged(const DisplayWindow& from, glm::dvec2 byHeights, const Vol
     const WindowReach reach = reachOf(volume, from);
     DisplayWindow window = from;
     window.width = std::clamp(from.width * std::pow(kWidthPerHeight, byHeights.x), kNarrowest, reach.widest);
-    // LINEAR is defined from a width of 1 on, and is nearly a step there (PS3.3 C.11.2.1.2.1).
+    // LINEAR needs a width of at least 1, where it is nearly a step (PS3.3 C.11.2.1.2.1).
     if (window.width < kNarrowestLinear && window.function != "SIGMOID") window.function = "LINEAR_EXACT";
     window.center = std::clamp(from.center + byHeights.y * from.width, reach.centers.low, reach.centers.high);
     return window;

@@ -12,8 +12,8 @@
 namespace macula::scene {
 
 // The default windows for projections of a volume: that of the series, for MIP only if that is not mostly
-// white (maximumWindow). Each look has its own window, as the largest value along a ray and the mean have
-// little to do with each other.
+// white (maximumWindow). Each look has its own window, because the largest value along a ray and the mean can
+// lie far apart.
 class SeriesWindows {
   public:
     DisplayWindow of(trace::Look look, const Volume& volume) const;

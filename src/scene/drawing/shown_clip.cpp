@@ -18,7 +18,7 @@ std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& fo
 
 namespace {
 
-// Fails with `cancelled` alone.
+// The only error is `cancelled`.
 Result<ShownClip> withoutSureTable(const ClipPreset& preset, const Volume& volume, Progress& progress) {
     ShownClip shown{.clip = clipFor(preset, volume)};
     if (volume.unit() != Unit::hounsfield) return shown;

@@ -1,4 +1,4 @@
-// The part of a study that is shown: its clip, without the table if that is asked for.
+// The part of a study that is shown: its clip, and the table removed on request.
 #pragma once
 
 #include <memory>
@@ -18,14 +18,14 @@ namespace macula::scene {
 
 inline constexpr std::string_view kTableLeftOut = "table left out";  // Mask::remark in English
 
-// Hides the table and what else lies beside the patient; nothing if none of that was found. Shares ownership
-// of `found`, as its map may be as large as the volume.
+// Hides the table and other objects next to the patient; nothing if none were found. Shares ownership of
+// `found`, as its map may be as large as the volume.
 std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& found);
 
 struct ShownClip {
     Clip clip;
     bool tableRemoved = false;  // only if something was removed
-    std::vector<Text> notes;    // on the table, and on what of the state is not drawn
+    std::vector<Text> notes;    // on the table, and on parts of the state that are not drawn
 };
 
 // What happens to a table when the user did not decide: it is shown, or it is removed if segment::Confidence

@@ -13,7 +13,8 @@ namespace macula::scene {
 using BackgroundColour = glm::u8vec3;  // display-encoded (IEC 61966-2-1)
 
 inline constexpr BackgroundColour kBlackBackground{0, 0, 0};
-inline constexpr std::string_view kTransparent = "transparent";  // for an alpha channel instead
+// Not a colour: the picture gets an alpha channel.
+inline constexpr std::string_view kTransparent = "transparent";
 
 // "black", "white", "grey", or "#rrggbb". Fails with usage.
 Result<BackgroundColour> backgroundOf(std::string_view text);
@@ -22,7 +23,7 @@ Result<BackgroundColour> backgroundOf(std::string_view text);
 std::string hexOf(BackgroundColour colour);
 std::optional<BackgroundColour> colourOfHex(std::string_view text);
 
-// The linear colour that PathTracer and Compositor take for display.
+// The linear colour that PathTracer and Compositor need to display `colour`.
 glm::vec3 lightOf(BackgroundColour colour);
 
 }  // namespace macula::scene

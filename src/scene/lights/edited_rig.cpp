@@ -14,7 +14,7 @@ namespace {
 using trace::LightRig;
 using trace::SoftLight;
 
-// NaN is the low end.
+// Returns `low` for NaN.
 double within(double value, double low, double high) {
     return value >= low ? std::min(value, high) : low;
 }

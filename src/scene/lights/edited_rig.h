@@ -1,5 +1,5 @@
 // Edits of a light rig by hand. Each function takes the current rig and returns the next one, which a file
-// can hold (light_rig_json.h): numbers are clamped to what it can, and a rig that would be black is refused
+// can hold (light_rig_json.h): numbers are clamped to its limits, and a rig that would be black is refused
 // with usage. Name and title become those of an own rig.
 #pragma once
 
@@ -23,7 +23,7 @@ Result<trace::LightRig> withoutLight(trace::LightRig rig, std::size_t index);
 // grey.
 Result<trace::LightRig> withSky(trace::LightRig rig, double radiance);
 double skyOf(const trace::LightRig& rig);
-// Fixes the lights to the patient or to the camera without moving them in the world. The sky turns along.
+// Fixes the lights to the patient or to the camera without moving them in the world. The sky turns with them.
 Result<trace::LightRig> keptTo(trace::LightRig rig, trace::LightFrame frame, const LightStand& stand);
 
 }  // namespace macula::scene

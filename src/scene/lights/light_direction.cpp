@@ -8,9 +8,9 @@ namespace macula::scene {
 namespace {
 
 constexpr double kHalfTurnDeg = 180.0;
-constexpr double kRadius = 0.92;  // of the dome, in halves of the picture's shorter side
+constexpr double kRadius = 0.92;  // radius of the dome, in halves of the picture's shorter side
 
-// Its columns are right, up and towards azimuth 0 of the rig, before the lights are turned.
+// The columns are the directions right, up and towards azimuth 0 of the rig, before the lights are turned.
 glm::dmat3 worldFromRig(const LightStand& stand) {
     if (stand.frame == trace::LightFrame::camera) return {stand.eye.right, stand.eye.up, -stand.eye.forward};
     return {glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, -1, 0)};  // Left, Superior, Anterior
@@ -39,7 +39,7 @@ trace::SoftLight shiningFrom(trace::SoftLight light, const glm::dvec3& direction
     if (!(length > 0.0) || !std::isfinite(length)) return light;
     const glm::dvec3 inRig = glm::transpose(worldFromRig(stand)) * (direction / length);
     light.elevationDeg = glm::degrees(std::asin(std::clamp(inRig.y, -1.0, 1.0)));
-    // At a pole every azimuth is the same direction: there it stays as it was.
+    // At a pole every azimuth gives the same direction: the light keeps its own.
     if (std::hypot(inRig.x, inRig.z) > 1e-9)
         light.azimuthDeg = std::remainder(glm::degrees(std::atan2(inRig.x, inRig.z)) - stand.rotationDeg,
                                           2.0 * kHalfTurnDeg);

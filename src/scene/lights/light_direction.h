@@ -9,7 +9,8 @@
 
 namespace macula::scene {
 
-// The orientation of a rig: its frame, the camera of a rig that hangs on it, and Settings::lightRotationDeg.
+// The orientation of a rig: its frame, the camera for a rig that is fixed to it, and
+// Settings::lightRotationDeg.
 struct LightStand {
     trace::LightFrame frame = trace::LightFrame::patient;
     CameraBasis eye = {};
@@ -28,7 +29,7 @@ trace::SoftLight shiningFrom(trace::SoftLight light, const glm::dvec3& direction
 // the picture has room for. Places are -1 to 1 on both sides, right and up positive.
 glm::dvec2 placeOnDome(const glm::dvec3& direction, const CameraBasis& eye, double aspect);
 glm::dvec3 directionOnDome(const glm::dvec2& place, const CameraBasis& eye,
-                           double aspect);  // outside: the rim
+                           double aspect);  // outside the dome: its rim
 // The place at `fromMiddleDeg` from the middle, counter-clockwise by `aroundRad` from the right.
 glm::dvec2 circleOnDome(double fromMiddleDeg, double aroundRad, double aspect);
 

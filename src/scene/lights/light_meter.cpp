@@ -8,7 +8,7 @@ namespace macula::scene {
 
 namespace {
 
-constexpr double kBrightest = 0.05;  // the part of the pixels that may be brighter
+constexpr double kBrightest = 0.05;  // the share of pixels that may be brighter
 
 }  // namespace
 

@@ -12,7 +12,7 @@ namespace macula::scene {
 
 namespace {
 
-// In mm: what is cut off less than that is nothing.
+// A plane that cuts off less than this cuts nothing.
 constexpr double kNothingMm = 1e-6;
 
 class Cutting {
@@ -30,7 +30,7 @@ class Cutting {
         const glm::dvec3 a = transformPoint(voxelFromWorld, corners.low);
         const glm::dvec3 b = transformPoint(voxelFromWorld, corners.high);
         for (int axis = 0; axis < 3; ++axis) {
-            // How the voxel coordinate grows in the world.
+            // The gradient of the voxel coordinate in the world.
             const glm::dvec3 across(voxelFromWorld[0][axis], voxelFromWorld[1][axis],
                                     voxelFromWorld[2][axis]);
             const bool isLow = a[axis] <= b[axis];
@@ -87,7 +87,7 @@ class Cutting {
         if (cuts && std::ranges::find(planes_, plane) == planes_.end()) planes_.push_back(plane);
     }
 
-    // Of the volume itself, which in a turned one are no corners of its box.
+    // The corners of the voxel grid; those of the world box differ if the volume is turned.
     std::vector<glm::dvec3> voxelCorners() const {
         const Box voxels{glm::dvec3(-0.5), glm::dvec3(volume_.size()) - 0.5};
         std::vector<glm::dvec3> corners;

@@ -11,7 +11,7 @@
 
 namespace macula::scene {
 
-// Returns no clip where the cropping keeps all of the volume; drops what cuts nothing off. Error:
+// Returns no clip where the cropping keeps all of the volume; drops planes that cut nothing off. Error:
 // inputNotUsable, naming `where`, if nothing is left or more than Clip::kMostPlanes planes cut.
 Result<std::optional<ClipPreset>> clipOf(const dicom::Cropping& cropping, const Volume& volume,
                                          const std::string& where);

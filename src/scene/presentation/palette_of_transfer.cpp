@@ -15,13 +15,13 @@ namespace {
 constexpr double kAll = 65535.0;
 constexpr double kFewestEntries = 2048.0;
 constexpr double kMostEntries = 65536.0;
-constexpr double kThinnest = 1e-6;  // of density, below which nothing is seen
+constexpr double kThinnest = 1e-6;  // a density below which nothing is visible
 
 std::uint16_t levelOf(double part) {
     return std::uint16_t(std::lround(kAll * std::clamp(part, 0.0, 1.0)));
 }
 
-// Where the curves have points. They are constant beyond, so that a little more changes nothing.
+// The range of the curves' points. Curves are constant beyond it, so rounding it outwards changes nothing.
 ValueRange rangeOf(const TransferFunction& function) {
     ValueRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     const auto hold = [&](double value) {
@@ -32,7 +32,7 @@ ValueRange rangeOf(const TransferFunction& function) {
     for (const ColourPoint& point : function.colour) hold(point.value);
     for (const OpacityPoint& point : function.steep.opacity) hold(point.value);
     for (const ColourPoint& point : function.steep.colour) hold(point.value);
-    constexpr double kWhole = 16.0;  // a span of so many values, and they are whole numbers
+    constexpr double kWhole = 16.0;  // from this span on, the range ends at whole numbers
     if (range.high - range.low >= kWhole) return {std::floor(range.low), std::ceil(range.high)};
     if (range.high > range.low) return range;
     return {range.low - 1.0, range.low + 1.0};
@@ -54,8 +54,8 @@ struct Shown {
     glm::dvec3 colour{0.0};  // encoded
 };
 
-// What others show at a value. They know one pair of curves: where there are two, they get what a gradient
-// shows at which half of the matter is steep.
+// What other programs show at a value. They know one pair of curves: where there are two, they get the result
+// for a gradient at which half of the matter is steep.
 Shown shownAt(const TransferFunction& function, double value) {
     Shown shown{.opacity = opacityAt(function, value), .colour = colourAt(function, value)};
     if (!usesSteepCurves(function)) return shown;
@@ -71,8 +71,8 @@ Shown shownAt(const TransferFunction& function, double value) {
     return shown;
 }
 
-// The entries that a line through them all comes near: from each the farthest that a straight way leads to
-// within a level of all between, in all tables at once.
+// Picks entries so that straight lines between them stay near all others: from each, the farthest entry to
+// which a straight line stays within a level of all entries between, in all tables at once.
 std::vector<std::size_t> corners(std::span<const std::vector<std::uint16_t>* const> tables) {
     constexpr double kLevel = 1.01;
     const std::size_t count = tables.front()->size();
@@ -82,7 +82,7 @@ std::vector<std::size_t> corners(std::span<const std::vector<std::uint16_t>* con
         std::ranges::fill(slopes, ValueRange{-std::numeric_limits<double>::infinity(),
                                              std::numeric_limits<double>::infinity()});
     };
-    // The slope to the entry is allowed by all between; then it narrows what is allowed.
+    // Whether all entries between allow the slope to this one; if so, it narrows the allowed slopes.
     const auto reaches = [&](std::size_t from, std::size_t to) {
         for (std::size_t t = 0; t < tables.size(); ++t) {
             const double rise = double((*tables[t])[to]) - double((*tables[t])[from]);
@@ -114,7 +114,7 @@ dicom::Palette paletteOf(const TransferFunction& function) {
     const std::size_t entries = entriesOver(palette.values);
     const double span = palette.values.high - palette.values.low;
     for (std::size_t i = 0; i < entries; ++i) {
-        // In this order whole values are exact, so that steps at them are where they were.
+        // Evaluated in this order, whole values are exact, and steps at them stay in place.
         const double value = palette.values.low + span * double(i) / double(entries - 1);
         const Shown shown = shownAt(function, value);
         palette.red.push_back(levelOf(colourOf(function, shown.colour.r)));

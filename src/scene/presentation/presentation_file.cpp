@@ -22,7 +22,7 @@ Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom
         std::vector<int>& frames = framesOf[image.sopInstanceUid];
         if (frames.empty()) images.series.images.push_back({image.sopClassUid, image.sopInstanceUid});
         frames.push_back(frame.number + 1);
-        // What is of all of a file names no frames of it.
+        // A reference to all frames of a file lists none.
         if (int(frames.size()) == image.frames) wholeFiles.insert(image.sopInstanceUid);
     }
     for (dicom::ReferencedImage& image : images.series.images) {

@@ -15,7 +15,8 @@
 
 namespace macula::scene {
 
-// Its only patient data: UIDs of images, series and frame of reference, classes of images, and one path.
+// The only patient data in it: UIDs of images, series and frame of reference, classes of images, and one
+// path.
 struct PresentedImages {
     dicom::PresentedSeries series;
     std::filesystem::path middleFile;  // the object takes patient and study from it

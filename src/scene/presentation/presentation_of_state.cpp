@@ -30,7 +30,8 @@ constexpr std::size_t kLongestOwnState = 200000;
 
 dicom::PresentedView viewOf(const Camera& seen, const CameraBasis& axes, const Volume& volume,
                             double aspect) {
-    const Camera camera = standingBefore(seen, volume.worldBox());  // near planes lie before the viewpoint
+    // Stands before the volume, because near planes must lie in front of the viewpoint.
+    const Camera camera = standingBefore(seen, volume.worldBox());
     double nearest = 1e9;
     double farthest = 0.0;
     for (const glm::dvec3& corner : cornersOf(volume.worldBox())) {
@@ -56,7 +57,7 @@ dicom::PresentedView viewOf(const Camera& seen, const CameraBasis& axes, const V
     return view;
 }
 
-// The strongest light, and all others as light from everywhere, by what a surface that faces them gets.
+// The strongest light, and all others as ambient light, by the irradiance of a surface that faces them.
 dicom::PresentedShading shadingOf(const trace::LightRig& rig, double rotationDeg, const CameraBasis& axes) {
     double all = brightnessOf(rig.ambientZenith + 2.0 * rig.ambientHorizon + rig.ambientNadir) / 4.0;
     double strongest = 0.0;
@@ -165,8 +166,8 @@ void removeNames(std::shared_ptr<const TransferFunction>& named) {
     named = std::make_shared<const TransferFunction>(std::move(preset));
 }
 
-// What a person has named or written may say whose it is, and so may the digest of a UID, which can be
-// guessed.
+// Names and texts that a person typed may identify the patient, and so may the digest of a UID, as a UID can
+// be guessed.
 StudyState withoutNames(StudyState state) {
     removeNames(state.preset);
     if (state.secondVolume) removeNames(state.secondVolume->preset);
@@ -180,7 +181,7 @@ StudyState withoutNames(StudyState state) {
         lights.title = "Custom";
         state.lights = std::make_shared<const trace::LightRig>(std::move(lights));
     }
-    state.seriesDigest.clear();  // that of the object counts
+    state.seriesDigest.clear();  // readers use the series that the object refers to
     if (state.secondVolume) {
         state.secondVolume->seriesDigest = kNobodys;
         state.secondVolume->volumeKey.clear();

@@ -16,10 +16,10 @@ struct SaidState {
     std::vector<Text> leftOut;               // sentences: what other programs will show differently
 };
 
-// Needs a preset and a camera; the volume in 16 bits. VolumePresentation::ownState holds the whole state (up
-// to 200000 bytes), so that Macula draws the same picture. `isDeidentified` removes from it names and texts
-// that a person typed, and the digests of UIDs that a second volume and segmentations are found by. Error:
-// usage without preset, camera or positive aspect, or if the camera is not usable.
+// Needs a preset, a camera, and a volume that is stored16. VolumePresentation::ownState holds the whole state
+// (up to 200000 bytes), so that Macula draws the same picture. `isDeidentified` removes from it names and
+// texts that a person typed, and the digests of UIDs by which a second volume and segmentations are found.
+// Error: usage without preset, camera or positive aspect, or if the camera is not usable.
 Result<SaidState> presentationOf(const StudyState& state, const Volume& volume, double aspectWidthOverHeight,
                                  bool isDeidentified = false);
 

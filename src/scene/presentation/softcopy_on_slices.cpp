@@ -23,7 +23,8 @@ bool refersTo(const dicom::ReferencedFrames& image, const dicom::Frame& frame) {
     return image.sopInstanceUid == frame.instance->sopInstanceUid && image.holds(frame.number);
 }
 
-// Where it names no images, it is of all that the object is of.
+// Whether a part of the object applies to the frame: a part that names no images applies to all of the
+// object.
 bool isOf(const std::vector<dicom::ReferencedFrames>& images, const dicom::Frame& frame) {
     return images.empty() ||
            std::ranges::any_of(images, [&](const auto& image) { return refersTo(image, frame); });
@@ -48,8 +49,7 @@ class Showing {
         if (images_.size() < stack_.frames.size())
             note(Text("It is of some of the images alone; the others are shown in the same way."));
         showWindow();
-        // The object's own greys take the place of those of the images (PS3.3 C.11.6); slices begin with
-        // these.
+        // The object's polarity replaces that of the images (PS3.3 C.11.6), which slices have by default.
         shown_.slices.isInverted = said_.isInverse != isLowBright_;
         showPlace();
         return std::move(shown_);
@@ -59,8 +59,8 @@ class Showing {
     void note(Text sentence) { shown_.notes.push_back(std::move(sentence)); }
     const dicom::Frame& first() const { return *images_.front(); }
 
-    // Where an image, and in it a frame, stands among those that the object names; of all frames of an image,
-    // the first comes first.
+    // The position of an image, and of a frame in it, among those that the object names. If it names an image
+    // without frames, they count in their own order.
     using Order = std::pair<std::size_t, std::size_t>;
 
     void findImages() {
@@ -83,13 +83,13 @@ class Showing {
             if (!named) continue;
             images_.push_back(&frame);
             if (*named >= least) continue;
-            // The first that the object names, and not the lowest one.
+            // The front is the first frame that the object names, not the lowest slice.
             least = *named;
             std::swap(images_.front(), images_.back());
         }
     }
 
-    // Whether the values that its windows are of are those of the volume.
+    // Whether the object's windows refer to the values of the volume.
     bool hasValuesOfVolume() const {
         if (said_.hasModalityTable || volume_.unit() == Unit::suvBodyWeight) return false;
         return std::ranges::all_of(images_, [&](const dicom::Frame* frame) {
@@ -129,7 +129,7 @@ class Showing {
         };
         const glm::dvec2 size(image.instance->columns, image.instance->rows);
         shown_.slices.crosshairMm = placeMm(0.5 * (size - 1.0));
-        // A whole turn is none.
+        // Whole turns change nothing.
         if (said_.isFlipped || said_.rotationDeg % 360 != 0)
             return note(Text(
                 "It turns or mirrors its images, which slices here never do: its part of the image is not "
@@ -152,7 +152,8 @@ class Showing {
         shown_.area = areaOf(plane, centre, high - low + 1.0);
     }
 
-    // How far the part of the image reaches along the axes of the pane, which run along those of the image.
+    // The size of the displayed part of the image along the axes of the pane, which run along those of the
+    // image.
     SliceArea areaOf(const dicom::ImagePlane& plane, const glm::dvec3& centreMm,
                      const glm::dvec2& pixels) const {
         const slices::SlicePlane pane = slices::acquiredPlane(volume_, centreMm);
@@ -170,7 +171,8 @@ class Showing {
     const dicom::Stack& stack_;
     const Volume& volume_;
     const bool isLowBright_;
-    std::vector<const dicom::Frame*> images_;  // of the volume, the first that is named at the front
+    // The images that are in the volume; the first that the object names is at the front.
+    std::vector<const dicom::Frame*> images_;
     SoftcopyOnSlices shown_;
 };
 

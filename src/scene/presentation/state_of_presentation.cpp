@@ -114,13 +114,13 @@ class Telling {
     PresentedState& presented_;
 };
 
-// What near and far planes of the camera cut off of the volume is shown here.
+// Whether the camera's near and far planes cut off a part of the volume, which Macula shows.
 bool cutsByDepth(const dicom::PresentedView& view, const Volume& volume) {
     constexpr double kToleranceMm = 0.5;
     const glm::dvec3 forward = glm::normalize(view.lookAtMm - view.positionMm);
     return std::ranges::any_of(cornersOf(volume.worldBox()), [&](const glm::dvec3& corner) {
         const double depth = glm::dot(corner - view.positionMm, forward);
-        // What is behind the eye of a perspective is never seen.
+        // In perspective, nothing behind the eye is seen anyway.
         const bool isBefore = depth < view.field.nearMm - kToleranceMm &&
                               (depth > kToleranceMm || view.projection == dicom::Projection::orthographic);
         return isBefore || depth > view.field.farMm + kToleranceMm;
@@ -129,7 +129,8 @@ bool cutsByDepth(const dicom::PresentedView& view, const Volume& volume) {
 
 enum class ImagesShown { all, some, none };
 
-// Of what the presentation refers to, deidentified or not, in the volume that is open.
+// How many of the images that the presentation refers to are in the open volume, even if one of both is
+// deidentified.
 ImagesShown imagesShown(const std::vector<dicom::ReferencedImage>& referenced,
                         std::span<const dicom::ReferencedFrames> images) {
     if (referenced.empty() || images.empty()) return ImagesShown::all;
@@ -151,7 +152,7 @@ ImagesShown imagesShown(const std::vector<dicom::ReferencedImage>& referenced,
             for (const std::string& uid : standIns.of(image.sopInstanceUid))
                 if (found == wanted.end()) found = find(uid);
         }
-        // A file of one frame is that frame.
+        // A single-frame file has frame 1.
         const std::vector<int> own = image.numbers.empty() ? std::vector{1} : image.numbers;
         const auto isMeant = [&](int number) { return found->holds(number - 1); };
         if (found == wanted.end() || std::ranges::none_of(own, isMeant)) {
@@ -184,7 +185,7 @@ Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState 
     presented.state = std::move(usual);
     presented.state.clip.reset();
     presented.state.cuts = {};
-    // What hides voxels here is not in it.
+    // Nothing that hides voxels in `usual` is part of the presentation.
     presented.state.leavesTableOut = false;
     presented.state.segmentations = onSlicesAlone(presented.state.segmentations);
     presented.state.seriesDigest.clear();

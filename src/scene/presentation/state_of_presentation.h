@@ -19,7 +19,7 @@ struct PresentedState {
     StudyState state;
     bool isOwn = false;            // read from Macula's own state, so the picture is the same
     double widthOverHeight = 0.0;  // of the view that another program wrote; 0: that of the window
-    std::vector<Text> notes;       // sentences: what of it is not shown, or shown differently
+    std::vector<Text> notes;       // sentences: what Macula does not show, or shows differently
 };
 
 // Converts what needs no volume: look, camera, colours, windows, lights. What the object lacks stays as in

@@ -15,7 +15,7 @@ bool isAlongPatient(const Volume& volume) {
 
 ValueRange valuesSeen(const DisplayWindow& window) {
     const bool isLinear = window.function.empty() || window.function == "LINEAR";
-    // LINEAR counts whole values; of less than two there is only the exact one.
+    // LINEAR spans width - 1 around center - 0.5; at a width of 1 or less it is treated as LINEAR_EXACT.
     const double shift = isLinear && window.width > 1.0 ? 0.5 : 0.0;
     const double width = window.width - 2.0 * shift;
     return {window.center - shift - 0.5 * width, window.center - shift + 0.5 * width};

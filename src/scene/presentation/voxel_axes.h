@@ -8,7 +8,7 @@ namespace macula::scene {
 // Whether each axis of the voxels runs along one of the patient's, in either direction.
 bool isAlongPatient(const Volume& volume);
 
-// From black to white; for SIGMOID the centre and half the width to both sides (PS3.3 C.11.2).
+// The values from black to white; for SIGMOID the centre and half the width to both sides (PS3.3 C.11.2).
 ValueRange valuesSeen(const DisplayWindow& window);
 
 }  // namespace macula::scene

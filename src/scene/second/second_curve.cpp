@@ -13,8 +13,8 @@ namespace macula::scene {
 namespace {
 
 constexpr int kColours = 16;           // pieces of a colour table
-constexpr double kClearPart = 0.25;    // of the window, as over slices
-constexpr double kMostOpacity = 0.95;  // of a millimetre
+constexpr double kClearPart = 0.25;    // share of the window, as over slices
+constexpr double kMostOpacity = 0.95;  // the highest opacity of a millimetre
 
 }  // namespace
 

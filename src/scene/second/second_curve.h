@@ -13,17 +13,17 @@
 
 namespace macula::scene {
 
-// The transfer function without a preset: the colours and the window used over slices. The lowest quarter of
-// the window is clear, so that regions without uptake hide nothing; at its upper end the opacity of a
-// millimetre is 0.95 * `opacity`.
+// The transfer function of a second volume without a preset: the colours and the window used over slices. The
+// lowest quarter of the window is clear, so that regions without uptake hide nothing; at its upper end the
+// opacity of a millimetre is 0.95 * `opacity`.
 TransferFunction secondCurve(const Volume& second, const DisplayWindow& window, slices::ColourTable colours,
                              double opacity);
 
-// Whether the state shows it in 3D: in3d is set, and it is linked and not hidden.
+// Whether the state shows the second volume in 3D: in3d is set, and it is linked and not hidden.
 bool isSecondIn3d(const SecondVolumeState& state);
 
-// The state with the defaults for what the 3D picture does not depend on: view, boundMm, rivalMm, and with a
-// preset window, opacity and colours too.
+// The state with defaults in the fields that the 3D picture does not depend on: view, boundMm, rivalMm, and,
+// if it has a preset, window, opacity and colours.
 SecondVolumeState secondPartIn3d(SecondVolumeState state);
 
 // Whether both may be in one picture. Only slices show a second volume of another patient; there each pane

@@ -24,7 +24,8 @@ void addNotes(const std::vector<Text>& notes, const std::vector<Text>& warnings,
     for (const Text& warning : warnings) drawn.warnings.push_back(Text("Second volume: {}", warning));
 }
 
-// By the positions alone, which are comparable in one frame of reference (PS3.3 C.7.4.1).
+// Places the second volume by positions alone, which are comparable in one frame of reference (PS3.3
+// C.7.4.1).
 void placeByPositions(const study::LoadedStudy& study, const study::LoadedStudy& second,
                       SecondVolumeState& state, DrawableSecond& drawn) {
     const std::string& frame = study.frameOfReferenceUid;
@@ -78,15 +79,15 @@ Result<void> place(const SecondVolumeRequest& request, const study::LoadedStudy&
         Text("Choose another series by --second-series, or register both by --registration search.")};
 }
 
-// What was registered of one phase says nothing of another.
+// A registration of one phase says nothing about another.
 bool namesSecond(const SecondVolumeState& beside, const study::LoadedStudy& second) {
     const bool isOtherVolume =
         !beside.volumeKey.empty() && !second.volumeKey.empty() && beside.volumeKey != second.volumeKey;
     return beside.isLinked() && beside.seriesDigest == second.seriesDigest && !isOtherVolume;
 }
 
-// What the view says of the second volume; its place only where that is of these voxels and positions.
-// Nothing where it is of another volume.
+// What the view says about the second volume; nothing if it names another volume. `isPlaced`: its place was
+// found for these voxels and positions.
 struct Known {
     std::optional<SecondVolumeState> state;
     bool isPlaced = false;
@@ -109,12 +110,13 @@ Known known(const SecondVolumeState* beside, const study::LoadedStudy& study,
     return {.state = withLookOf({}, *beside)};
 }
 
-// Files tell by their place alone (see resolveAdditions), and the phantom may stand in for a second one.
+// Volumes from single files are compared by path only (see resolveAdditions), and the phantom may be its own
+// second volume.
 bool isTheStudy(const study::LoadedStudy& study, const study::LoadedStudy& second) {
     static const std::string kOfNoUid = sha256Hex("");
     return !second.volumeKey.empty() && study.volumeKey == second.volumeKey &&
            study.seriesDigest == second.seriesDigest && second.seriesDigest != kOfNoUid &&
-           fingerprint(*study.volume) == fingerprint(*second.volume);  // and was not exported anew
+           fingerprint(*study.volume) == fingerprint(*second.volume);  // and was not exported again
 }
 
 Result<study::SamePatient> patientOf(const study::LoadedStudy& study, const study::LoadedStudy& second,

@@ -41,13 +41,13 @@ struct DrawableSecond {
     DrawnSecondVolume second;
     Text remark;                 // secondRemark
     std::vector<Text> notes;     // sentences, without patient data
-    std::vector<Text> warnings;  // those of them that change what is seen
+    std::vector<Text> warnings;  // the notes that affect what is seen
 };
 
 // Loads the second volume for a `study` that is stored16. A saved view of both (`beside`, or null) sets its
 // look, unless `request` has a preset, and, if pairDigest matches, its place, unless `request` searches for
 // it. Errors: those of loadStudy, choosePreset and registerRigid; inputNotUsable if all of it lies outside
-// the study, it is of another patient, or it is the study's own volume.
+// the study, it belongs to another patient, or it is the study's own volume.
 Result<DrawableSecond> secondToDraw(const SecondVolumeRequest& request, const study::LoadedStudy& study,
                                     const SecondVolumeState* beside, Progress& progress);
 

@@ -10,7 +10,7 @@ namespace macula::scene {
 
 namespace {
 
-// Empty where no folder was read.
+// Empty if the study does not come from a folder.
 std::string keyOf(const study::OpenedStudy& study) {
     const bool isFound = study.found && study.volumeIndex < study.found->volumes().size();
     return isFound ? study.found->key(study.volumeIndex) : std::string();
@@ -98,7 +98,7 @@ std::optional<std::size_t> volumeOf(const study::FoundVolumes& found, const Seco
     if (!state.volumeKey.empty()) {
         const auto same =
             std::ranges::find_if(ofSeries, [&](std::size_t n) { return found.key(n) == state.volumeKey; });
-        // Another one is not meant, not even the only one that is left: isOf says the same.
+        // The state means no other volume, even if only one is left: namesSecond agrees.
         return same != ofSeries.end() ? std::optional(*same) : std::nullopt;
     }
     if (!state.volume && ofSeries.size() != 1) return std::nullopt;

@@ -31,17 +31,17 @@ Text plainTag(const study::OpenedStudy& study);
 SecondVolumeState firstLink(const study::OpenedStudy& study, const study::OpenedStudy& second,
                             const std::string& pair);
 
-// A digest of both fingerprints, so of voxels and geometry. Images that are exported anew keep their UIDs,
-// but may have other positions.
+// A digest of both fingerprints, and so of voxels and geometry. Images that are exported again keep their
+// UIDs, but may have other positions.
 std::string pairDigest(const std::string& studyFingerprint, const std::string& secondFingerprint);
 
 // Whether the state names this volume, by UIDs and attributes. That justifies opening it, not trusting its
 // place: a registration of one phase says nothing about another.
 bool namesSecond(const SecondVolumeState& state, const study::OpenedStudy& second);
-// Whether the state names this volume and its place is of this pair of volumes (pairDigest).
+// Whether the state names this volume, and its place was found for this pair of volumes (pairDigest).
 bool isPlacedFor(const SecondVolumeState& state, const study::OpenedStudy& second, const std::string& pair);
 // `place` with the window, colours, opacity, preset, in3d and view of `before`. SecondVolumePlace::over
-// becomes beside where `place` has no link.
+// becomes beside if `place` is not linked.
 SecondVolumeState withLookOf(SecondVolumeState place, const SecondVolumeState& before);
 // Index of the state's volume among `found`. Nothing if it is missing, or the series has several and the
 // state names none.

@@ -25,14 +25,14 @@ inline constexpr std::array kSecondVolumeLinks{SecondVolumeLink::byHand, SecondV
 
 enum class SecondVolumePlace {
     hidden,   // the study alone
-    beside,   // two columns: the study at the left
+    beside,   // two columns: the study on the left
     instead,  // the second volume in the place of the study
     over,     // in colours over the study
 };
 inline constexpr std::array kSecondVolumePlaces{SecondVolumePlace::hidden, SecondVolumePlace::beside,
                                                 SecondVolumePlace::instead, SecondVolumePlace::over};
 
-// As in files.
+// The names in files.
 constexpr std::string_view nameOf(SecondVolumeLink link) {
     switch (link) {
         case SecondVolumeLink::byHand:
@@ -73,7 +73,7 @@ struct SecondVolumeState {
     glm::dmat4 secondFromStudy{1.0};  // mm LPS; rigid
     double boundMm = 0.0;             // of a registration: RigidRegistration::boundMm
     bool isDoubtful = false;          // RigidRegistration::isDoubtful
-    double rivalMm = 0.0;             // RigidRegistration::rivalMm if it has a rival, else 0
+    double rivalMm = 0.0;             // RigidRegistration::rivalMm if it has a rival, otherwise 0
     SecondVolumePlace view = SecondVolumePlace::beside;
     std::optional<DisplayWindow> window = {};  // nothing: that of the series (seriesWindow)
     bool linksWindow = false;                  // slices use the study's window instead of `window`

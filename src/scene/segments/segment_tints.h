@@ -23,9 +23,9 @@ struct TintGeometry {
         std::shared_ptr<const VoxelSet> voxels;
         std::uint8_t colour = 1;  // 1 + its index
 
-        bool operator==(const Part&) const = default;  // of the same set
+        bool operator==(const Part&) const = default;  // compares pointers: parts of one set
     };
-    std::vector<Part> parts;  // where they lie over one another the later one counts
+    std::vector<Part> parts;  // where parts overlap, the later one counts
 
     bool operator==(const TintGeometry&) const = default;
 };

@@ -12,11 +12,11 @@
 
 namespace macula::scene {
 
-// What a segment does to the volume in 3D. All that are `alone` are shown; `hidden` always hides.
+// What a segment does to the volume in 3D. If any are `alone`, only these are shown; `hidden` always hides.
 enum class In3d { asIs, alone, hidden };
 inline constexpr std::array kIn3d{In3d::asIs, In3d::alone, In3d::hidden};
 
-// As in files.
+// The name in files.
 constexpr std::string_view nameOf(In3d in3d) {
     switch (in3d) {
         case In3d::asIs:
@@ -35,23 +35,23 @@ struct SegmentSettings {
     std::uint16_t number = 1;
     bool isVisible = true;                                // on slices
     std::optional<std::array<std::uint8_t, 3>> rgb = {};  // sRGB; nothing: what the file recommends
-    double opacity = kUsualSegmentOpacity;                // of the fill on slices
+    double opacity = kUsualSegmentOpacity;                // opacity of the fill on slices
     In3d in3d = In3d::asIs;
     bool isColouredIn3d = false;  // the matter in it takes the segment's colour
-    double opacityIn3d = 1.0;     // of a coloured segment: share of its extinction that is left
+    double opacityIn3d = 1.0;     // share of the extinction that a coloured segment keeps
 
     bool operator==(const SegmentSettings&) const = default;
 };
 
 struct SegmentationSettings {
     std::string digest;                          // SHA-256 of its SOP Instance UID
-    bool isShown = false;                        // else it changes nothing, on slices or in 3D
+    bool isShown = false;                        // otherwise it changes nothing, on slices or in 3D
     std::vector<SegmentSettings> segments = {};  // sorted by number; others have the defaults
 
     bool operator==(const SegmentationSettings&) const = default;
 };
 
-// The default if there is no choice.
+// The stored choice, or the default if there is none.
 SegmentationSettings choiceOf(std::span<const SegmentationSettings> choices, std::string_view digest);
 SegmentSettings choiceOf(const SegmentationSettings& choice, std::uint16_t number);
 

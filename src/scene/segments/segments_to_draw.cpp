@@ -16,7 +16,7 @@ bool isSameLabel(const std::string& a, const std::string& b) {
         a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-// Whether there was a segment to choose.
+// Returns whether any segment has the label.
 bool chooseByLabel(const std::vector<study::FoundSegmentation>& found, const SegmentRequest& request,
                    std::vector<SegmentationSettings>& choices) {
     bool isThere = false;

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using slices::Measurement;
 
-// What a measurement says, beside its points.
+// The results of a measurement.
 struct Said {
     std::optional<double> lengthMm, angleDeg, areaMm2;
     std::optional<slices::EllipseValues> values;
@@ -68,7 +68,7 @@ std::string field(std::string_view text) {
     return quoted + '"';
 }
 
-// Spreadsheets take a text for a formula by how it begins, some after blanks, and also within quotes.
+// Spreadsheets recognise a formula by its first character, some after blanks, and also within quotes.
 std::string harmless(std::string_view text) {
     const std::size_t first = text.find_first_not_of(' ');
     const bool isFormula =
@@ -76,7 +76,7 @@ std::string harmless(std::string_view text) {
     return (isFormula ? "'" : "") + std::string(text);
 }
 
-// Values may be small: those of a diffusion map in mm²/s are.
+// Nine significant digits, because values may be small, as those of a diffusion map in mm²/s.
 std::string valueText(double value) {
     return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
 }
@@ -119,7 +119,7 @@ std::string lineOf(const Measurement& measurement, const Measured& of) {
     return line(fields);
 }
 
-// JSON has no word for what is no finite number.
+// JSON has no infinity and no NaN.
 void nullWhatIsNotFinite(Json& json) {
     if (json.is_number_float() && !std::isfinite(json.get<double>())) json = nullptr;
     if (json.is_structured())

@@ -35,7 +35,8 @@ std::string measurementsCsv(std::span<const slices::Measurement> measurements, c
 // that is not finite is null. "slice" and "image" are as above, and missing where those are empty.
 std::string measurementsJsonText(std::span<const slices::Measurement> measurements, const Measured& of);
 
-// The extension selects the format: .csv or .json, else usage. Other errors: those of writeTextAtomically.
+// The extension selects the format: .csv or .json, otherwise usage. Other errors: those of
+// writeTextAtomically.
 Result<void> writeMeasurements(const std::filesystem::path& path,
                                std::span<const slices::Measurement> measurements, const Measured& of);
 

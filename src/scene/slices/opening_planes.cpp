@@ -9,9 +9,9 @@ namespace macula::scene {
 namespace {
 
 constexpr double kTilted = 0.9962;  // the cosine of 5 degrees
-constexpr double kThin = 0.4;       // of the shorter side of an image
+constexpr double kThin = 0.4;       // fraction of the shorter side of an image
 
-// Along the columns, rows and slices.
+// The size of the volume along its three voxel axes.
 glm::dvec3 extentMm(const Volume& volume) {
     glm::dvec3 extent;
     for (int axis = 0; axis < 3; ++axis)

@@ -8,10 +8,11 @@
 namespace macula::scene {
 
 struct OpeningPlanes {
-    // In the planes of the acquisition, if they are tilted by more than 5 degrees to the patient's: planes of
-    // the patient would then show parts of many images.
+    // In the planes of the acquisition, if these are tilted by more than 5 degrees against the patient's: a
+    // plane of the patient would then cross many images.
     bool asAcquired = false;
-    // The images' orientation, if the stack is thinner than 0.4 of their shorter side: others show strips.
+    // The images' orientation, if the stack is thinner than 0.4 of their shorter side: the other panes show
+    // only narrow strips.
     std::optional<slices::Orientation> largest = {};
 
     bool operator==(const OpeningPlanes&) const = default;

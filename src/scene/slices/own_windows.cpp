@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr JsonRange kCenter{-1e9, 1e9};
 constexpr JsonRange kWidth{1e-9, 1e9};
 constexpr std::size_t kLongestUnit = 100;
-// As SUV was called when older windows were kept.
+// Names of the unit SUV in windows that older versions stored.
 constexpr std::array<std::string_view, 2> kUnitsOfSuvBefore{"g/mL", "SUV"};
 constexpr std::array<std::string_view, 3> kFunctions{"LINEAR", "LINEAR_EXACT", "SIGMOID"};
 

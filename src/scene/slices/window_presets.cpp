@@ -24,7 +24,8 @@ constexpr CtPreset kCtPresets[] = {{2, "Soft tissue", 400.0, 40.0}, {3, "Lung", 
                                    {6, "Liver", 150.0, 30.0},       {7, "Mediastinum", 350.0, 50.0},
                                    {8, "Angiography", 600.0, 300.0}};
 
-// From 0 up to. Tumours against the liver, which has 2 to 3, and against what takes up most.
+// A window from 0 to highSuv. The low ones show tumours against the liver (SUV 2 to 3), the high ones against
+// organs with strong uptake.
 struct SuvPreset {
     int digit;
     const char* name;
@@ -35,7 +36,7 @@ constexpr SuvPreset kSuvPresets[] = {
 
 void addThoseOfSeries(std::vector<WindowPreset>& presets, const Volume& volume) {
     const std::vector<DisplayWindow>& windows = volume.windows();
-    // The usual window of activity is none of these, else it is the first.
+    // For activity, preset 1 is not a window of the series; otherwise it is the first of them.
     std::size_t next = isActivity(volume) ? 0 : 1;
     for (int digit = 2; digit < kAllValues && next < windows.size(); ++digit, ++next) {
         const std::string& named = windows[next].explanation;

@@ -16,7 +16,8 @@ struct WindowPreset {
 };
 
 // Sorted by digit; 1 is the window of the series (seriesWindow), 9 all values. Those between are customary
-// ones for CT in HU and PET in SUV, else the further windows of the series; other PET has all of these.
+// windows for CT in HU and PET in SUV; otherwise the further windows of the series, or all of them for PET in
+// other units, whose digit 1 is none of them.
 std::vector<WindowPreset> windowPresets(const Volume& volume);
 
 // Nothing where the volume has none with that digit.

@@ -1,4 +1,4 @@
-// The slice settings that stay when another volume of the same place replaces the one that is shown, so that
+// The slice settings that stay when another volume at the same place replaces the one that is shown, so that
 // a person can compare the phases of a heart.
 #pragma once
 
@@ -7,11 +7,11 @@
 
 namespace macula::scene {
 
-// The window that slices of the study are shown through: that of the state, else that of the series.
+// The window of the study's slices: that of the state, otherwise that of the series.
 DisplayWindow shownWindow(const study::OpenedStudy& study, const SliceState& slices);
 
 // How to show slices of `to` after those of `from`, shown as `before`: if staysInPlace, with the same
-// cross-hair, planes and slab, and phases also with the same window and inversion. Else as `usual`.
+// cross-hair, planes and slab, and phases also with the same window and inversion. Otherwise as `usual`.
 SliceState carriedSlices(const study::OpenedStudy& from, const SliceState& before,
                          const study::OpenedStudy& to, const SliceState& usual);
 

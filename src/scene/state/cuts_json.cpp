@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr JsonRange kAnyMm{-1e6, 1e6};
 constexpr JsonRange kHalfHeights{-1e6, 1e6};
-constexpr double kRounding = 1e-12;  // of a unit vector that was rounded by nobody but the machine
+constexpr double kRounding = 1e-12;  // the error in the length of a unit vector in double precision
 
 EyeCut eyeFrom(const JsonNode& node) {
     node.allowOnly({"normal", "offsetMm", "fromMiddleMm", "followsCamera"});
@@ -81,14 +81,14 @@ bool isTaken(const Json& json, const From& from) {
     return document.status().ok();
 }
 
-// What will be read of it: bytes that are no UTF-8 are replaced when JSON is written.
+// The name as it will be read: writing JSON replaces bytes that are not UTF-8.
 std::string writtenName(const std::string& name) {
     const std::string text =
         Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
     return std::string(startOf(text, kLongestClipNameBytes));
 }
 
-// Its clip is read by the reader of its own format.
+// The reader of clip presets reads its clip.
 Result<NamedClip> namedClipFrom(const Json& json, const std::string& where) {
     const JsonDocument document = JsonDocument::of(nlohmann::json(json), where);
     const JsonNode root = document.root();

@@ -3,8 +3,9 @@
 //             "scissors": [ { "camera": {as camera_file.h}, "outline": [x, y, x, y, …],
 //                             "removes": "outside" } ] }
 //   "namedClips": [ { "name": "lungs", "clip": {as presets/clip}, "cuts": {as above} } ]
-// Lengths are in patient LPS mm, outlines in half heights of the picture. Without "removes" it is the inside.
-// Required are the outline and its camera, normal and offset, and names. Unknown keys are refused.
+// Lengths are in patient LPS mm, outlines in half heights of the picture. Without "removes", scissors remove
+// the inside. Required are the outline and its camera, normal and offset, and names. Unknown keys are
+// refused.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -29,7 +30,7 @@ nlohmann::ordered_json namedClipsJson(const std::vector<NamedClip>& clips);
 // Errors go to the status of the node's document. Normals are normalised; unit vectors keep every bit.
 Cuts cutsFrom(const JsonNode& node);
 
-// `all` is valid JSON. Error: inputNotUsable if it is no list of named clips; the error names `where`.
+// `all` is valid JSON. Error: inputNotUsable if it is not a list of named clips; the error names `where`.
 Result<std::vector<NamedClip>> namedClipsFrom(const nlohmann::ordered_json& all, const std::string& where);
 
 }  // namespace macula::scene

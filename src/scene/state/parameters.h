@@ -16,7 +16,7 @@ enum class Stale {
     nothing,
     display,  // only how the traced picture is displayed
     camera,   // samples and guides; the peripheral model stays
-    light,    // the light from matter: peripheral model and picture start anew
+    light,    // the light from matter: peripheral model and picture start over
     matter,   // what can be seen: tables, bricks on the device, outline
     volume,   // all
 };

@@ -15,7 +15,7 @@ struct SavedGrid {
 SavedGrid savedGridOf(const Volume& volume);
 
 // Whether the volume has the same size, and each voxel lies within 0.01 mm of its place in `grid`. Images
-// that are exported anew keep their UIDs, but may move.
+// that are exported again keep their UIDs, but may have other positions.
 bool liesAt(const Volume& volume, const SavedGrid& grid);
 
 }  // namespace macula::scene

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr JsonRange kOfTransform{-1e6, 1e6};
 constexpr JsonRange kBoundMm{0.0, 1e6};
 constexpr std::size_t kLongestVolumeKey = 80;
-constexpr JsonRange kPlaces{1.0, 1e9};  // of a volume among those of its series
+constexpr JsonRange kPlaces{1.0, 1e9};  // the number of a volume among those of its series
 
 glm::dmat4 transformFrom(const JsonNode& node) {
     const std::vector<double> rows = node.numbers(16, kOfTransform);
@@ -89,7 +89,8 @@ SecondVolumeState secondVolumeStateFrom(const JsonNode& node) {
     const bool isDoubtful = doubtful && doubtful->boolean();
     const auto rival = node.find("rivalMm");
     const double rivalMm = rival ? rival->number(kBoundMm) : 0.0;
-    if (state.link == SecondVolumeLink::registered) {  // others are no registration that could be doubtful
+    // Other links have no registration that could be doubtful.
+    if (state.link == SecondVolumeLink::registered) {
         state.boundMm = boundMm;
         state.isDoubtful = isDoubtful;
         state.rivalMm = rivalMm;

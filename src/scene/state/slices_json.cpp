@@ -23,9 +23,9 @@ constexpr JsonRange kAnyMm{-1e6, 1e6};
 constexpr JsonRange kRadiusMm{0.0, 1e6};
 constexpr std::array<std::string_view, 3> kWindowFunctions{"LINEAR", "LINEAR_EXACT", "SIGMOID"};
 
-// Of a unit vector that was rounded by nobody but the machine.
+// The error in the length of a unit vector in double precision.
 constexpr double kRounding = 1e-12;
-constexpr double kPerpendicular = 1e-3;  // the cosine that is taken for a right angle
+constexpr double kPerpendicular = 1e-3;  // cosines up to this count as a right angle
 
 bool isWindowFunction(std::string_view name) {
     return std::ranges::find(kWindowFunctions, name) != kWindowFunctions.end();
@@ -59,7 +59,7 @@ slices::Slab slabFrom(const JsonNode& node) {
     return slab;
 }
 
-// As many points as the shape has.
+// Reads as many points as the shape has.
 template <std::size_t count>
 std::array<glm::dvec3, count> pointsFrom(const JsonNode& node) {
     std::array<glm::dvec3, count> points{};
@@ -116,7 +116,7 @@ bool isTaken(const Json& json, const From& from) {
     return document.status().ok();
 }
 
-// What will be read of it: bytes that are no UTF-8 are replaced when JSON is written.
+// The label as it will be read: writing JSON replaces bytes that are not UTF-8.
 std::string writtenLabel(const std::string& label) {
     const std::string text =
         Json::parse(Json(label).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();

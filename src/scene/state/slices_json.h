@@ -44,7 +44,7 @@ nlohmann::ordered_json toJson(const slices::Measurement& measurement);
 nlohmann::ordered_json measurementsJson(std::span<const slices::Measurement> measurements);
 
 // Errors go to the status of the node's document. Directions are normalised, and `down` is made perpendicular
-// to `right`; exact ones keep every bit.
+// to `right`; directions that already are keep every bit.
 SliceState sliceStateFrom(const JsonNode& node);
 std::vector<slices::Measurement> measurementsFrom(const JsonNode& node);
 

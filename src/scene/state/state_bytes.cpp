@@ -17,7 +17,7 @@ std::size_t bytesOf(const TransferFunction& function) {
            bytesOf(function.gradientOpacity) + function.document.size();
 }
 
-// Without what it shares with others.
+// The bytes of the state, without those that it shares with others.
 std::size_t ownBytesOf(const StudyState& state) {
     std::size_t bytes = sizeof state + state.otherKeys.size() + bytesOf(state.measurements) +
                         bytesOf(state.cuts.scissors) + bytesOf(state.namedClips) +
@@ -30,7 +30,7 @@ std::size_t ownBytesOf(const StudyState& state) {
     return bytes;
 }
 
-// tell(what, bytes) for each thing that copies of the state share.
+// Calls tell(what, bytes) for each object that copies of the state share.
 template <class Tell>
 void forEachShared(const StudyState& state, const Tell& tell) {
     const auto tellOf = [&](const Cuts& cuts) {

@@ -12,7 +12,7 @@ class StateBytes {
   public:
     void add(const StudyState& state);
     void remove(const StudyState& state);  // must have been added
-    // Of all added states together; a part that several of them share counts once.
+    // The bytes of all added states together; a part that several of them share counts once.
     std::size_t total() const { return own_ + shared_; }
 
   private:

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Lists of what somebody has made, each of it by itself.
+// Lists that are merged item by item.
 constexpr std::array<std::string_view, 2> kLists{"measurements", "namedClips"};
 
 Json objectOf(std::string_view text) {
@@ -22,7 +22,7 @@ Json objectOf(std::string_view text) {
     return json.is_object() ? json : Json::object();
 }
 
-// Null where it is left out.
+// Null if the key is missing.
 Json valueOf(const Json& object, const std::string& key) {
     const auto found = object.find(key);
     return found == object.end() ? Json() : *found;
@@ -32,7 +32,7 @@ bool holds(const Json& list, const Json& value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-// False where there is none.
+// Removes one equal item; returns false if there is none.
 bool takeOne(Json& list, const Json& value) {
     const auto found = std::find(list.begin(), list.end(), value);
     if (found == list.end()) return false;
@@ -41,8 +41,8 @@ bool takeOne(Json& list, const Json& value) {
 }
 
 Json mergedList(const Json& base, const Json& mine, const Json& theirs) {
-    Json removed = base.is_array() ? base : Json::array();  // by us
-    Json added = Json::array();                             // likewise
+    Json removed = base.is_array() ? base : Json::array();  // removed by `mine`
+    Json added = Json::array();                             // added by `mine`
     for (const Json& item : mine) {
         if (!takeOne(removed, item)) added.push_back(item);
     }

@@ -23,13 +23,13 @@ bool sameLights(const StudyState& a, const StudyState& b) {
     return sameValue(a.lights, b.lights, std::equal_to<trace::LightRig>());
 }
 
-// What of a second volume changes the picture in 3D: nothing where it is not in it.
+// The part of the second volume's state that affects the 3D picture; nothing if it is not shown there.
 std::optional<SecondVolumeState> secondIn3dOf(const StudyState& state) {
     if (!state.secondVolume || !isSecondIn3d(*state.secondVolume)) return std::nullopt;
     return secondPartIn3d(*state.secondVolume);
 }
 
-// Settings without what the table of parameters has, and without what is no part of a state.
+// The settings with defaults for all parameters(), and for fields that are not part of a state.
 trace::Settings withoutParameters(trace::Settings settings) {
     const trace::Settings usual;
     for (const Parameter& p : parameters()) p.set(settings, p.fallback());

@@ -34,7 +34,7 @@ enum class Layout { volume, fourPanes, axial, coronal, sagittal };
 inline constexpr std::array kLayouts{Layout::volume, Layout::fourPanes, Layout::axial, Layout::coronal,
                                      Layout::sagittal};
 
-// As in files.
+// The name in files.
 constexpr std::string_view nameOf(Layout layout) {
     switch (layout) {
         case Layout::volume:
@@ -57,7 +57,7 @@ struct SliceState {
     std::optional<DisplayWindow> window = {};
     slices::Slab slab = {};
     bool isInverted = false;  // swaps white and black
-    bool asAcquired = false;  // in the planes of the acquisition; else in those of the patient
+    bool asAcquired = false;  // in the planes of the acquisition; otherwise in those of the patient
     std::optional<glm::dvec3> crosshairMm = {};  // nothing: the middle of the volume
 
     bool operator==(const SliceState&) const = default;
@@ -66,12 +66,13 @@ struct SliceState {
 struct StudyState {
     // LoadedStudy::seriesDigest of the volume. Empty: whichever is open.
     std::string seriesDigest = {};
-    std::optional<SavedGrid> grid = {};  // of a saved view; none: any grid of the series
+    // The grid that a saved view was made on; none: any grid of the series.
+    std::optional<SavedGrid> grid = {};
     // Null: the default of the volume (presets::defaultTransfer). The preset may ask for a fit to the volume,
     // which is made when it is drawn.
     std::shared_ptr<const TransferFunction> preset = {};
     std::optional<ClipPreset> clip = {};  // nothing: all of the volume is shown
-    bool leavesTableOut = false;          // and other things beside the patient; CT only
+    bool leavesTableOut = false;          // and other objects next to the patient; CT only
     // Nothing: the default lights of the look.
     std::shared_ptr<const trace::LightRig> lights = {};
     // Look, shading and the parameters. Seed and noise threshold belong to a picture, not to a state;

@@ -86,7 +86,7 @@ void readWindows(const JsonNode& root, StudyState& state) {
     }
 }
 
-// An object within the text, read by the reader of its own format.
+// Reads an object within the text with the reader of its own format.
 template <class T, class Read>
 Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& read) {
     if (!all.contains(key)) return std::optional<T>();

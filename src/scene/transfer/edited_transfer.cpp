@@ -14,7 +14,7 @@ namespace macula::scene {
 namespace {
 
 constexpr double kLargest = presets::kLargestValue;
-constexpr double kLargestFactor = 1e6;  // of one stretch
+constexpr double kLargestFactor = 1e6;  // the largest factor of one stretch
 
 double inRange(double value) {
     return std::clamp(value, -kLargest, kLargest);
@@ -59,12 +59,13 @@ void paint(glm::dvec3& target, const glm::dvec3& colour) {
     }
 }
 
-// What a preset is fitted by stays: else the fit would undo each shift.
+// Whether edits move the effective range too. A range that the preset is fitted by stays: otherwise the fit
+// would undo each shift.
 bool hasRangeOfItsOwn(const TransferFunction& function) {
     return function.effectiveRange && !function.fitToVolume;
 }
 
-// From the first point of any curve to the last of any.
+// The range from the first point of any curve to the last point of any.
 ValueRange spanOf(const TransferFunction& function) {
     MACULA_CHECK(!function.opacity.empty() && !function.colour.empty());
     ValueRange span{function.opacity.front().value, function.opacity.back().value};
@@ -89,11 +90,11 @@ void mapValues(TransferFunction& function, const Map& map) {
     if (!hasRangeOfItsOwn(function)) return;
     ValueRange& range = *function.effectiveRange;
     range = {inRange(map(range.low)), inRange(map(range.high))};
-    // Two numbers so close can become one; an empty range is none.
+    // Rounding may make both ends equal; an empty range counts as none.
     if (!(range.low < range.high)) function.effectiveRange.reset();
 }
 
-// The spans that a stretch has to keep usable.
+// The spans that must neither vanish nor leave the range of values when stretched.
 std::vector<ValueRange> spansOf(const TransferFunction& function) {
     std::vector<ValueRange> spans{spanOf(function)};
     if (hasRangeOfItsOwn(function)) spans.push_back(*function.effectiveRange);

@@ -14,7 +14,8 @@ namespace macula::scene {
 // values within presets::kLargestValue either way and at most presets::kMostPoints points per curve stays so.
 // A number that is not finite changes nothing. An index must be that of a point.
 
-// Clamps the value to the points beside it, the opacity to 0 to 1. Two points at one value are a step.
+// Clamps the value to those of the neighbouring points, the opacity to 0 to 1. Two points at one value are a
+// step.
 TransferFunction movedOpacityPoint(TransferFunction function, std::size_t index, double value,
                                    double opacity);
 TransferFunction movedColourPoint(TransferFunction function, std::size_t index, double value);
@@ -23,7 +24,7 @@ TransferFunction recoloured(TransferFunction function, std::size_t index, const 
 
 struct Added {
     TransferFunction function;
-    std::optional<std::size_t> index = {};  // of the new point; nothing: no room, or not finite
+    std::optional<std::size_t> index = {};  // index of the new point; nothing: no room, or not finite
 };
 // A curved piece that gets a new point becomes two straight ones. A point on a straight piece does not change
 // the picture.

@@ -13,8 +13,8 @@ namespace macula::scene {
 namespace {
 
 constexpr std::size_t kMostBins = 16384;
-constexpr std::size_t kBetweenLooks = 1 << 16;  // voxels, before the token is looked at again
-constexpr double kEdge = 1e-9;                  // of a bin
+constexpr std::size_t kBetweenLooks = 1 << 16;  // voxels between checks of the token
+constexpr double kEdge = 1e-9;                  // fraction of a bin
 
 std::size_t strideFor(const Volume& volume, std::size_t most) {
     std::size_t stride = (volume.voxelCount() + most - 1) / most;
@@ -71,7 +71,7 @@ std::optional<Bins> binsOf(const Volume& volume) {
     const std::size_t steps = std::size_t(stored.high) - stored.low + 1;
     const std::size_t perBin = (steps + kMostBins - 1) / kMostBins;
     const std::size_t bins = (steps + perBin - 1) / perBin;
-    // Edges lie between stored values: none is on one.
+    // Edges lie halfway between stored values, so that no value lies on an edge.
     return Bins{.range = {volume.unitsFromStored()(stored.low - 0.5),
                           volume.unitsFromStored()(stored.low - 0.5 + double(bins * perBin))},
                 .count = bins};
@@ -123,8 +123,8 @@ std::vector<double> logHeights(const Histogram& histogram, const ValueRange& sho
     for (std::size_t column = 0; column < columns; ++column) {
         const double from = binAt(double(column));
         const double to = binAt(double(column) + 1.0);
-        if (to <= 0.0 || from >= bins) continue;  // beside all bins
-        // An edge that is rounded does not touch the next bin.
+        if (to <= 0.0 || from >= bins) continue;  // outside all bins
+        // kEdge keeps an edge that was rounded from touching the next bin.
         const std::size_t first =
             std::min(histogram.counts.size() - 1, std::size_t(std::floor(from + kEdge)));
         const auto end = std::max(first + 1, std::size_t(std::ceil(to - kEdge)));

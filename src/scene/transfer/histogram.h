@@ -35,7 +35,7 @@ std::optional<Bins> binsOf(const Volume& volume);
 // This many voxels represent even a volume of 300 million.
 inline constexpr std::size_t kMostCounted = 2'000'000;
 
-// Leaves padding out. Counts all voxels if there are at most `most`; else every stride-th, with a stride
+// Leaves padding out. Counts all voxels if there are at most `most`; otherwise every stride-th, with a stride
 // coprime to the length of each axis, so that no row or column is preferred. Fails with `cancelled` only.
 Result<Histogram> histogramOf(const Volume& volume, const Bins& bins, const CancelToken& token = {},
                               std::size_t most = kMostCounted);

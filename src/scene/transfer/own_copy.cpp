@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kDerivedFrom = "derivedFrom";
-constexpr std::size_t kLongestStem = 48;  // of a name, which has at most 64 letters
+constexpr std::size_t kLongestStem = 48;  // bytes; a name has at most 64
 
 Json documentOf(const TransferFunction& function) {
     Json document = Json::parse(function.document, nullptr, false);
@@ -23,7 +23,7 @@ Json documentOf(const TransferFunction& function) {
     return document;
 }
 
-// "CT-Bone" of "CT-Bone (edited 2)".
+// Returns "CT-Bone" for "CT-Bone (edited 2)".
 std::string_view withoutEdited(std::string_view title) {
     constexpr std::string_view kMark = " (edited";
     const std::size_t at = title.rfind(kMark);

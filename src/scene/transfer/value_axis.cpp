@@ -8,12 +8,12 @@ namespace macula::scene {
 namespace {
 
 constexpr double kFarthest = 2e9;     // farther than any value that a preset may have
-constexpr double kNarrowest = 1e-6;   // of a range, in units,
-constexpr double kResolution = 1e-9;  // and as a part of its larger end
-constexpr double kRoom = 0.03;        // at either end, as a part of the range
+constexpr double kNarrowest = 1e-6;   // the narrowest range, in units,
+constexpr double kResolution = 1e-9;  // and relative to its values
+constexpr double kRoom = 0.03;        // at either end, as a fraction of the range
 constexpr std::size_t kMostTicks = 1000;
 
-// The same middle, with a width that doubles can tell apart.
+// The range around the same middle, wide enough for double precision.
 ValueRange usable(const ValueRange& range) {
     const double middle = std::clamp(range.low + 0.5 * (range.high - range.low), -kFarthest, kFarthest);
     const double least = std::max(kNarrowest, kResolution * std::abs(middle));
@@ -31,7 +31,7 @@ ValueMap ValueMap::of(const std::optional<VolumeFit>& fit) {
 ValueAxis ValueAxis::over(const ValueRange& range, double lengthPx) {
     const double room = kRoom * (range.high - range.low);
     const double length = std::max(1.0, lengthPx);
-    // One value has no range to take a part of.
+    // A single value gets a range of 1 around it.
     if (!(range.low < range.high))
         return {.shown = usable({range.low - 0.5, range.low + 0.5}), .lengthPx = length};
     return {.shown = usable({range.low - room, range.high + room}), .lengthPx = length};
@@ -41,7 +41,7 @@ ValueAxis ValueAxis::zoomed(double factor, double about) const {
     if (!std::isfinite(factor) || !(factor > 0.0) || !std::isfinite(about)) return *this;
     const double wide = shown.high - shown.low;
     const double least = std::max(kNarrowest, kResolution * std::abs(about));
-    // Held before the ends are found: else a zoom that is refused would move them.
+    // Clamped before the ends are computed: otherwise a zoom beyond the limits would move the middle.
     factor = std::clamp(factor, std::min(1.0, least / wide), std::max(1.0, 2.0 * kFarthest / wide));
     return {.shown = usable({about + factor * (shown.low - about), about + factor * (shown.high - about)}),
             .lengthPx = lengthPx};

@@ -36,7 +36,7 @@ struct ValueAxis {
     ValueAxis zoomed(double factor, double about) const;
     ValueAxis panned(double byUnits) const;
 
-    // The distance of ticks: 1, 2 or 5 times a power of ten, at least `leastPx` wide.
+    // The distance of ticks: 1, 2 or 5 times a power of ten, at least `leastPx` apart.
     double tickStep(double leastPx) const;
     std::vector<double> ticks(double leastPx) const;
 };

@@ -1,4 +1,4 @@
-// Sentences as JSON holds them.
+// Sentences in English, as JSON reports have them.
 #pragma once
 
 #include <string>

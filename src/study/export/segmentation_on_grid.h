@@ -13,12 +13,12 @@ bool isSegmentationSeries(const dicom::Series& series);
 
 struct SegmentationOnGrid {
     LabelMap map;
-    bool onItsSeries = false;  // on the grid of the series it was drawn on; else on its own grid
+    bool onItsSeries = false;  // on the grid of the series it was drawn on; otherwise on its own grid
     bool hasImages = false;    // the scan has a volume of that series
 };
 
-// Loads segmentation `number` of the series, from 1; 0 is the only one. Uses the grid of the images it was
-// drawn on where the scan has them as a volume and it fits. usage for a wrong `number`.
+// Loads segmentation `number` of the series, from 1; 0: the only one. Uses the grid of the images it was
+// drawn on if the scan has these as a volume and the segmentation fits. usage for a wrong `number`.
 Result<SegmentationOnGrid> loadSegmentation(const dicom::Scan& scan, const dicom::Series& series,
                                             std::size_t number, Progress& progress);
 

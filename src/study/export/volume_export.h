@@ -24,7 +24,7 @@ struct ExportedVolume {
     std::optional<ValueRange> valueRange;
     glm::dmat4 worldFromVoxel{1.0};  // patient LPS mm
     double writeSeconds = 0.0;
-    std::vector<Text> notes;  // of the study
+    std::vector<Text> notes;  // the notes of the study
 };
 
 // Adds to notes and warnings that other programs may show a sheared volume (isSheared) skewed.

@@ -34,7 +34,7 @@ Json toJson(const std::vector<Message>& messages) {
     return list;
 }
 
-// Slices of the volume that no image was taken of, from 0.
+// Indices, from 0, of the slices of the volume that have no image.
 Json interpolatedSlices(const dicom::Stack& stack) {
     Json list = Json::array();
     for (std::size_t k = 0; k < stack.slices.size(); ++k) {

@@ -8,7 +8,7 @@ namespace macula::study {
 
 namespace {
 
-// U+00C0 to U+017F; figures stand for pairs of letters, and * and / for signs that are no letters.
+// U+00C0 to U+017F; digits stand for pairs of letters, and * and / for × and ÷.
 constexpr std::string_view kLatin =
     "aaaaaa1ceeeeiiii"
     "dnooooo*ouuuuy43"
@@ -31,7 +31,7 @@ struct Range {
     char32_t to;
 };
 
-// Letters with diacritics elsewhere: of Vietnamese, Romanian and Pinyin; Greek; Cyrillic.
+// Letters with diacritics in other ranges: Vietnamese, Romanian, Pinyin, Greek and Cyrillic.
 constexpr std::array kRanges = std::to_array<Range>({
     {0x1A0, 0x1A1, 'o'},   {0x1AF, 0x1B0, 'u'},   {0x1CD, 0x1CE, 'a'},   {0x1CF, 0x1D0, 'i'},
     {0x1D1, 0x1D2, 'o'},   {0x1D3, 0x1DC, 'u'},   {0x218, 0x219, 's'},   {0x21A, 0x21B, 't'},
@@ -46,7 +46,7 @@ constexpr std::array kRanges = std::to_array<Range>({
     {0x1EE4, 0x1EF1, 'u'}, {0x1EF2, 0x1EF9, 'y'}, {0xA0, 0xA0, ' '},     {0x3000, 0x3000, ' '},
 });
 
-// The character at the start of `text`, and its bytes; a byte that begins none is told as no character.
+// The character at the start of `text`, and its length; not valid for a byte that begins no character.
 struct Character {
     char32_t code = 0;
     std::size_t bytes = 1;
@@ -78,7 +78,7 @@ void append(std::string& text, char32_t code) {
 }
 
 char32_t inLowerCase(char32_t code) {
-    if (code >= 0xFF01 && code <= 0xFF5E) code -= 0xFEE0;  // the wide forms of ASCII
+    if (code >= 0xFF01 && code <= 0xFF5E) code -= 0xFEE0;  // full-width ASCII
     if (code >= 'A' && code <= 'Z') return code + 0x20;
     if (code >= 0x391 && code <= 0x3A9) return code + 0x20;  // Greek
     if (code >= 0x400 && code <= 0x40F) return code + 0x50;  // Cyrillic
@@ -87,7 +87,7 @@ char32_t inLowerCase(char32_t code) {
 }
 
 void appendFolded(std::string& text, char32_t code) {
-    if (code >= 0x300 && code <= 0x36F) return;  // diacritics by themselves
+    if (code >= 0x300 && code <= 0x36F) return;  // combining diacritics
     if (code >= kFirstLatin && code < kFirstLatin + kLatin.size()) {
         switch (const char letter = kLatin[code - kFirstLatin]) {
             case '1':

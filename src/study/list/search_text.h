@@ -8,7 +8,7 @@
 namespace macula::study {
 
 // UTF-8 in lower case and without diacritics, for Latin, Greek and Cyrillic letters; full-width ASCII and
-// spaces become plain. Keeps all else, also bytes that are not UTF-8.
+// spaces become plain. Keeps everything else, including bytes that are not UTF-8.
 std::string foldedForSearch(std::string_view utf8);
 
 // The folded words of `typed`; blanks, commas, ^ and = separate them, as in names of patients.

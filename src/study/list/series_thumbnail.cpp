@@ -85,7 +85,8 @@ Thumbnail shrunk(std::span<const std::uint8_t> grey, int columns, int rows, doub
     MACULA_CHECK(grey.size() == static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     const auto isLength = [](double mm) { return std::isfinite(mm) && mm > 0.0; };
     if (!isLength(columnSpacingMm) || !isLength(rowSpacingMm)) columnSpacingMm = rowSpacingMm = 1.0;
-    // In units of the finer spacing; longer than this is one pixel high or wide in any case.
+    // In units of the finer spacing. The limit keeps numbers finite: such a picture is one pixel wide or high
+    // anyway.
     constexpr double kLongest = 1e12;
     const double finest = std::min(columnSpacingMm, rowSpacingMm);
     const double width = std::min(columns * (columnSpacingMm / finest), kLongest);

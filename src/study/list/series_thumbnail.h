@@ -20,8 +20,9 @@ struct Thumbnail {
 };
 
 // Decodes only the middle image of a stack, with rows and columns as acquired; at most kThumbnailPx wide and
-// high. Uses the first window of the image (PS3.3 C.11.2) unless it has a real world value mapping; else the
-// 1st to 99th percentile. MONOCHROME1 is inverted, padding black. Fails as dicom::loadFrame; throws nothing.
+// high. Uses the first window of the image (PS3.3 C.11.2) unless it has a real world value mapping; otherwise
+// the 1st to 99th percentile. MONOCHROME1 is inverted, padding black. Fails as dicom::loadFrame; throws
+// nothing.
 Result<Thumbnail> thumbnailOf(const dicom::Stack& stack, const CancelToken& cancel = {});
 
 // Shrinks a picture to square pixels, each the mean of the area it covers; never finer than the finer of the

@@ -30,7 +30,8 @@ Text toldWithAction(const Message& message) {
 void addMessages(const std::vector<Message>& messages, StudyRow& row) {
     for (const Message& message : messages) {
         Text text = toldWithAction(message);
-        const std::string said = text.english();  // arguments that no sentence has a place for may differ
+        // Compares sentences: arguments that they do not show may differ.
+        const std::string said = text.english();
         const bool isKnown =
             std::ranges::any_of(row.messages, [&](const Text& known) { return known == said; });
         if (!isKnown) row.messages.push_back(std::move(text));
@@ -43,7 +44,7 @@ Text whyNoVolume(const dicom::Stack& stack) {
     return reason != nullptr ? reason->sentence : Text("The images are no volume.");
 }
 
-// Of a series without one.
+// The reason why a series has no volume.
 Text whyNoVolume(const dicom::Series& series) {
     for (const Message& message : series.messages) {
         if (message.severity >= Severity::blocksVolume) return message.sentence;
@@ -71,7 +72,8 @@ Text voxelText(const dicom::Stack& stack) {
                         stack.isCalibrated ? Text() : Text("not calibrated")});
 }
 
-// What stands for a series: the volume with most images, else the stack with most.
+// The stack whose picture stands for a series: the volume with the most images, otherwise the stack with the
+// most.
 const dicom::Stack* pictureOf(const dicom::Series& series) {
     const auto best = std::max_element(
         series.stacks.begin(), series.stacks.end(), [](const dicom::Stack& a, const dicom::Stack& b) {
@@ -80,7 +82,7 @@ const dicom::Stack* pictureOf(const dicom::Series& series) {
     return best == series.stacks.end() ? nullptr : &*best;
 }
 
-// Digits and what is between those of a date; all else may be anything.
+// Whether the text has only digits and separators of dates. Any other text may name somebody.
 bool isDate(std::string_view text) {
     return text.find_first_not_of("0123456789.-/") == std::string_view::npos;
 }
@@ -111,7 +113,7 @@ class Builder {
                                                 [](const dicom::Stack& s) { return s.canBeVolume(); });
     }
 
-    // `searched` is what the row is found by besides its title.
+    // A search finds the row by its title and by `searched`.
     std::size_t add(StudyRow row, const std::vector<std::string>& searched) {
         const std::size_t index = tree_.rows.size();
         std::string words = row.title.english();
@@ -161,7 +163,7 @@ class Builder {
         for (const std::string& modality : modalities) words.push_back(Text::verbatim(modality));
         row.details = {withBetween({Text::joined(std::move(words), ", "),
                                     listed == 1 ? Text("1 series") : Text("{} series", listed)})};
-        // Not the modalities: all series of the study would be found by that of one.
+        // Without the modalities: a search for one of them would find all series of the study.
         const std::size_t index = add(std::move(row), {identity.studyDate});
         for (const dicom::Series& series : study.series) {
             if (isListed(series)) addSeries(series, study.patient, index);
@@ -183,12 +185,13 @@ class Builder {
         if (volumes.size() == 1) row.volume = volumes_.at(volumes.front());
         if (isOne || volumes.size() == 1) {
             const dicom::Stack& stack = isOne ? series.stacks.front() : *volumes.front();
-            // Each in a line: the list is narrow, and the distance of slices comes last.
+            // Each on its own line: the list is narrow, and would cut off the slice distance, which comes
+            // last.
             row.details.push_back(sizeText(stack));
             if (Text voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
         }
         const std::vector<const dicom::OtherObject*> presentations = presentationsOf(series);
-        // Where presentation states are all that there is, they are what is opened.
+        // A series of presentation states alone lacks no volume: a user opens one of the states.
         const bool isOfPresentations = !presentations.empty() && series.stacks.empty();
         if (volumes.empty() && found_.isWhole() && !isOfPresentations) row.whyNot = whyNoVolume(series);
         addMessages(series.messages, row);
@@ -219,7 +222,7 @@ class Builder {
         return withBetween(std::move(facts));
     }
 
-    // The newest first.
+    // The presentation states of the series, newest first.
     static std::vector<const dicom::OtherObject*> presentationsOf(const dicom::Series& series) {
         std::vector<const dicom::OtherObject*> all;
         for (const dicom::OtherObject& object : series.objects) {
@@ -279,7 +282,8 @@ class Builder {
         add(std::move(row), {stack.modality});
     }
 
-    // Their message asks whether they are one series: hundreds of rows of one image each would hide that.
+    // Adds one row for all images that each have a series of their own. Its message asks whether they are one
+    // series: hundreds of rows of one image each would hide that.
     void addScattered() {
         for (const Message& message : found_.scan().messages) {
             if (message.key != dicom::key::kUidPerSlice) continue;
@@ -294,7 +298,8 @@ class Builder {
         const std::vector<dicom::SkippedFile>& skipped = found_.scan().skipped;
         std::vector<std::pair<Message, std::size_t>> reasons;  // in the order of the scan
         std::map<std::string, std::size_t> placeOf;            // in `reasons`, by sentence
-        std::vector<Message> otherFolders;                     // that permissions do not open
+        // Folders that are unreadable for another reason than permissions.
+        std::vector<Message> otherFolders;
         std::size_t folders = 0;
         for (const dicom::SkippedFile& file : skipped) {
             if (file.isFolder && file.message.key != dicom::key::kUnreadableFolder)

@@ -22,7 +22,7 @@ struct StudyRow {
         patient,
         study,
         series,
-        stack,  // of a series that has several
+        stack,  // one of several stacks of a series
         presentation,
         leftOut,  // files that are in no other row, or why
     };
@@ -40,7 +40,8 @@ struct StudyRow {
 
     Text title = {};
     std::vector<Text> details = {};  // lines; lengths have their unit
-    // A sentence where a series or stack has no volume, or a presentation state cannot be shown; else empty.
+    // A sentence where a series or stack has no volume, or a presentation state cannot be shown; otherwise
+    // empty.
     Text whyNot = {};
     std::vector<Text> messages = {};  // sentences, each with the advised action
     // The volume that the row opens, in FoundVolumes::volumes(): of a stack, or of a series with only one.
@@ -67,7 +68,7 @@ enum class Names {
 StudyTree studyTree(const FoundVolumes& found, Names names = Names::shown);
 
 // The rows to show for a search: those that hold all words, counting the words of the rows above them; all
-// rows below these, and those above. All rows without a word.
+// rows below these, and those above. If nothing was typed, all rows.
 std::vector<bool> rowsThatMatch(const StudyTree& tree, std::string_view typed);
 
 }  // namespace macula::study

@@ -94,7 +94,7 @@ std::optional<std::size_t> FoundVolumes::bestWithout(const std::vector<std::size
     return indexOf(dicom::bestVolume(scan_, without).stack);
 }
 
-// As the scan told them apart.
+// As the scan distinguished patients.
 bool FoundVolumes::areOfOnePatient(std::size_t a, std::size_t b) const {
     return volumes_.at(a).study->patient == volumes_.at(b).study->patient;
 }

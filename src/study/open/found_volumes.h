@@ -24,7 +24,7 @@ class FoundVolumes {
   public:
     enum class Extent {
         whole,
-        soFar,  // of a scan that still runs: series without stacks, and no volumes
+        soFar,  // the scan still runs: series without stacks, and no volumes
     };
     explicit FoundVolumes(dicom::Scan scan, Extent extent = Extent::whole);
     FoundVolumes(const FoundVolumes&) = delete;
@@ -43,8 +43,8 @@ class FoundVolumes {
     };
     // The best volume. inputNotUsable when there is none; the error's place is `folder`.
     Result<ChosenVolume> best(const std::filesystem::path& folder) const;
-    // The best volume except `failed`, which is not empty; of the patient of its first where possible.
-    // Nothing when none is left.
+    // The best volume that is not in `failed`, if possible of the same patient as the first in there. Nothing
+    // when none is left. `failed` is not empty.
     std::optional<std::size_t> bestWithout(const std::vector<std::size_t>& failed) const;
     bool areOfOnePatient(std::size_t a, std::size_t b) const;  // indices
     // The best volume of the series with that UID, or of that number in the list of `macula info`;
@@ -73,7 +73,7 @@ std::vector<dicom::ReferencedFrames> imagesOf(const dicom::Stack& stack);
 std::string frameOfReferenceOf(const dicom::Stack& stack);
 
 Identity identityOf(const FoundVolume& volume);
-// Without a series.
+// The identity without a series.
 Identity identityOf(const dicom::Study& study);
 
 }  // namespace macula::study

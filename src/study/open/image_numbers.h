@@ -13,7 +13,7 @@ namespace macula::study {
 // file do), or when the volume lacks slices of the stack.
 std::vector<int> imageNumbersOf(const dicom::Stack& stack, int slices);
 
-// Whether each number, but for 0, equals the place of its slice from 1, and so adds no information.
+// Whether each number except 0 equals the position of its slice, counted from 1, and so adds no information.
 bool countAsSlices(std::span<const int> imageNumbers);
 
 }  // namespace macula::study

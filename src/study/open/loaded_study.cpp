@@ -138,7 +138,7 @@ Result<LoadedStudy> loadStudy(const dicom::Scan& scan, const std::filesystem::pa
         if (error.where.empty()) error.where = path.string();
         return error;
     }
-    if (series.empty() && scan.patients > 1) {  // who is shown was nobody's choice
+    if (series.empty() && scan.patients > 1) {  // nobody chose the patient who is shown
         const Text why =
             chosen->why.empty() ? Text("This folder is of {}.", dicom::patientsText(scan)) : chosen->why;
         input.notes.push_back(Text::joined(
@@ -166,7 +166,7 @@ Result<LoadedStudy> loadStudy(const dicom::Scan& scan, const std::filesystem::pa
                                                {.onCoarse = {}, .inSuv = petUnit == PetUnit::suv}));
     note(input.volume->provenance().messages);
     for (const Text& assumption : input.volume->provenance().assumptions) {
-        // Most assumptions repeat the sentence of a warning that is a note already, with what to do.
+        // Most assumptions repeat a warning that is a note already, there with the advised action.
         const std::string said = assumption.english();
         const bool known =
             std::ranges::any_of(input.notes, [&](const Text& n) { return n.english().starts_with(said); });

@@ -18,7 +18,7 @@ namespace macula::study {
 struct LoadedStudy {
     std::shared_ptr<const Volume> volume;
     std::vector<Text> notes;                           // sentences for the user, without patient data
-    std::vector<Text> warnings;                        // those notes that change what is seen
+    std::vector<Text> warnings;                        // the notes that affect what is seen
     std::vector<dicom::ReferencedFrames> images = {};  // as imagesOf; empty: unknown
     std::string seriesDigest;    // SHA-256 of the Series Instance UID, of the voxels of a file, or "phantom"
     std::string volumeKey = {};  // FoundVolumes::key; empty where there is no series
@@ -45,7 +45,8 @@ Result<LoadedStudy> loadStudy(const dicom::Scan& scan, const std::filesystem::pa
 // The series with that place or UID; null when there is none, or when several patients have it.
 const dicom::Series* seriesMeant(const dicom::Scan& scan, const std::string& wanted);
 
-// Only chooses, as loadStudy. `why` is empty for a stack that was named, and the only one of that series.
+// Chooses as loadStudy does, and loads nothing. `why` is empty if the caller named the stack, or a series
+// that has only one.
 Result<dicom::ChosenStack> chooseVolume(const dicom::Scan& scan, const std::string& series,
                                         std::size_t volume = 0);
 

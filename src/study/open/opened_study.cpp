@@ -37,7 +37,7 @@ Result<OpenedStudy> openPhantom(Progress& progress) {
                        .description = Text("Built-in phantom")};
 }
 
-// Opens NIfTI and its kin, which hold one volume and no name.
+// Opens a NIfTI, NRRD or MetaImage file, which has one volume and no patient name.
 Result<OpenedStudy> openVolumeFile(const std::filesystem::path& path, Progress& progress) {
     MACULA_TRY(std::shared_ptr<const Volume> volume, formats::readVolumeFile(path, progress));
     const std::string name = path.filename().string();
@@ -55,7 +55,7 @@ bool isMediaDirectory(const std::filesystem::path& file) {
 }
 
 // Returns the question whether images are one series (dicom::key::kUidPerSlice), when the folder holds no
-// volume without an answer; else nothing.
+// volume without an answer; otherwise nothing.
 Text joinQuestionOf(const FoundVolumes& found) {
     const auto& messages = found.scan().messages;
     const auto asked = std::ranges::find(messages, dicom::key::kUidPerSlice, &Message::key);
@@ -82,7 +82,7 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
         });
     study.frameOfReferenceUid = frameOfReferenceOf(*chosen.stack);
     study.imageNumbers = imageNumbersOf(*chosen.stack, study.volume->size().z);
-    // Nothing twice: what is said of a series may be said of its volume too.
+    // Skips repetitions: a series and its volume may have the same message.
     const auto tell = [&](const std::vector<Message>& messages) {
         for (const Message& message : messages) {
             if (message.severity == Severity::info) continue;
@@ -108,7 +108,7 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
     return study;
 }
 
-// Names nobody: descriptions of series may.
+// Leaves the description of the series out, because it may name somebody.
 Text notOpened(const FoundVolume& volume, const Text& why) {
     const std::size_t images = volume.stack->frames.size();
     if (const auto number = volume.series->number)
@@ -116,8 +116,8 @@ Text notOpened(const FoundVolume& volume, const Text& why) {
     return Text("A series without a number ({} images) could not be opened: {}", images, why);
 }
 
-// The best volume that can be decoded. What comes before it, and cannot, is told; where nothing can, the
-// error is that of the first.
+// Loads the best volume that can be decoded, with messages on better ones that cannot. If none can be
+// decoded, returns the error of the first.
 Result<OpenedStudy> loadBest(const std::shared_ptr<const FoundVolumes>& found,
                              const FoundVolumes::ChosenVolume& best, Progress& progress) {
     Result<OpenedStudy> first = loadFound(found, best.index, progress);
@@ -143,7 +143,7 @@ Result<OpenedStudy> loadBest(const std::shared_ptr<const FoundVolumes>& found,
     return first;
 }
 
-// Only images of DICOM have one.
+// The error for a series requested from a source other than DICOM images.
 Error hasNoSeries(const std::filesystem::path& path) {
     return {ErrorCode::usage, Text("A series was asked for of what is no folder of DICOM images."),
             path.string(), Text("Ask for none, or give a folder.")};
@@ -173,7 +173,7 @@ Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progr
     if (how.asksWhichPatient && how.series.empty() && !isOneImage) {
         if (auto question = whichPatient(*found, path)) return *std::move(question);
     }
-    const bool isAsked = !how.series.empty() || isOneImage;  // that one, and no other in its place
+    const bool isAsked = !how.series.empty() || isOneImage;  // then no other is opened in its place
     MACULA_TRY(const FoundVolumes::ChosenVolume choice, !how.series.empty()
                                                             ? found->ofSeries(how.series, path)
                                                         : isOneImage ? found->holding(path)

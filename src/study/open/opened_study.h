@@ -20,7 +20,7 @@ class FoundVolumes;
 // An opened source. All strings are for the screen; they may name a patient.
 struct OpenedStudy {
     std::shared_ptr<const Volume> volume;  // stored16, for drawing; null when joinQuestion is set
-    // The same in float32, as loaded, where 16 bits cannot hold all of its values; else null.
+    // The same in float32, as loaded, where 16 bits cannot hold all of its values; otherwise null.
     std::shared_ptr<const Volume> inFloats = {};
     std::string seriesDigest = {};  // see LoadedStudy
     Identity identity = {};
@@ -41,12 +41,12 @@ struct OpenedStudy {
     const std::shared_ptr<const Volume>& measured() const { return inFloats ? inFloats : volume; }
 };
 
-// A folder or its DICOMDIR: the best series is opened. An image: its own series, of the files in its folder.
-// A volume file (formats/volume_file.h): that volume. Nothing: the built-in phantom.
+// A folder or its DICOMDIR: the best series is opened. An image: its series, from the files in its folder. A
+// volume file (formats/volume_file.h): that volume. Nothing: the built-in phantom.
 using StudySource = std::optional<std::filesystem::path>;
 
-// Receives, while a folder is opened, what was found so far: now and then during the scan, and all of it
-// before the volume is decoded. Calls come from reading threads and that of openStudy, and never overlap.
+// Receives the volumes found so far while a folder is opened: now and then during the scan, and all of them
+// before one is decoded. Calls come from reading threads and that of openStudy, and never overlap.
 using FoundSoFar = std::function<void(std::shared_ptr<const FoundVolumes>)>;
 
 struct OpenRequest {
@@ -59,8 +59,8 @@ struct OpenRequest {
     bool asksWhichPatient = false;
 };
 
-// Scans, chooses a series and decodes it: of a folder the best one that can be decoded, and messages report
-// those that could not. Blocks; checks for cancellation after each file. Throws nothing.
+// Scans, chooses a series and decodes it: for a folder the best series that can be decoded, with messages on
+// better ones that cannot. Blocks; checks for cancellation after each file. Throws nothing.
 Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, const OpenRequest& how = {});
 // Decodes another volume of the folder.
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,

@@ -10,7 +10,7 @@ namespace macula::study {
 
 namespace {
 
-constexpr std::size_t kMostOfPatient = 6;  // series that are listed; macula info lists all
+constexpr std::size_t kMostOfPatient = 6;  // listed series; macula info lists all
 constexpr std::size_t kMostPatients = 8;
 
 // "3 (CT, 120 images)". No text of the file that a person may have typed.

@@ -10,7 +10,8 @@
 namespace macula::study {
 
 // inputNotUsable with a list: the series of each patient, by their numbers in `macula info`, which
-// FoundVolumes::ofSeries takes. It numbers patients and names none. Nothing where all volumes are of one.
+// FoundVolumes::ofSeries takes. It numbers patients and names none. Nothing if all volumes belong to one
+// patient.
 std::optional<Error> whichPatient(const FoundVolumes& found, const std::filesystem::path& folder);
 
 }  // namespace macula::study

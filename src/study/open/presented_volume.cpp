@@ -9,7 +9,7 @@ namespace macula::study {
 
 namespace {
 
-enum class Referred { no, byName, byStandIn };  // with UIDs as they are, or without a patient
+enum class Referred { no, byName, byStandIn };  // by the original UIDs, or by those of a deidentified object
 
 bool holds(const std::vector<std::string>& sorted, const std::string& uid) {
     return std::ranges::binary_search(sorted, uid);
@@ -20,7 +20,7 @@ Referred refersTo(const dicom::OtherObject& object, const dicom::Series& series,
     const std::string& uid = series.seriesInstanceUid;
     if (uid.empty()) return Referred::no;
     if (holds(object.referencedSeriesUids, uid)) return Referred::byName;
-    // Few have such UIDs, and a hash of each series for each of thousands of objects takes its time.
+    // Few objects have such UIDs, and hashing each series for each of thousands of objects would be slow.
     const bool mayBeStandIn = std::ranges::any_of(
         object.referencedSeriesUids, [](const std::string& each) { return each.starts_with("2.25."); });
     if (!mayBeStandIn) return Referred::no;
@@ -45,11 +45,12 @@ Wanted::const_iterator find(const Wanted& wanted, const dicom::Instance& image, 
     return wanted.end();
 }
 
-// Frames of one file stand in several volumes where it has several phases: each frame counts.
+// Counts frames, because a file with several phases has frames in several volumes.
 std::size_t imagesIn(const dicom::OtherObject& object, const dicom::Stack& stack, Referred referred,
                      const dicom::StandInUids& standIns) {
     const Wanted& wanted = object.presentation->images;
-    const dicom::Instance* instance = nullptr;  // of `image`: frames of one file follow each other
+    // The instance of `image`: frames of one file follow each other.
+    const dicom::Instance* instance = nullptr;
     auto image = wanted.end();
     return std::size_t(std::ranges::count_if(stack.frames, [&](const dicom::Frame& frame) {
         if (frame.instance.get() != instance) {
@@ -60,7 +61,7 @@ std::size_t imagesIn(const dicom::OtherObject& object, const dicom::Stack& stack
     }));
 }
 
-// Where there is no volume: whether the series is there at all, and whose it is.
+// Why there is no volume: the series is missing, belongs to another patient, or lacks the images.
 Text whyNone(const dicom::OtherObject& object, int patient, const FoundVolumes& found,
              const dicom::StandInUids& standIns) {
     bool isOfAnother = false;

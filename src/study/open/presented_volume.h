@@ -16,8 +16,8 @@ struct PresentedVolume {
 };
 
 // Of the series that the object refers to, chooses the volume with the most of its images or frames. Object
-// and series must be of one patient, unless the object is deidentified: it then refers by new UIDs
-// (dicom::uidFrom), which fit one series only. `patient` is Study::patient of the study of the object.
+// and series must belong to one patient, unless the object is deidentified: it then refers by stand-in UIDs
+// (dicom::StandInUids), which fit one series only. `patient` is Study::patient of the study of the object.
 PresentedVolume presentedVolume(const dicom::OtherObject& object, int patient, const FoundVolumes& found);
 
 }  // namespace macula::study

@@ -9,13 +9,12 @@ namespace macula::study {
 
 namespace {
 
-// The series that was asked for, or else the one that the presentation state is of; empty where neither says
-// which.
+// The requested series, otherwise the one that the presentation state refers to; empty if neither is given.
 Result<std::string> requestedSeries(const StudyPlace& place, const dicom::Scan& scan) {
     if (!place.series.empty() || place.presentation.empty()) return place.series;
     MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(place.presentation));
     const std::string& uid = read.presentation.series.seriesInstanceUid;
-    // One that is not there under its own name may still be meant by a deidentified one.
+    // A deidentified state refers to its series by a UID that the folder lacks.
     return dicom::findAllSeries(scan, uid).empty() ? std::string() : uid;
 }
 

@@ -17,7 +17,7 @@ namespace macula::study {
 struct StudyPlace {
     std::filesystem::path path;
     std::string series;                  // as loadStudy
-    std::filesystem::path presentation;  // a presentation state: its series, where `series` is empty
+    std::filesystem::path presentation;  // a presentation state, whose series is read if `series` is empty
     dicom::ScanOptions how;
 };
 

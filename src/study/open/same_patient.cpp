@@ -26,7 +26,7 @@ std::string plain(const std::string& text) {
 
 std::string date(const std::string& text) {
     std::string digits = plain(text);
-    std::erase(digits, '.');  // 2000.01.01, of before DICOM 3: PS3.5 6.2 note to DA
+    std::erase(digits, '.');  // 2000.01.01, from before DICOM 3.0: PS3.5 6.2, note to DA
     return digits;
 }
 
@@ -34,11 +34,11 @@ std::string sex(const std::string& text) {
     std::string letter = plain(text);
     std::ranges::transform(letter, letter.begin(),
                            [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
-    // Others are no value of DICOM (PS3.3 C.7.1.1): "U" and "N" are written where nobody knows.
+    // DICOM has only these values (PS3.3 C.7.1.1); "U" and "N" are written for an unknown sex.
     return letter == "M" || letter == "F" || letter == "O" ? letter : std::string();
 }
 
-// Empty where it names nobody.
+// Empty for a placeholder.
 std::string known(std::string text) {
     return dicom::isPlaceholder(text) ? std::string() : text;
 }

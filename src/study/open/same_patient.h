@@ -1,4 +1,4 @@
-// Whether two studies are of one patient, and which is the earlier one.
+// Whether two studies belong to one patient, and which is the earlier one.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace macula::study {
 
-// Compares the images' attributes. no: ID, name, date of birth or sex is in both and differs. yes: both are
-// of one study, or all four agree and there is an ID or a name, or both are of nobody. Else unknown, as for
-// files without names; placeholders (dicom::isPlaceholder) count as empty.
+// Compares the images' attributes. no: ID, name, date of birth or sex is in both and differs. yes: both
+// belong to one study, or all four agree and there is an ID or a name, or both are of nobody. Otherwise
+// unknown, as for files without names; placeholders (dicom::isPlaceholder) count as empty.
 enum class SamePatient { yes, no, unknown };
 SamePatient samePatient(const Identity& a, const Identity& b);
 // The names of the attributes that differ, without values: {"ID", "date of birth"}.

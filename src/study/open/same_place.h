@@ -5,8 +5,8 @@
 
 namespace macula::study {
 
-// Whether both name the same frame of reference and are not known to be of different patients. A copy with
-// another name of the patient keeps the UID.
+// Whether both name the same frame of reference and are not known to belong to different patients. A copy
+// with another name of the patient keeps the UID.
 bool shareFrameOfReference(const OpenedStudy& study, const OpenedStudy& second);
 
 // Whether both have the same grid (to 0.001 mm), in one frame of reference or series, and are not known to be

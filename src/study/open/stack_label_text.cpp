@@ -18,7 +18,7 @@ namespace macula::study {
 
 namespace {
 
-// {} is the value.
+// `text` has {} in place of the value.
 struct Words {
     std::string_view attribute;
     std::string_view text;
@@ -74,7 +74,7 @@ std::optional<std::vector<double>> numbersOf(std::string_view text) {
     return numbers;
 }
 
-// "19910520100530.25" and "100530": "10:05:30", with as much of a second as tells phases apart.
+// "10:05:30" for "100530" and "19910520100530.25", with enough decimals of a second to tell phases apart.
 std::optional<std::string> clockText(std::string_view value) {
     constexpr std::size_t kDateDigits = 8;
     const std::size_t digits = std::min(value.find_first_not_of("0123456789"), value.size());
@@ -90,7 +90,7 @@ std::optional<std::string> clockText(std::string_view value) {
     return text;
 }
 
-// Of the plane across the normal that is nearest; "oblique" from a degree on.
+// The nearest standard plane, "oblique" if it is off by a degree or more.
 std::optional<Text> planeText(std::string_view value) {
     constexpr double kStraight = 0.99985;  // the cosine of a degree
     const auto numbers = numbersOf(value);
@@ -113,7 +113,7 @@ std::optional<Text> spacingText(std::string_view value) {
     return Text("pixels {:.4g} × {:.4g} mm", numbers->at(0), numbers->at(1));
 }
 
-// "ContrastBolusAgent": "contrast bolus agent".
+// Returns "contrast bolus agent" for "ContrastBolusAgent".
 std::string takenApart(std::string_view keyword) {
     std::string words;
     for (std::size_t i = 0; i < keyword.size(); ++i) {
@@ -133,7 +133,7 @@ std::string takenApart(std::string_view keyword) {
     return words;
 }
 
-// The last numbers of a UID are those that count up.
+// The end of a UID, because UIDs of one series differ in their last components.
 std::string endOfUid(const std::string& uid) {
     constexpr std::size_t kMost = 16;
     return uid.size() <= kMost ? uid : "…" + uid.substr(uid.size() - kMost);

@@ -34,7 +34,7 @@ std::string factsOf(const dicom::Stack& stack) {
         const bool isOfAll = std::ranges::all_of(stack.frames, [&](const dicom::Frame& frame) {
             return n < frame.attributes.size() && frame.attributes[n] == value;
         });
-        // By its length, so that no value can be taken for two.
+        // Written with its length, so that no value can be mistaken for two.
         if (isOfAll && !value.empty()) facts += fmt::format(" {}:{}:{}", n, value.size(), value);
     }
     return facts;

@@ -31,7 +31,7 @@ std::vector<Candidate> candidatesOf(const dicom::Scan& scan) {
     return all;
 }
 
-// Empty where its images name none, or several: then nobody knows that they share one.
+// Empty if the images name none, or several: then nothing says that they share one.
 std::string frameOfReferenceOf(const dicom::Stack& stack) {
     std::set<std::string> uids;
     for (const dicom::Frame& frame : stack.frames) uids.insert(frame.frameOfReferenceUid);
@@ -43,7 +43,7 @@ bool isDrawnOn(const dicom::Segmentation& header, const dicom::Series& series) {
            header.referencedSeriesUids.end();
 }
 
-// Empty: it can be.
+// The reason why it cannot be shown on the volume; empty if it can.
 Text whyNotOn(const dicom::Segmentation& header, const dicom::Scan& scan, const dicom::Study& study,
               const FoundVolume& volume) {
     if (!dicom::mayBeOnePatient(scan, study.patient, volume.study->patient))

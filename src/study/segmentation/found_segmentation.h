@@ -17,14 +17,14 @@ struct FoundSegmentation {
     std::string digest;          // SHA-256 of its SOP Instance UID, or of its path without one
     std::string title;           // its content label and the description of its series
     Text whyNot = {};            // a sentence: why it cannot be shown; empty: it can
-    // A sentence where it was drawn on another series of the same coordinate system; else empty.
+    // A sentence where it was drawn on another series of the same coordinate system; otherwise empty.
     Text note = {};
 
     bool canBeShown() const { return whyNot.empty(); }
 };
 
-// Reads headers alone. A segmentation fits the volume when both have the same patient and frame of reference;
-// where either names no frame of reference, when it refers to the series of the volume. In the order of the
+// Reads only headers. A segmentation fits the volume if both have the same patient and frame of reference or,
+// where either names no frame of reference, if it refers to the series of the volume. In the order of the
 // scan, those that can be shown first, copies once. Error: cancelled.
 Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& found, const FoundVolume& volume,
                                                          Progress& progress);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMm3PerMl = 1000.0;
 
-// Of Okabe and Ito, for eyes of all kinds; without black.
+// The palette of Okabe and Ito, safe for colour blindness; without black.
 constexpr std::array<std::array<std::uint8_t, 3>, 7> kColours{{{230, 159, 0},
                                                                {86, 180, 233},
                                                                {0, 158, 115},

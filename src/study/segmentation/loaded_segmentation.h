@@ -18,7 +18,8 @@ namespace macula::study {
 struct LoadedSegment {
     Segment segment;
     std::shared_ptr<const VoxelSet> voxels;  // in the grid of the volume; empty where it lies outside
-    // Of the voxels as drawn. Nothing where it has none, or where the thickness of its only slice is unknown.
+    // Computed from the voxels as drawn. Nothing if there are none, or if the thickness of the only slice is
+    // unknown.
     std::optional<double> volumeMl;
     std::optional<glm::dvec3> centroidMm;
 
@@ -30,7 +31,7 @@ struct LoadedSegmentation {
     std::vector<LoadedSegment> segments;  // by number
     std::vector<Text> notes;              // sentences on how it was loaded, without patient data
     bool isResampled = false;             // drawn on another grid: each voxel takes the nearest one
-    bool hasFractions = false;            // fractional: a voxel belongs to a segment from one half on
+    bool hasFractions = false;            // fractional: a voxel belongs to a segment at one half or more
 
     const LoadedSegment* segment(std::uint16_t number) const;  // null when there is none
 };
@@ -41,7 +42,8 @@ Result<std::shared_ptr<const LoadedSegmentation>> loadSegments(const FoundSegmen
                                                                const Volume& volume,
                                                                const dicom::Stack& stack, Progress& progress);
 
-// sRGB: the colour that the file recommends, else by number one of seven of Okabe and Ito.
+// sRGB: the colour that the file recommends, otherwise one of seven of Okabe and Ito, by the segment's
+// number.
 std::array<std::uint8_t, 3> usualRgb(const Segment& segment);
 
 }  // namespace macula::study
