@@ -15,7 +15,7 @@ struct SliceToolRow {
     Glyph glyph;
     const char* name;  // of the action: "slice-tool-" and this
     const char* title;
-    const char* key;  // a letter that viewer/keys/keys.h does not have
+    const char* key;  // a letter that viewer/keys/keys.h does not use
     const char* does;
 };
 

@@ -37,7 +37,7 @@ class LightsDesk : public QObject {
     bool isMetering() const { return metering_.running(); }
 
   Q_SIGNALS:
-    void marksChanged();  // of the handles
+    void marksChanged();  // the handles over the picture
     void told(const QString& sentence);
     void failed(const macula::Error& error);
 

@@ -33,7 +33,7 @@ class LightsTool : public QObject, public PictureTool {
 
     StudyEditor& session_;
     LightsEditing& editing_;
-    std::optional<glm::dvec2> grabbed_;  // the pointer's offset: minus this, the old place
+    std::optional<glm::dvec2> grabbed_;  // from the handle to the pointer, when it was grabbed
     glm::dvec2 pressedAt_{0.0};
 };
 

@@ -17,8 +17,8 @@ namespace macula::viewer {
 class StudyEditor;
 enum class Glyph;
 
-// Shows slab, inversion, planes and layout as the session has them, and proposes changes to it. Tool and cine
-// belong to the window. May stand at the left or in any other tool bar area.
+// Shows slab, inversion, planes and layout of the session's state, and proposes changes to them. The window
+// owns tool and cine. May stand in any tool bar area.
 class ToolBox : public QToolBar {
     Q_OBJECT
 

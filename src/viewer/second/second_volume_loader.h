@@ -83,7 +83,7 @@ class SecondVolumeLoader : public QObject {
     std::shared_ptr<const SecondVolumeTexts> second_;
     bool isPlacedAnew_ = false;
     std::shared_ptr<live::PartDigests> digests_ = std::make_shared<live::PartDigests>();  // of both volumes
-    std::optional<study::OpenedStudy> asked_;  // of another patient, awaiting an answer
+    std::optional<study::OpenedStudy> asked_;  // a volume of another patient, awaiting an answer
     scene::SecondVolumePlace before_ = scene::SecondVolumePlace::beside;  // the view before the last flip
 };
 

@@ -1,4 +1,4 @@
-// A clip on a slice: what it removes is dimmed, its borders are lines, and handles move them.
+// Draws a clip on a slice: dims the part that it removes, and adds lines for its borders and handles to drag.
 #pragma once
 
 #include <QCursor>
@@ -51,7 +51,7 @@ class ClipDimming {
     QImage image_;
 };
 
-// `size` of the pane in the painter's logical pixels.
+// `size` is the pane's, in the painter's logical pixels.
 void paintClip(QPainter& painter, const QSize& size, const ClipOnSlice& clip, const slices::SliceFrame& frame,
                double pixelRatio, ClipDimming& dimming);
 

@@ -33,7 +33,7 @@ class OwnWindowList : public QObject {
 
   Q_SIGNALS:
     void changed();
-    void failed(const macula::Error& error);  // they could not be read or kept
+    void failed(const macula::Error& error);  // the windows could not be read or stored
 
   private:
     struct Edit {

@@ -22,7 +22,7 @@ class SliceWindowing {
     // The own windows; null: none. The list outlives this.
     void setOwn(OwnWindowList* own) { own_ = own; }
     OwnWindowList* own() const { return own_; }
-    void applyPreset(int digit);      // of scene::windowPresets; an unknown one does nothing
+    void applyPreset(int digit);      // one of scene::windowPresets; does nothing without it
     void applyOwn(int number);        // from 1; likewise
     void drag(glm::dvec2 byHeights);  // as scene::dragged
 

@@ -35,12 +35,12 @@ class StudyNotes : public QObject {
     MessageBar& bar() const { return *bar_; }  // it belongs to the widget that shows it
     QString text() const;                      // empty without notes, or after they were dismissed
 
-    // Takes effect with the next show(). Returns whether the notes are other ones.
+    // Takes effect with the next show(). Returns whether the notes changed.
     bool set(NoteOn what, const QStringList& notes);
     bool set(NoteOn what, const QString& note);  // empty: none
     // Asks for notes at each show(), instead of those that were set.
     void setSource(NoteOn what, std::function<QStringList()> source);
-    void show();  // also what was dismissed; without notes hides the bar
+    void show();  // also dismissed notes; hides the bar if there are none
     void showIfOther(NoteOn what, const QString& note);
 
   private:

@@ -52,17 +52,17 @@ class TransferPlot : public QObject {
 
     TransferLayout layout() const { return layout_(); }
     QPointF placeOf(const PointId& point) const;  // outside of the plot if the axis does not reach it
-    // The nearest within reach of a pointer; of several at one place the last.
+    // The nearest point within reach of a pointer; of several at one place, the last.
     std::optional<PointId> pointAt(const QPointF& at) const;
     double presetValueAt(double x) const;
     double opacityAt(double y) const;
 
     const scene::ValueAxis& axis() const { return axis_; }
     bool isAxisFitted() const { return isAxisFitted_; }  // not zoomed since fitAxis
-    void fitAxis();                                      // all points, and all values that are not rare
+    void fitAxis();                                      // shows all points, and all values that are not rare
     void setAxis(const scene::ValueAxis& axis);          // by a person
     void reveal(const PointId& point);
-    void takeLength();       // of the layout, which has changed
+    void takeLength();       // takes over the width of the changed layout
     double keyStep() const;  // units of the volume that an arrow key moves by
 
   Q_SIGNALS:

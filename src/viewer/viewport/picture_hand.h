@@ -1,4 +1,4 @@
-// The mouse in the 3D picture: drags and wheel, for the tools that may take them, else for the camera.
+// The mouse in the 3D picture: tools may take its drags and wheel, otherwise the camera gets them.
 #pragma once
 
 #include "viewer/viewport/vulkan_window.h"  // before Qt, see there
@@ -24,7 +24,7 @@ class PictureHand : public QObject {
         PictureCamera& camera;
         PictureTools& tools;
     };
-    // What is asked of the picture whenever it matters.
+    // Functions that return the current facts of the picture.
     struct Picture {
         std::function<bool()> hasStudy;
         std::function<bool()> isProjection;

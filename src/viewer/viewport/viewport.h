@@ -24,8 +24,8 @@
 
 namespace macula::viewer {
 
-// The Vulkan instance with the extensions of the window system. deviceNotUsable if that cannot show Vulkan
-// pictures. Needs a QGuiApplication.
+// Creates a Vulkan instance with the extensions of the window system. deviceNotUsable if this system cannot
+// show Vulkan pictures. Needs a QGuiApplication.
 Result<gpu::Instance> createInstanceForWindows();
 
 // Owns the render thread and the state that its inputs are made from. Each setter publishes a new input and
@@ -91,7 +91,7 @@ class Viewport : public QWidget {
     const scene::EdgeLetters& letters() const { return letters_; }
     VulkanWindow& window() { return *window_; }
     QSize pictureSize() const { return window_->pixels(); }
-    // The facts of this study's picture on screen; null without one.
+    // Describes this study's picture on screen; null without one.
     const live::FrameShown* frameOnScreen() const { return shown_ ? &*shown_ : nullptr; }
     // The picture on screen and the camera of its marks; nothing without a picture.
     std::optional<MarkedPicture> pictureOnScreen() const;
@@ -120,8 +120,8 @@ class Viewport : public QWidget {
   private:
     void connectWindow();
     void connectHand();
-    void publishChange();                                      // of study, drawing or camera
-    std::uint64_t publish();                                   // its number
+    void publishChange();                                      // the study, drawing or camera has changed
+    std::uint64_t publish();                                   // number of the last publishChange()
     void updateMarks();                                        // in the input
     std::optional<ViewDirection> sideAt(QPointF place) const;  // of the cube, if it is shown
     bool showsProjection() const { return trace::isProjection(input_.drawing.settings.look); }
@@ -140,7 +140,7 @@ class Viewport : public QWidget {
     PictureOverlay overlay_;
 
     live::FrameInput input_;
-    std::uint64_t lastChange_ = 0;  // its number
+    std::uint64_t lastChange_ = 0;  // number of the last publishChange()
     bool gazeFollowsPointer_ = true;
     std::optional<live::FrameShown> shown_;  // the picture on screen
     scene::EdgeLetters letters_;             // of that picture

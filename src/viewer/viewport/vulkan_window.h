@@ -14,8 +14,8 @@
 
 namespace macula::viewer {
 
-// Has a Vulkan surface from the first time it is on screen until its platform window goes. Knows nothing of
-// cameras: it turns mouse and wheel into drags, and hands keys on. Lives on the UI thread.
+// Has a Vulkan surface from the first time it is on screen until its platform window is destroyed. Knows
+// nothing of cameras: it turns mouse and wheel into drags, and passes keys on. Lives on the UI thread.
 class VulkanWindow : public QWindow {
     Q_OBJECT
 

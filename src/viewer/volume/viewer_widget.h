@@ -26,7 +26,7 @@ class ViewerWidget : public QWidget {
     Q_OBJECT
 
   public:
-    // The session must outlive it. `instance` of createInstanceForWindows.
+    // The session must outlive it. `instance` comes from createInstanceForWindows.
     ViewerWidget(StudyEditor& session, gpu::Instance instance, ViewerWidgetOptions options = {},
                  QWidget* parent = nullptr);
     ~ViewerWidget() override;

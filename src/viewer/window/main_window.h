@@ -69,7 +69,7 @@ struct MainWindowOptions {
         true;  // over the picture, in the title and beside the presets, until a person hides the names
     // Folder for models and the states of studies. Nothing: keeps none.
     std::optional<std::filesystem::path> sessions = {};
-    std::optional<int> keepDays = {};  // deletes what was unopened for longer; nothing: never
+    std::optional<int> keepDays = {};  // deletes studies unopened for longer; nothing: never
     bool calibrates = false;           // measures this machine's speed once, in the background
     Restores restores = Restores::all;
     bool choosesSize = false;  // pictureSize overrides the window's last place
@@ -110,7 +110,7 @@ class MainWindow : public QMainWindow {
     QString message() const { return notifications_->text(); }
     QString notes() const { return notes_->text(); }
     QString description() const { return status_->description(); }  // of the open study
-    QString voxels() const { return status_->voxels(); }            // of it
+    QString voxels() const { return status_->voxels(); }            // of the open study
     QString rate() const { return status_->rate(); }          // pixels, and pictures per second in motion
     QString fidelity() const { return status_->fidelity(); }  // how the picture was made
     QString badge() const { return status_->badge(); }        // the same in a word
@@ -160,7 +160,8 @@ class MainWindow : public QMainWindow {
     void showNames(bool shown);
 
     MainWindowOptions options_;
-    // The open study and its choices. The viewport has the camera. Its preset may differ from the option.
+    // The open study and its choices, without the camera, which the viewport has. Its preset may differ from
+    // that of `options_`.
     StudyEditor session_;
     std::shared_ptr<live::StudyKeeper> keeper_;  // null: nothing is kept
 
