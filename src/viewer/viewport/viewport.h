@@ -121,7 +121,7 @@ class Viewport : public QWidget {
     void connectWindow();
     void connectHand();
     void publishChange();                                      // the study, drawing or camera has changed
-    std::uint64_t publish();                                   // number of the last publishChange()
+    std::uint64_t publish();                                   // returns the number of the input
     void updateMarks();                                        // in the input
     std::optional<ViewDirection> sideAt(QPointF place) const;  // of the cube, if it is shown
     bool showsProjection() const { return trace::isProjection(input_.drawing.settings.look); }
