@@ -1,4 +1,4 @@
-// From values to grey: windows (PS3.3 C.11.2.1.2 and C.11.2.1.3).
+// Maps values to grey by windows (PS3.3 C.11.2.1.2 and C.11.2.1.3).
 #pragma once
 
 #include <cstdint>
