@@ -11,7 +11,7 @@
 namespace macula::presets {
 
 constexpr std::size_t kMostPoints = 4096;
-constexpr double kLargestValue = 1e9;  // of |x|
+constexpr double kLargestValue = 1e9;  // the largest |x|
 
 // "N x y x y …": N is the count of the numbers that follow. Points must be sorted; of two different points at
 // the same value the second is moved up by the least possible amount, as in 3D Slicer, so that the first

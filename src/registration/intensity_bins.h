@@ -21,7 +21,7 @@ class IntensityBins {
     IntensityBins(const ScalarGrid& grid, Unit unit);
 
     bool areUsable() const { return perUnit_ > 0.0; }
-    // From kMargin to kBins - 1 - kMargin.
+    // The bin of a value, from kMargin to kBins - 1 - kMargin.
     double of(float value) const {
         const double shown = isRoot_ ? std::sqrt(std::max(double(value), 0.0)) : double(value);
         return kMargin + std::clamp((shown - low_) * perUnit_, 0.0, double(kBins - 1 - 2 * kMargin));

@@ -30,10 +30,10 @@ constexpr std::size_t kCoarse = 2;
 constexpr std::size_t kCoarsePoints = 4000;
 constexpr std::size_t kMiddlePoints = 16000;
 constexpr std::size_t kFinePoints = 40000;
-constexpr std::size_t kLeastPoints = 200;  // also of a volume's cells
+constexpr std::size_t kLeastPoints = 200;  // a volume also needs this many cells
 constexpr double kLeastPointsMet = 100.0;  // fewer may be alike by chance
 
-constexpr double kLeastOverlap = 0.3;    // of the smaller volume
+constexpr double kLeastOverlap = 0.3;    // share of the smaller volume
 constexpr double kSweepStepMm = 24.0;    // of the starts along the patient: scans begin at different heights
 constexpr double kSweepReachMm = 480.0;  // to each side
 constexpr std::size_t kStartsFollowed = 4;
@@ -67,7 +67,7 @@ Error notUsable(Text sentence) {
 
 // A volume at increasingly coarse levels.
 struct Pyramid {
-    std::array<ScalarGrid, kCellsMm.size()> levels;  // by kFine, kMiddle, kCoarse
+    std::array<ScalarGrid, kCellsMm.size()> levels;  // the index is kFine, kMiddle or kCoarse
 };
 
 Pyramid pyramidOf(const Volume& volume, const CancelToken& token) {
@@ -171,7 +171,7 @@ class RigidSearch {
     struct Answer {
         std::array<Highest, 2> ends{};
         Parameters at{};
-        double score = 0.0;  // by the judge
+        double score = 0.0;  // on the judge's finer points
     };
 
     Comparison comparison(std::size_t level, std::size_t points, std::uint64_t run) const {

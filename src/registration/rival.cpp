@@ -15,7 +15,7 @@ constexpr double kApartMm = 10.0;  // nearer places are the same answer
 constexpr std::size_t kMostPeaks = 3;
 constexpr double kLeastDepth = 1e-4;  // of a likeness from 1 to 2: below the differences between point sets
 
-constexpr std::size_t kAlong = 5;  // of Parameters: the shift along the patient
+constexpr std::size_t kAlong = 5;  // index in Parameters of the shift along the patient
 
 double shiftMm(const Parameters& a, const Parameters& b) {
     return std::hypot(a[3] - b[3], a[4] - b[4], a[5] - b[5]);

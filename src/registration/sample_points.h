@@ -12,7 +12,7 @@ namespace macula::registration {
 
 struct SamplePoint {
     glm::dvec3 mm{0.0};  // in the world of the fixed volume
-    int bin = 0;         // of the fixed volume's value there
+    int bin = 0;         // the bin of the fixed volume's value there
 };
 
 // About `wanted` points, spread over all cells with a value; `seed` jitters each within its cell, because

@@ -54,7 +54,8 @@ std::optional<PictureLine> lineAt(double slice, const std::array<Linear, 3>& vox
                                   const glm::ivec2& sizePx) {
     const Linear& k = voxel[2];
     const double steepness = glm::dot(k.along, k.along);
-    // From the line's point nearest to the middle, as far to both sides as the picture is large.
+    // From the line's point nearest to the middle of the picture, far enough to both sides to cross the
+    // picture.
     const glm::dvec2 middle = glm::dvec2(sizePx) / 2.0;
     const glm::dvec2 on = middle + k.along * ((slice - k(middle)) / steepness);
     const glm::dvec2 direction = glm::dvec2(-k.along.y, k.along.x) / std::sqrt(steepness);

@@ -56,7 +56,7 @@ double areaMm2(const Ellipse& ellipse);  // of the shape as drawn, even without 
 struct EllipseValues {
     double areaMm2 = 0.0;          // areaMm2(ellipse)
     std::size_t voxels = 0;        // how many the values below are taken from
-    std::size_t interpolated = 0;  // of these, in slices without an image
+    std::size_t interpolated = 0;  // how many of them are in slices without an image
     double mean = 0.0;             // in the volume's unit, like the next three
     double deviation = 0.0;        // of a sample (n - 1); NaN for one voxel
     double low = 0.0;

@@ -17,7 +17,7 @@
 namespace macula::slices {
 
 struct ShownSegment {
-    std::shared_ptr<const VoxelSet> voxels;  // voxels of the displayed volume
+    std::shared_ptr<const VoxelSet> voxels;  // in the displayed volume's grid
     std::string label;                       // for the screen
     std::array<std::uint8_t, 3> rgb{};       // sRGB
     double opacity = 0.4;                    // of the fill, 0 to 1; the line is opaque

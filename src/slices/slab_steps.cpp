@@ -11,7 +11,7 @@ double wantedStepMm(const Volume& volume, const SlicePlane& plane) {
     const glm::dvec3 sides = volume.spacingMm();
     const double longest = 0.5 * std::min({sides.x, sides.y, sides.z});
     const double apart = stepMm(volume, plane);
-    constexpr double kRounding = 1e-6;  // of a quotient that is a whole number
+    constexpr double kRounding = 1e-6;  // a quotient may miss a whole number by this
     return apart / std::max(1.0, std::ceil(apart / longest - kRounding));
 }
 

@@ -9,7 +9,7 @@ namespace macula::xr {
 namespace {
 
 constexpr double kBladeM = 0.24;
-constexpr double kRestsWithinCosine = 0.9995;  // of half the angle, which is about 3.6 degrees
+constexpr double kRestsWithinCosine = 0.9995;  // of half the turn; the whole is about 3.6 degrees
 
 Pose ahead(const Pose& hand) {
     return {hand.positionM + hand.orientation * glm::dvec3(0.0, 0.0, -kToolReachM), hand.orientation};

@@ -96,7 +96,7 @@ Result<EyePictures> picturesFor(std::span<const Eye> eyes, const glm::dmat4& wor
     while (!std::all_of(eyes.begin(), eyes.end(), fits)) pitch *= 1.0 + 0.5 / std::max(mostPx.x, mostPx.y);
 
     EyePictures pictures;
-    glm::ivec2 half(1);  // of the whole picture
+    glm::ivec2 half(1);  // half the size of the whole picture
     for (const Eye& eye : eyes) {
         const Span across = spanOf(eye.left, eye.right, pitch);
         const Span down = spanOf(-eye.up, -eye.down, pitch);

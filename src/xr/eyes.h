@@ -37,7 +37,7 @@ struct Eye {
 // part, which may be less than a pixel beyond the eye's field.
 struct EyePicture {
     Camera camera;
-    glm::ivec2 firstPx{0};  // of the part, from the top left
+    glm::ivec2 firstPx{0};  // the part's upper left pixel
     glm::ivec2 partPx{0};   // its size
     Eye eye;
 };

@@ -37,7 +37,7 @@ class FloatingPictures {
     void drawPanel(const PanelTexts& texts, const RoomWords& words, std::optional<PanelButton> pointedAt);
     void drawNotice(const std::string& text);
 
-    // Where a sentence floats before that head.
+    // The placement of a sentence before that head.
     static Floating noticeBefore(const Pose& head);
     // Marks where the pointing ray meets the panel, in the panel's pixels.
     static Floating pointerOn(const Pose& panel, const glm::dvec2& px);

@@ -13,25 +13,25 @@ struct FrameTimes {
     std::int64_t displayedNs = 0;  // the predicted time of display
     double periodMs = 0.0;
     bool isEmpty = false;  // submitted without pictures
-    double waitMs = 0.0;   // for the headset, before it was begun
+    double waitMs = 0.0;   // waiting for the headset, before the frame began
     double lookMs = 0.0;   // reading hands and eyes
-    double lendMs = 0.0;   // until the headset lent images
+    double lendMs = 0.0;   // waiting until the headset lent images
     double drawMs = 0.0;   // recording the device's commands
     double submitMs = 0.0;
-    double deviceMs = 0.0;  // until the device had drawn it
+    double deviceMs = 0.0;  // waiting until the device had drawn
     double workMs = 0.0;    // spent on later frames
-    double drawnMs = 0.0;   // from when it was begun to when the device had drawn it
+    double drawnMs = 0.0;   // from the frame's begin until the device had drawn
     std::size_t level = 0;  // the governor's level
 };
 
 struct FrameFigures {
     std::uint64_t frames = 0;  // submitted
-    std::uint64_t empty = 0;   // of these, without pictures
+    std::uint64_t empty = 0;   // how many of them had no pictures
     // Display times for which the headset had no new frame.
     std::uint64_t missed = 0;
     std::uint64_t late = 0;  // frames after which some were missed
     double periodMs = 0.0;   // the mean
-    double longestMs = 0.0;  // of drawnMs
+    double longestMs = 0.0;  // the longest drawnMs
     FrameTimes mean;         // of frames with pictures
     std::size_t worstLevel = 0;
     std::size_t lastLevel = 0;

@@ -15,8 +15,8 @@ constexpr double kMostPeriodsOfFrame = 4.0;
 constexpr int kLateFrames = 2;
 constexpr int kForgetsLate = 8;
 constexpr double kMostSavedPeriods = 2.0;
-constexpr double kForgetsOverrun = 0.5;          // with each piece of work
-constexpr double kForgetsOverrunOfFrame = 0.98;  // with each frame, once latePeriods_ is not negative
+constexpr double kForgetsOverrun = 0.5;          // factor per piece of work
+constexpr double kForgetsOverrunOfFrame = 0.98;  // factor per frame, if latePeriods_ is not negative
 
 bool isTime(double ms) {
     return std::isfinite(ms) && ms >= 0.0;

@@ -10,9 +10,9 @@
 namespace macula::xr {
 
 struct FrameQuality {
-    std::uint32_t mostSamples = 16;  // of each pixel of the fovea, while neither head nor eyes move
+    std::uint32_t mostSamples = 16;  // per pixel of the fovea, while neither head nor eyes move
     int framesPerFovea = 1;          // tracing goes on in every n-th frame
-    double scale = 1.0;              // of the sides of the pictures of the eyes
+    double scale = 1.0;              // of the width and height of the eyes' pictures
 
     bool operator==(const FrameQuality&) const = default;
 };
@@ -21,7 +21,7 @@ enum class Work { fovea, model };  // what is done after a frame was submitted
 
 class Governor {
   public:
-    // From the best to the level that every device can afford: reduces first the fovea, then the pictures.
+    // From the best level to one that every device can afford: first the fovea gets less, then the pictures.
     static constexpr std::array<FrameQuality, 11> kLevels{{{16, 1, 1.0},
                                                            {8, 1, 1.0},
                                                            {4, 2, 1.0},

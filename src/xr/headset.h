@@ -32,7 +32,7 @@ namespace macula::xr {
 
 struct HeadsetOptions {
     SessionOptions session = {};
-    glm::ivec2 eyePx{0};    // of the picture for each eye; 0: as the headset recommends
+    glm::ivec2 eyePx{0};    // size of each eye's picture; 0: as the headset recommends
     bool holdsRate = true;  // false: never lowers the quality for late frames
 };
 
@@ -88,7 +88,7 @@ class Headset {
     struct Lent {
         Swapchains eyes;
         std::optional<Swapchains> insets;
-        std::optional<DepthLayer> depths;  // of eyes
+        std::optional<DepthLayer> depths;  // for `eyes`
         std::optional<DepthLayer> insetDepths;
     };
 

@@ -18,7 +18,7 @@ class LentImages {
     struct Kind {
         std::int64_t format = 0;  // a VkFormat
         XrSwapchainUsageFlags usage = 0;
-        VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;  // in which images are lent
+        VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;  // the layout of lent images
     };
     // R8G8B8A8_SRGB: our pictures are encoded already, and are copied bit by bit.
     static const Kind kColours;

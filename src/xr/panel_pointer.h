@@ -10,7 +10,7 @@
 
 namespace macula::xr {
 
-// From frame to frame.
+// Call follow() in each frame.
 class PanelPointer {
   public:
     // Finds the panel, and the button that the ray of the pointing hand meets. Returns the button pressed in

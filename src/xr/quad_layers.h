@@ -27,7 +27,7 @@ class QuadLayers {
     struct Sent {
         std::optional<LentImages> images;
         std::optional<gpu::Image> picture;
-        std::uint64_t number = 0;  // of the last uploaded picture
+        std::uint64_t number = 0;  // number of the last uploaded picture
     };
 
     static Result<void> make(const Session& session, Sent& sent, const glm::ivec2& sizePx);

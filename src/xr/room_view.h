@@ -46,7 +46,7 @@ struct RoomPictures {
 // Work for later frames.
 struct WorkRequest {
     double budgetMs = 0.0;
-    glm::dvec2 gaze{0.0};   // in the picture of the centre eye
+    glm::dvec2 gaze{0.0};   // in the centre eye's picture
     double fineness = 1.0;  // pixel density at the gaze, relative to the pictures
     // Per pixel in balanced quality, while neither head nor eyes move.
     std::uint32_t mostSamples = mostSamplesOf(RoomQuality::balanced);

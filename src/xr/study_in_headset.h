@@ -22,7 +22,7 @@ namespace macula::xr {
 struct ShowOptions {
     std::uint64_t frames = 0;        // ends after this many; 0: when the wearer ends it
     bool showsRoom = false;          // the real room behind the anatomy, if possible
-    glm::ivec2 eyePx{0};             // of the picture for each eye; 0: as the headset recommends
+    glm::ivec2 eyePx{0};             // size of each eye's picture; 0: as the headset recommends
     std::uint64_t warmUpFrames = 0;  // not counted in the figures of time
 };
 
@@ -39,7 +39,7 @@ struct HeadsetRequest {
 
 struct HeadsetFigures {
     std::uint64_t frames = 0;  // submitted
-    std::uint64_t empty = 0;   // of these, without pictures
+    std::uint64_t empty = 0;   // how many of them had no pictures
     std::uint64_t sessions = 0;
     double seconds = 0.0;
     std::string headset;
@@ -48,7 +48,7 @@ struct HeadsetFigures {
     glm::ivec2 eyePx{0};  // the largest size of the pictures
     FrameFigures times;
     std::uint64_t unsubmitted = 0;  // frames begun but not submitted
-    std::uint64_t stepsDown = 0;    // of the governor
+    std::uint64_t stepsDown = 0;    // levels that the governor went down
     std::uint64_t stepsUp = 0;
 };
 // Lines for a person.

@@ -66,7 +66,7 @@ class StudyTreeModel : public QAbstractItemModel {
     study::StudyTree tree_;
     std::vector<bool> shown_;
     std::vector<std::size_t> top_;                    // the shown rows at the top level
-    std::vector<std::vector<std::size_t>> children_;  // of each row
+    std::vector<std::vector<std::size_t>> children_;  // each row's shown children
     std::vector<int> places_;  // the position of each row among the children of its parent
     std::optional<std::size_t> open_;
     std::set<std::size_t> stored_;

@@ -15,7 +15,7 @@ namespace {
 using Kind = scene::ClipHandle::Kind;
 
 constexpr double kHitPx = 10.0;  // logical
-constexpr int kDotsOfEdge = 5;   // without its ends
+constexpr int kDotsOfEdge = 5;   // between the ends of an edge
 constexpr int kDotsOfBall = 40;
 constexpr double kTowardsEye = 0.995;  // cosine: a handle cannot be dragged along a line seen nearly end-on
 
@@ -119,7 +119,7 @@ bool ClipHandlesTool::press(const PicturePlace& place) {
     const auto handle = handleAt(place);
     const auto at = handle ? draggedTo(*handle, place) : std::nullopt;
     if (!at) return false;
-    session_.endDrag();  // of an earlier drag
+    session_.endDrag();  // ends the undo step of an earlier drag
     held_ = Held{.handle = *handle, .grabbedMm = *at - handle->atMm};
     pointed_ = handle->handle;
     return true;

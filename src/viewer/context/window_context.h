@@ -26,7 +26,7 @@ struct WindowContext {
     StudyNotes& notes;
     FileDialogs& files;
     std::function<void()> focusPicture;  // focuses the last focused pane, or a shown one
-    std::string device = {};             // as in gpu::chooseDevice
+    std::string device = {};             // its name, see gpu::chooseDevice
 };
 
 }  // namespace macula::viewer

@@ -51,7 +51,7 @@ class StateHistory {
     void count();
 
     std::deque<Step> states_{Step{}};
-    scene::StateBytes bytes_;  // of states_
+    scene::StateBytes bytes_;  // the memory that `states_` takes
     std::size_t place_ = 0;
     bool joining_ = false;  // a push may join the last step
 };

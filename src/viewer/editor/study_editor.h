@@ -67,7 +67,7 @@ class StudyEditor : public QObject {
     void studyShown();  // another study, with its state
     // A change of the same study's state. `before` is valid during the signal.
     void changed(const macula::scene::StudyState& before);
-    void presetsChanged();  // in the catalogue
+    void presetsChanged();  // the catalogue has other presets
 
   private:
     void push(const QString& what, const Edit& edit, bool joins);

@@ -97,7 +97,7 @@ void HeadsetController::take(const HeadsetSelection& choice) {
         next.preset = choice.transferFunction;
         if (!isOtherClip) return;
         next.clip = clip;
-        next.cuts.eye.reset();  // it is among the planes of the clip now
+        next.cuts.eye.reset();  // the clip includes this plane now
     });
     isFromHeadset_ = false;
 }

@@ -29,7 +29,7 @@ class HeadsetController : public QObject {
     void begin();
 
   Q_SIGNALS:
-    void ended();  // or could not begin
+    void ended();  // the headset's session ended, or could not begin
 
   private:
     void connectShow();

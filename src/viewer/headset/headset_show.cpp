@@ -17,7 +17,7 @@
 
 namespace macula::viewer {
 
-// What the UI thread and the headset's thread share.
+// Shared by the UI thread and the headset's thread.
 struct HeadsetShow::Shared {
     std::mutex mutex;
     std::optional<HeadsetSelection> wanted;  // the window's last choice that the headset has not taken

@@ -21,7 +21,7 @@ struct LightsHost {
     std::function<pictures::ViewPicture()> seen;  // the current 3D picture, at any size
     std::function<void(QFileDialog*, std::function<void(const QString&)>)> ask;
     std::function<QString()> folder;
-    std::string device = {};  // as in gpu::chooseDevice
+    std::string device = {};  // its name, see gpu::chooseDevice
 };
 
 // Session and window outlive it.

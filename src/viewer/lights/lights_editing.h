@@ -38,8 +38,8 @@ class LightsEditing : public QObject {
 
     // Replaces the chosen light; one undo step until the session's endDrag.
     Result<void> drag(const trace::SoftLight& light);
-    void strengthen(double factor);        // likewise, and the step ends after a pause
-    Result<void> setSky(double radiance);  // likewise; a black sky becomes grey
+    void strengthen(double factor);        // an undo step, too, which ends after a pause
+    Result<void> setSky(double radiance);  // an undo step, too; a black sky becomes grey
     // Returns to the rig that the state had when the drag began; null: the default lights.
     void dragBack(const std::shared_ptr<const trace::LightRig>& lights);
     // One step each.

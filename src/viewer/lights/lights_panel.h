@@ -30,7 +30,7 @@ class LightsPanel : public QWidget {
   Q_SIGNALS:
     void saveAsked();
     void openAsked();
-    void meteringAsked();  // for an exposure that suits the picture
+    void meteringAsked();  // asks for an exposure that suits the picture
     void lookedAt();       // emitted before an edit that needs the current camera
 
   private:

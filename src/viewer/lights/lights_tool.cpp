@@ -40,7 +40,7 @@ bool LightsTool::press(const PicturePlace& place) {
     if (place.withShift) return false;
     const auto light = lightAt(place);
     if (!light) return false;
-    session_.endDrag();  // of an earlier drag
+    session_.endDrag();  // ends the undo step of an earlier drag
     editing_.choose(*light);
     grabbed_ = place.at - places(place.picture)[*light];
     pressedAt_ = place.at;

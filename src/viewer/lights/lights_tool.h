@@ -29,7 +29,7 @@ class LightsTool : public QObject, public PictureTool {
 
   private:
     std::optional<std::size_t> lightAt(const PicturePlace& place) const;
-    std::vector<glm::dvec2> places(const PictureGeometry& picture) const;  // of all lights
+    std::vector<glm::dvec2> places(const PictureGeometry& picture) const;  // of the handles of all lights
 
     StudyEditor& session_;
     LightsEditing& editing_;

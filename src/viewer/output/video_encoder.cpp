@@ -17,7 +17,7 @@ struct Kind {
     const char* codec;
     std::array<const char*, 2> quality;
 };
-// All of them write MP4. Every build of the encoder has the last.
+// Each writes MP4. Every build of the encoder has the last one.
 constexpr std::array<Kind, 3> kKinds{
     {{"libx264", {"-crf", "18"}}, {"libopenh264", {"-b:v", "12M"}}, {"mpeg4", {"-q:v", "2"}}}};
 

@@ -20,8 +20,8 @@ constexpr double kGapPx = 4.0;
 constexpr double kLongestBarPx = 120.0;
 constexpr double kLongestBarOfPane = 0.3;
 constexpr double kBarTickPx = 5.0;
-constexpr qsizetype kMostLines = 4;           // of a wrapped text
-constexpr double kNamesOfHeight = 0.2;        // of the pane
+constexpr qsizetype kMostLines = 4;           // a text wraps to at most this many
+constexpr double kNamesOfHeight = 0.2;        // share of the pane's height
 constexpr QSizeF kPaneOfUsualFont{200, 160};  // smaller panes have no font larger than usual
 const QColor kInk(235, 235, 235);
 

@@ -16,7 +16,8 @@ class SliceSteps {
     SliceSteps(const Volume& volume, slices::Orientation orientation, bool asAcquired);
 
     int count() const { return count_; }  // at least 1
-    // From one slice to the next along the normal; negative where voxel indices decrease along it.
+    // The distance from one slice to the next along the normal; negative where voxel indices decrease along
+    // it.
     double stepMm() const { return stepMm_; }
     int nearest(const glm::dvec3& mm) const;
     // The point of that slice that is nearest to `mm`.

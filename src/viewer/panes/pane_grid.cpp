@@ -15,7 +15,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr int kGapPx = 2;
-constexpr double kFavoured = 0.62;  // of width and height
+constexpr double kFavoured = 0.62;  // the enlarged pane's share of width and height
 
 std::optional<Pane> onlyPaneOf(scene::Layout layout) {
     for (const Pane pane : kPanes) {

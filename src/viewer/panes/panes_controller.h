@@ -52,7 +52,7 @@ class PanesController : public QObject {
     void makeSlices();
     void makeTools();
     void changeLayout(scene::Layout layout);
-    void setCine(bool plays);  // for the active slice pane, else for a shown one
+    void setCine(bool plays);  // in the active slice pane, else in a shown one
 
     WindowContext context_;
     std::array<SliceView*, 3> slices_{};

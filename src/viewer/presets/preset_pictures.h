@@ -32,7 +32,7 @@ class PresetPictures : public QObject {
 
   private:
     struct Drawn {
-        std::shared_ptr<const pictures::CoarseVolume> coarse;  // for the next pictures
+        std::shared_ptr<const pictures::CoarseVolume> coarse;  // reused for the next pictures
         QImage picture;
     };
     void take(const Result<Drawn>& made);

@@ -22,7 +22,7 @@ class PresetRows {
     bool toggle(PresetGroup group);
 
     std::set<PresetGroup> expanded() const;
-    std::vector<PresetRow> rows() const;  // as they are now; an empty group has none
+    std::vector<PresetRow> rows() const;  // without empty groups
     std::set<live::PresetRef> favourites() const;
 
   private:
@@ -31,7 +31,7 @@ class PresetRows {
 
     const StudyEditor& session_;
     const PresetLibrary& library_;
-    std::vector<std::string> words_;  // of the filter
+    std::vector<std::string> words_;  // the words of the filter
     std::set<PresetGroup> folded_{PresetGroup::others};
 };
 

@@ -48,7 +48,7 @@ class SecondVolumeController : public QObject {
     SecondVolumeLoader* loader_;
     SecondVolumeBar* toolBar_ = nullptr;
     WorkBar* work_;
-    QList<QAction*> actions_;  // those that need a second volume
+    QList<QAction*> actions_;  // enabled only with a second volume
 };
 
 }  // namespace macula::viewer

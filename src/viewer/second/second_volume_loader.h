@@ -35,8 +35,8 @@ class SecondVolumeLoader : public QObject {
     void open(std::shared_ptr<const study::FoundVolumes> found, std::size_t index);
     // open() ends with this when it succeeds.
     void offer(const study::OpenedStudy& second);
-    void close();   // and removes it from the state
-    void cancel();  // reading or registering; an open volume stays
+    void close();   // also removes the second volume from the state
+    void cancel();  // cancels reading or registering; an open volume stays
     bool isWorking() const { return loader_.loading() || registration_.running(); }
     bool isRegistering() const { return registration_.running(); }
 

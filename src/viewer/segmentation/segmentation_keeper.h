@@ -52,7 +52,7 @@ class SegmentationKeeper : public QObject {
   Q_SIGNALS:
     void listChanged();                                      // found(), loaded() or trouble()
     void shownChanged();                                     // shown()
-    void maskMade(const std::optional<macula::Mask>& mask);  // of the voxels shown in 3D; nothing: all
+    void maskMade(const std::optional<macula::Mask>& mask);  // the voxels to show in 3D; nothing: all
     // The wanted mask failed: the old one stays, and the session's state is corrected to it.
     void refused(const macula::Error& error);
     void began();
@@ -72,12 +72,12 @@ class SegmentationKeeper : public QObject {
     void showOnSlices();
     void mask();
     void onRefused(const Error& error);
-    const dicom::Stack* stack() const;  // of the open volume; null if it comes from no folder
+    const dicom::Stack* stack() const;  // the open volume's images; null if it is from no folder
 
     StudyEditor& session_;
     Found found_;
     std::vector<Loaded> loaded_;
-    std::map<std::string, QString, std::less<>> troubles_;  // by digest
+    std::map<std::string, QString, std::less<>> troubles_;  // the key is a digest
     std::string isBeingLoaded_;                             // digest
     std::shared_ptr<const slices::ShownSegments> shown_;
     std::vector<scene::In3dOf> masked_;  // the choices wanted for the last mask

@@ -15,7 +15,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr const char* kUsualKeys = "usual-keys";    // an action's usual keys; the first is its id
-constexpr const char* kPictureKey = "picture-key";  // the same for an action whose key the viewport handles
+constexpr const char* kPictureKey = "picture-key";  // its usual key, if the viewport handles that
 constexpr const char* kPlainText = "text-without-key";
 
 struct Words {

@@ -30,7 +30,7 @@ class KeyBook : public QObject {
   public:
     static KeyBook& ofProgram();
 
-    // From KeyEntry::id to the portable text of a key, empty for no key. Invalid texts are left out.
+    // Maps KeyEntry::id to the portable text of a key, empty for no key. Invalid texts are left out.
     void setOwn(const QMap<QString, QString>& own);
     const QMap<QString, QString>& own() const { return own_; }
 

@@ -27,12 +27,12 @@ struct ClipOnSlice {
     std::vector<Scissors> scissors;
     std::vector<scene::Contour> lines;
     std::vector<scene::PlacedHandle> handles;
-    std::optional<scene::ClipHandle> held;  // or pointed at
+    std::optional<scene::ClipHandle> held;  // the handle that is held or pointed at
 
     bool isNothing() const { return removed.empty() && scissors.empty() && lines.empty() && handles.empty(); }
 };
 
-// From the state's clip and cuts; has handles only `withHandles`.
+// Made from the state's clip and cuts; has handles only if `withHandles`.
 ClipOnSlice clipOnSlice(const scene::StudyState& state, const Volume& volume, const slices::SliceFrame& frame,
                         bool withHandles);
 

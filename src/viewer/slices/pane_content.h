@@ -59,7 +59,7 @@ class PaneContent {
     const StudyEditor& session_;
     slices::Orientation orientation_;
     PaneRole role_;
-    DisplayWindow usualWindow_;  // of the study: seriesWindow
+    DisplayWindow usualWindow_;  // the study's seriesWindow
     std::optional<SliceSteps> steps_;
     std::shared_ptr<const SecondVolumeTexts> second_;
 };

@@ -26,7 +26,7 @@ class PanePicture : public QObject {
 
     // The picture on screen; null: none.
     const SlicePicture* shown() const { return shown_ ? &*shown_ : nullptr; }
-    // The request of that picture; likewise.
+    // The request of that picture; null: none.
     const SliceRequest* shownRequest() const { return shown_ ? &shown_->of : nullptr; }
     const SliceRequest* wanted() const { return wanted_ ? &*wanted_ : nullptr; }
     bool isUpToDate() const;

@@ -83,7 +83,7 @@ bool SliceHand::takeClip(const QPointF& place, const SliceRequest& shown) {
     if (!clip) return false;
     parts_.clip.hold(clip->handle);
     drag_ = Drag::clip;
-    parts_.session.endDrag();  // of an earlier drag
+    parts_.session.endDrag();  // ends the undo step of an earlier drag
     return true;
 }
 

@@ -1,4 +1,4 @@
-// What opens over a pane of slices: its context menu, and the editor of a measurement's label.
+// The popups of a pane of slices: its context menu, and the editor of a measurement's label.
 #pragma once
 
 #include <QObject>

@@ -59,7 +59,7 @@ struct SliceRequest {
     SliceShows shows = SliceShows::study;
     std::optional<SliceOver> over = {};
     QStringList tags = {};         // identify the picture; never hidden
-    QStringList names = {};        // of a second volume, with names
+    QStringList names = {};        // lines that identify a second volume's patient
     QStringList secondNotes = {};  // notes about the second volume
 
     bool showsStudy() const { return shows == SliceShows::study; }
@@ -78,7 +78,7 @@ struct SlicePicture {
     SliceRequest of;
     QImage grey;           // of the frame's size; null when there was no memory for it
     QImage segments = {};  // over `grey`; null without segments
-    QImage colours = {};   // of a second volume, over both; null without one
+    QImage colours = {};   // a second volume in colours, over both; null without one
 };
 
 // Makes one picture at a time; of the requests that arrive meanwhile, only the newest is made next. Samples

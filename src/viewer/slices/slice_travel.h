@@ -29,7 +29,7 @@ class SliceTravel : public QObject {
     void pointAt(const glm::dvec3& mm, SliceShows shows);
 
     static constexpr int kNotch = 120;     // eighths of a degree
-    static constexpr int kManySlices = 5;  // with Shift, or by pages
+    static constexpr int kManySlices = 5;  // steps with Shift, or with the page keys
 
   private:
     void goTo(int slice);

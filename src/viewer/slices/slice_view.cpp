@@ -101,7 +101,7 @@ void SliceView::setCine(bool on) {
 
 void SliceView::onStudyShown() {
     cine_.stop();
-    popups_.closeLabel();  // of a measurement that is gone
+    popups_.closeLabel();  // its measurement is gone
     endGesture();
     measurements_.forget();
     segments_.reset();  // segments belong to the earlier study's voxels

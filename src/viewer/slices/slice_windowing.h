@@ -23,8 +23,8 @@ class SliceWindowing {
     void setOwn(OwnWindowList* own) { own_ = own; }
     OwnWindowList* own() const { return own_; }
     void applyPreset(int digit);      // one of scene::windowPresets; does nothing without it
-    void applyOwn(int number);        // from 1; likewise
-    void drag(glm::dvec2 byHeights);  // as scene::dragged
+    void applyOwn(int number);        // from 1; does nothing without it
+    void drag(glm::dvec2 byHeights);  // see scene::dragged
 
   private:
     void propose(const std::optional<DisplayWindow>& window, bool isDrag);

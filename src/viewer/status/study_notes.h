@@ -11,7 +11,7 @@ namespace macula::viewer {
 
 class MessageBar;
 
-// What a note is about, in the order in which notes stand in the bar.
+// The subject of a note, in the order of notes in the bar.
 enum class NoteOn {
     visibility,  // why nothing is seen
     session,     // how the study was restored
@@ -19,13 +19,13 @@ enum class NoteOn {
     preset,
     study,
     table,
-    second,  // volume
+    second,  // the second volume
     segments,
     picture,  // what the device shows of the study
     device,
 };
 
-// They stay while another study loads, and if that fails. Lives on the UI thread.
+// Notes stay while another study loads, and if that fails. Lives on the UI thread.
 class StudyNotes : public QObject {
     Q_OBJECT
 

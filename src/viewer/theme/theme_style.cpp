@@ -166,7 +166,7 @@ void ThemeStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         case PE_IndicatorToolBarSeparator:
             return drawToolBarSeparator(*painter, *option);
         case PE_FrameFocusRect:
-            // These draw the focus as a frame of their own.
+            // Buttons and combo boxes draw the focus as a frame of their own.
             if (qobject_cast<const QPushButton*>(widget) != nullptr ||
                 qobject_cast<const QComboBox*>(widget) != nullptr)
                 return;

@@ -1,4 +1,4 @@
-// What a transfer function needs to know of the volume's values, counted in the background.
+// Counts a volume's values for its transfer function, in the background.
 #pragma once
 
 #include <QObject>

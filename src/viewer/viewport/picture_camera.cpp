@@ -10,7 +10,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr double kVerticalFovDeg = 30.0;
-constexpr double kFlyOfDiagonal = 0.03;  // for each notch
+constexpr double kFlyOfDiagonal = 0.03;  // per notch of the wheel
 constexpr double kNoSceneMm = 1000.0;
 
 }  // namespace

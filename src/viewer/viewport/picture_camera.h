@@ -30,11 +30,13 @@ class PictureCamera : public QObject {
 
     // Begins another study, or none if it is null. Its visible part is not known yet.
     void setVolume(std::shared_ptr<const Volume> volume);
-    void setProjection(bool isProjection) { isProjection_ = isProjection; }  // which shows all of the volume
+    void setProjection(bool isProjection) {
+        isProjection_ = isProjection;
+    }  // a projection shows the whole volume
     // Sets points around the visible part. The first ones of a study move a camera that nobody has touched.
     // Later ones, from other presets, do not: pictures to compare keep their view.
     void takeOutline(std::shared_ptr<const std::vector<glm::dvec3>> pointsMm);
-    void refit();  // to another aspect, unless it was moved; emits nothing
+    void refit();  // for another aspect, unless it was moved; emits nothing
 
     // The first five do nothing without a volume. showFirst uses the usual view if `from` is nothing.
     void showFirst(std::optional<ViewDirection> from);

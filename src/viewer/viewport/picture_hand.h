@@ -28,7 +28,7 @@ class PictureHand : public QObject {
     struct Picture {
         std::function<bool()> hasStudy;
         std::function<bool()> isProjection;
-        std::function<bool()> isOnScreen;  // with the present camera
+        std::function<bool()> isOnScreen;  // the picture on screen has the present camera
         std::function<PictureGeometry()> geometry;
     };
     PictureHand(const Parts& parts, Picture picture);
@@ -39,8 +39,8 @@ class PictureHand : public QObject {
 
   Q_SIGNALS:
     void rested();                            // at the end of a drag or of nudges
-    void windowDragged(QPointF byHeights);    // in projections
-    void transferDragged(QPointF byHeights);  // in all others
+    void windowDragged(QPointF byHeights);    // a drag in projections
+    void transferDragged(QPointF byHeights);  // the same drag in all other looks
 
   private:
     void listen();

@@ -18,7 +18,7 @@ class PictureTools {
     bool changesPicture() const { return holder_->changesPicture(); }  // whether the holding tool does
     bool wouldHold(const PicturePlace& place) const;                   // by their cursors; no tool takes hold
     bool press(const PicturePlace& place);                             // returns whether a tool took hold
-    // Those below do nothing without a hold.
+    // The next three do nothing without a hold.
     void move(const PicturePlace& place);
     void release(const PicturePlace& place);
     void giveUp();

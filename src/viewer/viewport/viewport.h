@@ -51,9 +51,9 @@ class Viewport : public QWidget {
     bool namesShown() const { return overlay_.showsNames(); }
     void setDrawing(scene::Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
-    // What counts as converged at rest, and whether the model waits for it: see live::FrameInput.
+    // When a picture at rest counts as converged, and whether the model waits for that: see live::FrameInput.
     void setRestGoal(const RestGoal& goal);
-    void setLiveQuality(const live::LiveQuality& quality);  // of frames in motion
+    void setLiveQuality(const live::LiveQuality& quality);  // the quality of frames in motion
     // Asks for the current model, which arrives as live::ModelSnapshot with the returned number.
     std::uint64_t askForModel(bool withTraining);
     // Whether motion shows the peripheral model (splats), or else small traced pictures.
@@ -86,7 +86,7 @@ class Viewport : public QWidget {
     std::optional<ViewDirection> framedFrom() const { return camera_.framedFrom(); }
     // The side from which this study was shown first.
     ViewDirection firstFrom() const { return camera_.firstFrom(); }
-    std::uint64_t study() const { return input_.study; }  // as in FrameShown
+    std::uint64_t study() const { return input_.study; }  // see live::FrameShown::study
     // The orientation letters on screen, painted into each picture; empty without one.
     const scene::EdgeLetters& letters() const { return letters_; }
     VulkanWindow& window() { return *window_; }
@@ -122,8 +122,8 @@ class Viewport : public QWidget {
     void connectHand();
     void publishChange();                                      // the study, drawing or camera has changed
     std::uint64_t publish();                                   // returns the number of the input
-    void updateMarks();                                        // in the input
-    std::optional<ViewDirection> sideAt(QPointF place) const;  // of the cube, if it is shown
+    void updateMarks();                                        // updates the marks in the input
+    std::optional<ViewDirection> sideAt(QPointF place) const;  // the cube's side there, if the cube is shown
     bool showsProjection() const { return trace::isProjection(input_.drawing.settings.look); }
     bool isCalibrated() const;  // the volume; true without one
     MarkedPicture markedPicture(const Camera& camera) const;
@@ -143,7 +143,7 @@ class Viewport : public QWidget {
     std::uint64_t lastChange_ = 0;  // number of the last publishChange()
     bool gazeFollowsPointer_ = true;
     std::optional<live::FrameShown> shown_;  // the picture on screen
-    scene::EdgeLetters letters_;             // of that picture
+    scene::EdgeLetters letters_;             // the side letters of that picture
 
     std::unique_ptr<live::RenderThread> renderThread_;
 };

@@ -49,8 +49,8 @@ class VulkanWindow : public QWindow {
 
     // The pointer moved without a drag, or a drag began: -1 to 1, right and up are positive.
     void pointed(QPointF place);
-    void doubleClicked(QPointF place);  // with the left button; likewise
-    void clicked(QPointF place);        // with the left button, without motion; likewise
+    void doubleClicked(QPointF place);  // with the left button; place as in pointed()
+    void clicked(QPointF place);        // with the left button, without motion; place as in pointed()
     void dragBegan();
     void dragged(macula::viewer::VulkanWindow::Drag drag, QPointF byPixels);  // logical pixels, y downwards
     void dragEnded();

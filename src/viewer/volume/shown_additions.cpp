@@ -44,7 +44,7 @@ void ShownAdditions::setSecond(std::shared_ptr<const SecondVolumeTexts> second) 
     if (second == second_) return;
     second_ = std::move(second);
     drawn_.reset();
-    joining_.cancel();  // for the second volume before
+    joining_.cancel();  // it was for the earlier second volume
     wantedSecond_.reset();
     if (made_.second) {  // made from the second volume before
         made_.second.reset();

@@ -57,7 +57,7 @@ class ViewsController;
 
 struct MainWindowOptions {
     scene::Catalogue catalogue;
-    std::string device = {};                              // as in gpu::chooseDevice
+    std::string device = {};                              // its name, see gpu::chooseDevice
     std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
     std::shared_ptr<const trace::LightRig> lights = {};   // null: the default lights of each look
     std::optional<ViewDirection> firstView = {};          // nothing: scene::usualView
@@ -113,7 +113,7 @@ class MainWindow : public QMainWindow {
     QString voxels() const { return status_->voxels(); }            // of the open study
     QString rate() const { return status_->rate(); }          // pixels, and pictures per second in motion
     QString fidelity() const { return status_->fidelity(); }  // how the picture was made
-    QString badge() const { return status_->badge(); }        // the same in a word
+    QString badge() const { return status_->badge(); }        // final or preliminary
     QString modelState() const { return status_->model(); }   // the state of the peripheral model
     const Settings& settings() const { return settings_->settings(); }
     void takeSettings(const Settings& settings) { settings_->take(settings); }  // applies and stores them
@@ -134,7 +134,7 @@ class MainWindow : public QMainWindow {
     void studyShown();
     void loadingCancelled();
     void failed(const macula::Error& error);
-    void headsetEnded();  // or could not begin
+    void headsetEnded();  // the headset's session ended, or could not begin
 
   protected:
     bool event(QEvent* event) override;
