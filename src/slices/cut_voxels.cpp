@@ -13,7 +13,7 @@ namespace macula::slices {
 namespace {
 
 constexpr double kFarthestMm = 1e9;     // beyond this, a double cannot distinguish voxels
-constexpr double kHalfWayUp = 2e-6;     // in voxels; above rounding, and invisible
+constexpr double kHalfWayUp = 2e-6;     // in voxels; above rounding errors, and negligible
 constexpr double kMereTouch = 1e-6;     // in voxels
 constexpr double kOnTheEllipse = 1e-9;  // of a radius
 

@@ -50,8 +50,8 @@ class Headset {
         EyePictures eyes;
         std::optional<EyePictures> insets;  // if the headset has them; smaller and finer
         hybrid::Frame frame;                // its pictures (eyes, then insets) are valid until the next step
-        glm::dvec2 gaze{0.0};               // in the centre eye's picture; insets' middle if untracked
-        double fineness = 1.0;              // pixel density of insets over that of eyes
+        glm::dvec2 gaze{0.0};   // in the centre eye's picture; without eye tracking, the insets' middle
+        double fineness = 1.0;  // pixel density of insets over that of eyes
         XrTime displayed = 0;
     };
 

@@ -27,9 +27,8 @@ class MoviePanel : public QWidget {
     explicit MoviePanel(std::function<std::optional<Camera>()> camera, QWidget* parent = nullptr);
 
     bool isTurntable() const { return kinds_->currentIndex() == 0; }
-    double degrees() const {
-        return degrees_->value();
-    }  // turntable's angle; below 0: to the patient's right
+    // The turntable's angle; below 0: to the patient's right.
+    double degrees() const { return degrees_->value(); }
     double seconds() const { return seconds_->value(); }
     double picturesPerS() const { return rate_->value(); }
     int frames() const;

@@ -28,7 +28,7 @@ int sidePx(MarkKind kind, double pixelRatio) {
     return std::max(1, int(std::lround(sideOf(kind) * pixelRatio)));
 }
 
-// Opaque, because boxes over a picture cannot blend.
+// Opaque, like all boxes over a picture.
 QImage paintMark(MarkKind kind, double pixelRatio) {
     const int side = sidePx(kind, pixelRatio);
     QImage image(side, side, QImage::Format_RGBA8888);

@@ -31,9 +31,9 @@ class ToolBox : public QToolBar {
     void setCine(bool plays);      // emits nothing
 
   Q_SIGNALS:
-    void toolChosen(macula::viewer::SliceTool tool);  // by a person
-    void cineToggled(bool plays);                     // by a person
-    void thicknessEntered();                          // after Enter: return the focus to the pictures
+    void toolChosen(macula::viewer::SliceTool tool);  // a person's choice
+    void cineToggled(bool plays);                     // a person's choice
+    void thicknessEntered();  // a person pressed Enter: the focus should return to the pictures
 
   private:
     void addTools();

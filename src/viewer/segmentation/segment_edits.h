@@ -21,7 +21,7 @@ struct SegmentId {
     bool operator==(const SegmentId&) const = default;
 };
 
-// Edits other than show() need a segment, not a whole segmentation. Needs no window.
+// Only show() and isShown() accept a whole segmentation; the others need a segment. Needs no window.
 class SegmentEdits {
     Q_DECLARE_TR_FUNCTIONS(SegmentEdits)
 

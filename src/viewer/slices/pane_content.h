@@ -17,8 +17,8 @@ namespace macula::viewer {
 // Whether a pane shows the second volume when it is beside the study.
 enum class PaneRole { study, second };
 
-// Reads the session's state, and knows nothing of the picture on screen. The session outlives it. Without a
-// study, call only hasStudy(), setSecond(), second(), orientation() and role().
+// Reads the session's state, and knows nothing of the picture on screen. The session outlives it. Only
+// hasStudy(), the second volume, orientation() and role() can be read without a study.
 class PaneContent {
   public:
     PaneContent(const StudyEditor& session, slices::Orientation orientation, PaneRole role);

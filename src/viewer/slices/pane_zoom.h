@@ -33,7 +33,8 @@ class PaneZoom : public QObject {
     void zoomAt(const QPointF& place, double factor, const glm::ivec2& sizePx);
     void panBy(const glm::dvec2& px);
 
-    // Call before a picture of this size is made. Refits a fitted view, and emits settled() if it is new.
+    // Call it before a picture of this size is made. Refits a fitted view, and emits settled() if the view is
+    // new.
     void settle(const glm::ivec2& sizePx);
 
   Q_SIGNALS:

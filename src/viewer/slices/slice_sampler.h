@@ -85,13 +85,13 @@ struct SlicePicture {
 // again only for another volume, frame or slab: a new window only changes the greys.
 class SliceSampler {
   public:
-    // Calls `made` on its thread, once for each request that is not replaced or given up.
+    // Calls `made` on its thread, once for each request that is neither replaced nor cancelled.
     explicit SliceSampler(std::function<void(SlicePicture)> made);
     SliceSampler(const SliceSampler&) = delete;
     SliceSampler& operator=(const SliceSampler&) = delete;
-    ~SliceSampler();  // gives up the current request
+    ~SliceSampler();  // cancels the current request
 
-    // Gives up requests of other studies. Without a volume it only releases the old one.
+    // Cancels requests for other studies. Without a volume it only releases the old one.
     void publish(SliceRequest request);
 
   private:

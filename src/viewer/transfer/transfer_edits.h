@@ -41,7 +41,7 @@ class TransferEdits : public QObject {
     void dragged(const macula::TransferFunction& function);  // during a drag
     void dragEnded();
     void selectionChanged();
-    void colourAsked();  // for the selected colour point
+    void colourAsked();  // a person wants to edit the selected point's colour
 
   private:
     TransferPlot& plot_;

@@ -30,9 +30,7 @@ class PictureCamera : public QObject {
 
     // Begins another study, or none if it is null. Its visible part is not known yet.
     void setVolume(std::shared_ptr<const Volume> volume);
-    void setProjection(bool isProjection) {
-        isProjection_ = isProjection;
-    }  // a projection shows the whole volume
+    void setProjection(bool isProjection) { isProjection_ = isProjection; }  // shows the whole volume
     // Sets points around the visible part. The first ones of a study move a camera that nobody has touched.
     // Later ones, from other presets, do not: pictures to compare keep their view.
     void takeOutline(std::shared_ptr<const std::vector<glm::dvec3>> pointsMm);
@@ -68,7 +66,7 @@ class PictureCamera : public QObject {
     ViewDirection firstFrom_ = ViewDirection::anterior;
     ViewDirection framedFrom_ = ViewDirection::anterior;
     bool untouched_ = true;                                   // not moved since it was framed
-    std::shared_ptr<const std::vector<glm::dvec3>> outline_;  // null before the first of the study
+    std::shared_ptr<const std::vector<glm::dvec3>> outline_;  // null until the study's first
 };
 
 }  // namespace macula::viewer

@@ -80,7 +80,8 @@ class StateController : public QObject {
     // The last state given to the keeper, or the state at opening: an unchanged state is not stored, so it
     // never replaces a stored state that came too late or cannot be read.
     std::optional<scene::StudyState> kept_;
-    // Its JSON text, or the text read: the base of this window's changes. See StudyKeeper::keepState.
+    // The JSON text of kept_, or the text as read: the base of this window's changes. See
+    // StudyKeeper::keepState.
     std::shared_ptr<std::string> keptText_;
     QTimer keeps_;
     QTimer keepsChange_;  // stores a change soon after it

@@ -25,7 +25,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr std::chrono::milliseconds kRateLasts{1000};
-constexpr std::chrono::milliseconds kPreparingIsTold{200};  // a shorter one would flicker
+constexpr std::chrono::milliseconds kPreparingIsTold{200};  // shorter ones go unnoticed
 
 }  // namespace
 
