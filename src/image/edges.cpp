@@ -23,7 +23,7 @@ Result<void> fits(const Mask& mask, const Image& image) {
                  Text("Give one number for each pixel.")};
 }
 
-// What `combined` makes of the values of a pixel and of those around it, as far as the picture goes.
+// Combines the values of a pixel and of its neighbours within the picture.
 template <typename Combined>
 double around(const Plane& plane, int x, int y, double first, const Combined& combined) {
     double value = first;

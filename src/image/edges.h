@@ -1,5 +1,5 @@
-// Measures false lines and dots along edges, which an eye notices. Pictures are as in metrics.h, and so are
-// the errors; masks as in masked_metrics.h. Luminance is that of display-encoded values (Rec. 709).
+// Measures false lines and dots along edges, which are conspicuous. Pictures and errors are as in metrics.h,
+// masks as in masked_metrics.h. Luminance is that of display-encoded values (Rec. 709).
 #pragma once
 
 #include <cstddef>
@@ -33,13 +33,13 @@ struct EdgeVisibility {
     double meanRatio() const;
     double mostRatio() const;
 };
-// Neither number says where a step is: a real edge elsewhere in the mask can hide a line in the frame.
-// Nothing when the mask is empty. Also fails with usage when the mask has another size.
+// Neither ratio says where a step is: a real edge elsewhere in the mask can hide a line in the frame. Nothing
+// when the mask is empty. Also fails with usage when the mask has another size.
 Result<std::optional<EdgeVisibility>> edgeVisibility(const Image& reference, const Image& frame,
                                                      const Mask& mask);
 
-// The count of pixels of the mask that are darker, by more than `margin` of luminance, than the darkest of
-// the 3 x 3 pixels around them in both sources: dots that come from mixing these. Errors as edgeVisibility.
+// Counts the mask's pixels that are darker, by more than `margin` of luminance, than the darkest of the 3 x 3
+// pixels around them in both sources: dots that mixing the sources has made. Errors as edgeVisibility.
 Result<std::size_t> darkerThanBoth(const Image& frame, const Image& a, const Image& b, const Mask& mask,
                                    double margin);
 

@@ -29,7 +29,7 @@ Triple times(const double (&m)[3][3], const Triple& v) {
 struct Inverse {
     double m[3][3];
 };
-// Inverts by cofactors, so that the way back is exact to rounding.
+// Inverts by cofactors, so that the round trip is exact to rounding.
 Inverse inverted(const double (&a)[3][3]) {
     Inverse result{};
     double determinant = 0.0;
@@ -52,7 +52,7 @@ Triple white() {
     return times(kXyzFromRgb, {1, 1, 1});
 }
 
-// The linear opponent space YCxCz, which is CIELAB without the cube root: filtering is right in it.
+// The linear opponent space YCxCz, which is CIELAB without the cube root: only there is filtering correct.
 Triple opponentFromLinear(const Triple& rgb) {
     const Triple n = white();
     const Triple xyz = times(kXyzFromRgb, rgb);
@@ -71,7 +71,7 @@ Triple linearFromOpponent(const Triple& opponent) {
     return times(rgbFromXyz.m, {x * n[0], y * n[1], z * n[2]});
 }
 
-// CIELAB, with chroma less the darker it is (Hunt's effect).
+// CIELAB, with chroma reduced in the dark (Hunt's effect).
 Triple huntLabFromLinear(const Triple& rgb) {
     const Triple n = white();
     const Triple xyz = times(kXyzFromRgb, rgb);
@@ -109,8 +109,8 @@ std::vector<double> gaussian(int radius, double twiceVariance) {
     return weights;
 }
 
-// The contrast sensitivity of an eye to one channel: sums of Gaussians in frequency, hence in space (table 1
-// of the paper).
+// The eye's contrast sensitivity to one channel: sums of Gaussians in frequency, hence in space (table 1 of
+// the paper).
 struct Sensitivity {
     double a1, b1, a2, b2;
 };
@@ -135,7 +135,7 @@ Plane seen(const Plane& plane, const Sensitivity& s, double pixelsPerDegree) {
     return result;
 }
 
-// Linear RGB as seen from the distance.
+// Linear RGB as seen from the viewing distance.
 std::array<Plane, 3> seenColour(const std::array<Plane, 3>& opponent, double pixelsPerDegree) {
     std::array<Plane, 3> result{seen(opponent[0], kSensitivities[0], pixelsPerDegree),
                                 seen(opponent[1], kSensitivities[1], pixelsPerDegree),
@@ -148,7 +148,7 @@ std::array<Plane, 3> seenColour(const std::array<Plane, 3>& opponent, double pix
     return result;
 }
 
-// Strength of edges and of points: derivatives of a Gaussian as wide as a feature that an eye is drawn to.
+// Strength of edges and of points: derivatives of a Gaussian as wide as a feature that attracts the eye.
 struct Features {
     Plane edges;
     Plane points;
@@ -161,7 +161,7 @@ Features features(const Plane& achromatic, double pixelsPerDegree) {
     double across = 0.0;
     for (const double weight : smooth) across += weight;
     const auto magnitude = [&](std::vector<double> weights) {
-        // Positive weights of the whole kernel add up to 1, negative ones to -1.
+        // Normalises the kernel: positive weights add up to 1, negative ones to -1.
         double positive = 0.0;
         double negative = 0.0;
         for (const double weight : weights) (weight > 0 ? positive : negative) += weight;

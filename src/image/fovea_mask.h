@@ -15,9 +15,10 @@ struct FoveaInPicture {
     double fieldDeg = 0.0;        // of the fovea, from side to side
 };
 
-// The mask of pixels whose centre lies within half of `fieldDeg` of the gaze. The angle is at the eye, so
-// away from the middle of the picture the mask is no disc. Fails with usage when the size is empty, an angle
-// is out of range (0.1 to 170 degrees, a field above 0 and at most 180), or the gaze is outside.
+// The mask of pixels whose centre lies within half of `fieldDeg` of the gaze. The angle is measured at the
+// eye, so away from the middle of the picture the mask is not a disc. Fails with usage when the size is
+// empty, an angle is out of range (0.1 to 170 degrees, a field above 0 and at most 180), or the gaze is
+// outside the picture.
 Result<Mask> foveaMask(const FoveaInPicture& fovea);
 
 }  // namespace macula::image

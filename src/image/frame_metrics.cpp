@@ -29,7 +29,7 @@ Result<Plane> planeOf(std::span<const float> weights, const Image& like) {
     return plane;
 }
 
-// Central differences, at the edge of the picture of the pixel itself and the one inside.
+// Central differences; one-sided at the edge of the picture.
 glm::dvec2 gradient(const Plane& plane, int x, int y) {
     const int left = std::max(x - 1, 0);
     const int right = std::min(x + 1, plane.width - 1);
@@ -76,7 +76,7 @@ Result<std::optional<SeamVisibility>> seamVisibility(const Image& reference, con
             if (!isAtBorder(weight, x, y)) continue;
             const glm::dvec2 across = gradient(weight, x, y);
             const double steepness = glm::length(across);
-            if (steepness == 0.0) continue;  // a plateau or a ridge: no side is out
+            if (steepness == 0.0) continue;  // a plateau or a ridge has no direction outwards
             sum.reference += std::abs(glm::dot(gradient(a, x, y), across)) / steepness;
             sum.frame += std::abs(glm::dot(gradient(b, x, y), across)) / steepness;
             ++count;

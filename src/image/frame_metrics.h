@@ -1,6 +1,6 @@
-// Measures what an eye notices in frames with a fovea: its border, and flicker from frame to frame. Pictures
-// are as in metrics.h, and so are the errors. Luminance is that of display-encoded values (Rec. 709 weights),
-// which are about perceptually uniform.
+// Measures the visible faults of frames with a fovea: its border, and flicker from frame to frame. Pictures
+// and errors are as in metrics.h. Luminance is that of display-encoded values (Rec. 709 weights), which are
+// about perceptually uniform.
 #pragma once
 
 #include <optional>
@@ -17,16 +17,16 @@ struct SeamVisibility {
     double frame = 0.0;
     double reference = 0.0;  // the same place in a picture without a border
 
-    // 1 means: the border is not visible. Both values count as at least one step of an 8-bit display per
-    // pixel: smaller ones are rounding, and a flat reference would mean a division by 0.
+    // 1 means that the border is not visible. Both values count as at least one step of an 8-bit display per
+    // pixel: smaller ones are rounding, and a flat reference would divide by 0.
     static constexpr double kLeast = 1.0 / 255.0;
     double ratio() const;
 };
 
 // The mean of |derivative of luminance along the weight's gradient| over the border: pixels whose weight is
 // strictly between kOuterWeight and kInnerWeight, and both sides of a border without such pixels. `weights`
-// are the fovea's in each pixel, clamped to 0 to 1. Nothing where there is no border. Also fails with usage
-// unless there is one finite weight for each pixel.
+// are the fovea's weight in each pixel, clamped to 0 to 1. Nothing if there is no border. Also fails with
+// usage unless there is one finite weight for each pixel.
 inline constexpr double kOuterWeight = 0.02;
 inline constexpr double kInnerWeight = 0.98;
 Result<std::optional<SeamVisibility>> seamVisibility(const Image& reference, const Image& frame,

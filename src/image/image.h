@@ -20,7 +20,7 @@ struct Image {
     std::vector<float> pixels;  // width * height * channels
 };
 
-// Counts the values that no light can have. Readers pass such a picture on unchanged: the caller decides what
+// Counts of values that light cannot have. Readers return such a picture unchanged: the caller decides what
 // to do, and reports it.
 struct Faults {
     std::size_t notFinite = 0;

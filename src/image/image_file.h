@@ -1,4 +1,4 @@
-// Picture files: Radiance HDR, OpenEXR and PNG, by OpenImageIO.
+// Picture files: Radiance HDR, OpenEXR and PNG, with OpenImageIO.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ Result<Image> readImage(const std::filesystem::path& path);
 Result<void> writePng(const std::filesystem::path& path, int width, int height,
                       std::span<const std::uint8_t> rgba, const Metadata& metadata = {});
 
-// Linear premultiplied RGBA as 32-bit floats, and `depthMm` as channel Z unless it is empty. Whole or not at
-// all.
+// Linear premultiplied RGBA as 32-bit floats, and `depthMm` as channel Z unless it is empty. The file is
+// written whole or not at all.
 Result<void> writeExr(const std::filesystem::path& path, int width, int height, std::span<const float> rgba,
                       std::span<const float> depthMm = {}, const Metadata& metadata = {});
 

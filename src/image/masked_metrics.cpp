@@ -131,7 +131,7 @@ double percentile(std::vector<double> values, double fraction) {
     const double place = std::clamp(fraction, 0.0, 1.0) * double(values.size() - 1);
     const auto below = static_cast<std::size_t>(place);
     const double beyond = place - double(below);
-    // No interpolation where neighbours are equal or the place is exact: it would make NaN of infinities.
+    // Does not interpolate between equal neighbours or at an exact place: infinities would become NaN.
     if (beyond == 0.0 || values[below] == values[below + 1]) return values[below];
     return values[below] + beyond * (values[below + 1] - values[below]);
 }

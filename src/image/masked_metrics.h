@@ -1,6 +1,6 @@
 // Compares pictures of an object over black only where the object is, as Kleinbeck et al. (IEEE VR 2026) do,
-// so that a large black background improves no result. Pictures are as in metrics.h, and so are the errors; a
-// mask has a byte for each pixel, 0 where it does not count.
+// so that a large black background improves no result. Pictures and errors are as in metrics.h; a mask has a
+// byte for each pixel, 0 where it does not count.
 #pragma once
 
 #include <cstdint>
@@ -26,18 +26,18 @@ Mask unionOf(const Mask& a, const Mask& b);
 
 // For an empty mask, the functions that return an optional return nothing.
 
-// The PSNR, as psnr, over masked pixels; +infinity where these are equal.
+// The PSNR, as psnr, over masked pixels; +infinity if they are equal.
 Result<std::optional<double>> maskedPsnr(const Image& reference, const Image& test, const Mask& mask);
 
-// The map of SSIM over the whole pictures, its 11 x 11 windows filled up with black beyond the edge, averaged
-// over masked pixels and channels.
+// SSIM, averaged over masked pixels and channels of the map of the whole pictures, whose 11 x 11 windows are
+// padded with black beyond the edge.
 Result<std::optional<double>> maskedSsim(const Image& reference, const Image& test, const Mask& mask);
 
-// Light that leaves the screen over masked pixels: the sum of the luminance (Rec. 709) of decoded values,
-// white 1.
+// The light that masked pixels emit on screen: the sum of the luminance (Rec. 709) of decoded values, white
+// 1.
 double lightOf(const Image& image, const Mask& mask);
 
-// Mean of |test - reference| over masked pixels. All of one size.
+// Mean of |test - reference| over masked pixels. All have one size.
 std::optional<double> coverageError(std::span<const float> reference, std::span<const float> test,
                                     const Mask& mask);
 

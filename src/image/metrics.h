@@ -1,7 +1,7 @@
-// Measures the difference between two pictures, as an eye or a number sees it. Pictures are display-encoded
+// Measures the difference between two pictures, numerically or perceptually. Pictures are display-encoded
 // (sRGB), of one size; the first one or three channels count, alpha does not. Values outside 0 to 1 are
-// clamped. All fail with usage when the pictures cannot be compared: other size, no pixel, linear light, a
-// value that is no number.
+// clamped. All fail with usage when the pictures cannot be compared: other size, no pixel, linear light, or
+// NaN.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ Result<double> psnr(const Image& reference, const Image& test);
 Result<double> ssim(const Image& reference, const Image& test);
 
 // SSIM at five scales (Wang et al. 2003, "Multiscale structural similarity for image quality assessment"),
-// with the window of ssim, but only where it is wholly inside: the numbers are those that others publish.
+// with the window of ssim, but only where it is wholly inside, so that numbers agree with published ones.
 // Means below 0, where structures are opposite, count as 0: their powers would be NaN. Mean over channels; 1
 // when equal. Also fails with usage when a side is below kMsSsimLeastPx: the last scale is halved four times
 // and must hold a window.
@@ -28,8 +28,7 @@ inline constexpr int kMsSsimLeastPx = 11 * 16;
 Result<double> msSsim(const Image& reference, const Image& test);
 
 struct FlipOptions {
-    // Pixels per degree of the eye's view: a 0.7 m wide screen of 3840 pixels seen from 0.7 m, as in the
-    // paper.
+    // Pixels per degree of visual angle: a 0.7 m wide screen of 3840 pixels seen from 0.7 m, as in the paper.
     double pixelsPerDegree = 67.0206;
 };
 struct Flip {

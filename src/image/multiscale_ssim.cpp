@@ -10,7 +10,7 @@ namespace macula::image {
 
 namespace {
 
-// Wang et al. 2003, section 3.2: of the finest scale first.
+// Wang et al. 2003, section 3.2; finest scale first.
 constexpr std::array kWeights{0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
 
 // Averages 2 x 2 pixels; as in the authors' program an odd last row or column is averaged with itself.
@@ -27,7 +27,7 @@ Plane halved(const Plane& plane) {
     return half;
 }
 
-// Over windows that are wholly inside.
+// The mean over windows that lie wholly inside.
 double meanInside(const Plane& map) {
     double sum = 0.0;
     for (int y = kSsimRadius; y < map.height - kSsimRadius; ++y)

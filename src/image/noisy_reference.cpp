@@ -36,11 +36,12 @@ class Halves {
     double mean(std::size_t c, std::size_t i) const {
         return 0.5 * (first_[c].values[i] + second_[c].values[i]);
     }
-    // Half the difference of the halves, which is as large as the noise of their mean.
+    // Half the difference of the halves, which has the same variance as the noise of their mean.
     double halfDifference(std::size_t c, std::size_t i) const {
         return 0.5 * (first_[c].values[i] - second_[c].values[i]);
     }
-    // The curve moves the whole by half as much as its halves, which have twice the variance.
+    // Removes the curve's bias to first order: the whole has half the variance of its halves, so half their
+    // bias.
     double withoutCurve(std::size_t c, std::size_t i) const { return 2.0 * whole_[c].values[i] - mean(c, i); }
 
   private:

@@ -1,5 +1,5 @@
-// The only place that knows OpenImageIO, built as a plug-in (picture_files.h). Its exceptions,
-// should it have any, stop in here.
+// The only file that uses OpenImageIO, built as a plug-in (picture_files.h). Exceptions of OpenImageIO do not
+// leave it.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
@@ -32,8 +32,8 @@ Error notWritable(const fs::path& path) {
             Text("Check free space and permissions of the folder.")};
 }
 
-// OpenImageIO tries all its formats on a file, DICOM and video among them. Only the formats that we mean to
-// read are let in.
+// Accepts only the formats that we mean to read: OpenImageIO would try all of its own, DICOM and video among
+// them.
 Result<std::string> formatOf(const fs::path& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
@@ -52,7 +52,7 @@ Result<std::string> formatOf(const fs::path& path) {
                      Text("Give a file of one of these formats; renaming does not convert it."));
 }
 
-// Runs an adapter function and turns whatever is thrown into an error.
+// Runs an adapter function and turns any exception into an error.
 template <class Function>
 auto guarded(const Error& otherwise, Function&& function) -> decltype(function()) {
     try {
@@ -69,7 +69,7 @@ Result<std::unique_ptr<OIIO::ImageInput>> open(const fs::path& path, OIIO::Image
     MACULA_TRY(const std::string format, formatOf(path));
     auto input = OIIO::ImageInput::create(format);
     if (!input) {
-        OIIO::geterror();  // takes the pending message, which is printed at exit otherwise
+        OIIO::geterror();  // clears the pending message, which would be printed at exit
         return notUsable(path, Text("This build cannot read {} pictures.", format),
                          Text("Give a picture of another format."));
     }
@@ -97,7 +97,7 @@ struct CloseFile {
     void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
 };
 
-// OpenImageIO's PNG writer takes every write for a success, so the stream itself is asked.
+// Checks the stream itself, because OpenImageIO's PNG writer reports success for every write.
 Result<void> write(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
                    const void* pixels) {
     return writeAtomically(path, [&](const fs::path& temporary) {

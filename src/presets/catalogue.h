@@ -1,4 +1,4 @@
-// The presets that are built in: Macula's own and 3D Slicer's.
+// The built-in presets: Macula's own and 3D Slicer's.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@ namespace macula::presets {
 // Macula's own presets, then 3D Slicer's, each by number.
 Result<std::vector<TransferFunction>> builtInPresets();
 
-// Whether what somebody typed means this preset: its name in any case ("CT-Bone", "ct-bone"), or its number.
+// Whether the typed text means this preset: its name in any case ("CT-Bone", "ct-bone"), or its number.
 bool isMeant(const TransferFunction& preset, std::string_view typed);
 
 }  // namespace macula::presets

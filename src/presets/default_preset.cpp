@@ -16,18 +16,17 @@ namespace macula::presets {
 
 namespace {
 
-// Inflated lung lies between -900 and -700 HU; so do foam and partly filled voxels at the skin, but they are
-// few.
+// Inflated lung lies between -900 and -700 HU; so do foam and partial volume at the skin, but these are few.
 constexpr double kLungLowHu = -900.0;
 constexpr double kLungHighHu = -700.0;
 constexpr double kLeastLungMm3 = 400e3;  // 0.4 litres: one lung of a small adult, or a slab through a chest
 constexpr double kLeastFraction = 0.04;
 
-// Contrast agent is told from bone by this: its values change little, those of most trabeculae much. A CTA of
-// a chest has 102 mL of such blood; a chest without contrast agent 20 mL, in vertebrae, and 250 mL as organs.
+// Distinguishes contrast agent from bone: its values vary little, those of most trabeculae much. A CTA of a
+// chest has 102 mL of such blood; a chest without contrast agent 20 mL, in vertebrae, and 250 mL as organs.
 constexpr double kMostFlatHu = 25.0;  // standard deviation in a cube
 constexpr double kLeastBloodHu = 200.0;
-constexpr double kMostBloodHu = 700.0;  // denser are bone and metal
+constexpr double kMostBloodHu = 700.0;  // bone and metal are denser
 constexpr double kLeastOrganHu = 85.0;  // liver has 40 to 75 HU without contrast agent, 90 to 130 with it
 constexpr double kLeastBloodMm3 = 40e3;
 constexpr double kLeastOrganMm3 = 500e3;
@@ -36,12 +35,12 @@ enum class BodyPart { unsaid, head, teeth, heart, vessels, abdomen, spine, bones
 
 struct BodyPartWord {
     std::string_view letters;
-    bool isWhole;  // else part of a word will do: ABDOMEN, CORONARIES, LSPINE
+    bool isWhole;  // false: part of a word is enough: ABDOMEN, CORONARIES, LSPINE
     BodyPart part;
 };
 
-// The codes of PS3.16 L and what vendors write instead. The first that is found holds: HEADNECK is a head,
-// and in a chest with abdomen lungs decide.
+// The codes of PS3.16 L and what vendors write instead. The first match counts: HEADNECK is a head, and in a
+// chest with abdomen lungs decide.
 constexpr auto kBodyPartWords = std::to_array<BodyPartWord>({
     {"JAW", false, BodyPart::teeth},       {"MAXILLA", false, BodyPart::teeth},
     {"MANDIB", false, BodyPart::teeth},    {"DENTA", false, BodyPart::teeth},
@@ -82,7 +81,7 @@ constexpr auto kBodyPartWords = std::to_array<BodyPartWord>({
 });
 
 BodyPart bodyPartOf(std::string_view said) {
-    std::string words = " ";  // of capitals, with a blank before and behind each
+    std::string words = " ";  // words in capitals, each between blanks
     for (const char c : said) {
         const bool isSmall = c >= 'a' && c <= 'z';
         const bool isLetter = isSmall || (c >= 'A' && c <= 'Z');
@@ -100,7 +99,7 @@ bool hasLungs(const Volume& volume) {
     const auto voxels = volume.voxels();
     const UnitsFromStored hu = volume.unitsFromStored();
     const std::size_t stride =
-        std::max<std::size_t>(1, voxels.size() / 200'003);  // a prime: in step with no axis
+        std::max<std::size_t>(1, voxels.size() / 200'003);  // a prime, to avoid steps along an axis
     std::size_t seen = 0;
     std::size_t lung = 0;
     for (std::size_t i = 0; i < voxels.size(); i += stride) {
@@ -115,7 +114,7 @@ bool hasLungs(const Volume& volume) {
     return fraction > kLeastFraction && volumeMm3 > kLeastLungMm3;
 }
 
-// The mean of 3 x 3 x 3 voxels around one that has neighbours, where they differ little.
+// The mean of the 3 x 3 x 3 voxels around one that is not at the edge, if they vary little.
 std::optional<double> flatMean(const Volume& volume, int i, int j, int k) {
     constexpr double kVoxels = 27.0;
     const UnitsFromStored hu = volume.unitsFromStored();
@@ -135,10 +134,10 @@ std::optional<double> flatMean(const Volume& volume, int i, int j, int k) {
     return variance <= kMostFlatHu * kMostFlatHu ? std::optional(mean) : std::nullopt;
 }
 
-// How much there is, in mm3, whose values change little.
+// The volume of matter whose values vary little.
 struct FlatMatter {
     double bloodMm3 = 0.0;   // as dense as blood with contrast agent
-    double organsMm3 = 0.0;  // as dense as organs with it, or as such blood
+    double organsMm3 = 0.0;  // as dense as organs with contrast agent, or as such blood
 };
 
 FlatMatter flatMatter(const Volume& volume) {
@@ -173,12 +172,12 @@ std::string usualTransfer(const Volume& volume) {
     return volume.modality() == "CT" ? "cinematic-micro-ct" : "cinematic-mr";
 }
 
-// The tag is often that of the protocol and not of what was scanned: what is there comes before it. Returns
-// nothing where the body part says no more than the kind of images.
+// The tag often describes the protocol, not what was scanned, so the voxels must confirm it. Returns nothing
+// if the body part says no more than the kind of images.
 std::optional<std::string> transferOfPart(const Volume& volume) {
     const BodyPart part = bodyPartOf(volume.bodyPart());
     if (volume.unit() == Unit::raw && volume.modality() == "MR") {
-        // Of a head scalp is seen, not brain: the usual preset is as good there.
+        // In a head the scalp is visible, not the brain: the usual preset is as good there.
         return part == BodyPart::knee ? std::optional<std::string>("cinematic-mr-knee") : std::nullopt;
     }
     if (volume.unit() != Unit::hounsfield) return std::nullopt;
@@ -201,7 +200,7 @@ std::optional<std::string> transferOfPart(const Volume& volume) {
             if (flatMatter(volume).organsMm3 >= kLeastOrganMm3) return "cinematic-abdomen";
             break;
         case BodyPart::spine:
-            return "cinematic-bone";  // lungs lie beside one
+            return "cinematic-bone";  // lungs do not contradict a spine
         case BodyPart::bones:
         case BodyPart::knee:
             if (!hasLungs(volume)) return "cinematic-bone";

@@ -1,4 +1,4 @@
-// What a volume is shown with when nobody chose.
+// The preset for a volume when nobody has chosen one.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace macula::presets {
 
-// The name of one of transferFiles(). Body Part Examined decides where the voxels bear it out (head, teeth
-// and limbs without lungs, contrast agent in heart, vessels and abdomen); it is often wrong. Else CT:
-// "cinematic-chest" when there is a lung's worth of lung in it, or "cinematic-bone", which needs no contrast
-// agent; CT that has no Hounsfield units: "cinematic-micro-ct". PET and other emission: "cinematic-pet"; all
-// else: "cinematic-mr". These three adapt to any range of values. Where a choice would show nothing
-// (SeenValues), that of the kind of images, then the first of the built-in presets for such images that shows
-// something, if there is one. The volume must be stored16.
+// The name of one of transferFiles(). Body Part Examined, which is often wrong, decides only if the voxels
+// confirm it (head, teeth and limbs without lungs, contrast agent in heart, vessels and abdomen). Otherwise
+// CT: "cinematic-chest" if it shows at least a lung, or "cinematic-bone", which needs no contrast agent; CT
+// without Hounsfield units: "cinematic-micro-ct". PET and other emission: "cinematic-pet"; all others:
+// "cinematic-mr". The last three adapt to any range of values. If a choice would show nothing (SeenValues),
+// the choice for the kind of images; then the first built-in preset for such images that shows something, if
+// there is one. The volume must be stored16.
 std::string defaultTransfer(const Volume& volume);
 
 }  // namespace macula::presets

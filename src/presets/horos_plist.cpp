@@ -38,7 +38,7 @@ bool flag(const JsonNode& node, std::string_view key) {
     return found && found->boolean();
 }
 
-// Curves and colours are lists of lists, in step with each other.
+// Curves and colours are parallel lists of lists.
 void readCurves(const JsonNode& root, TransferFunction& function) {
     const std::vector<JsonNode> curves = root["16bitClutCurves"].items(1, kMostCurves);
     const std::vector<JsonNode> colours = root["16bitClutColors"].items(curves.size(), curves.size());
@@ -55,7 +55,7 @@ void readCurves(const JsonNode& root, TransferFunction& function) {
                   shades[i]["blue"].number(kFraction)}});
         }
     }
-    // They are all added to one function, as VTK adds points.
+    // All curves are added to one function, as VTK adds points.
     sortAsAdded(function.opacity, false);
     sortAsAdded(function.colour, false);
 }
@@ -68,7 +68,7 @@ struct Window {
     }
 };
 
-// The three tables of the program; `entry` from 0 to 255.
+// The three built-in tables of Horos; `entry` from 0 to 255.
 std::optional<double> namedOpacity(std::string_view name, std::size_t entry) {
     const double u = static_cast<double>(entry) / (kTable - 1.0);
     if (name == "Linear Table") return u;

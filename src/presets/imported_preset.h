@@ -1,4 +1,4 @@
-// What an importer makes of one preset of another program.
+// The result of importing one preset of another program.
 #pragma once
 
 #include <string>
@@ -18,11 +18,11 @@ struct ImportedPreset {
 // The presets of a file in its order; never empty.
 using ImportedPresets = std::vector<ImportedPreset>;
 
-// What every importer is given.
+// The input of every importer.
 struct PresetText {
     std::string_view text;
     std::string where;         // the file, for errors
-    std::string fallbackName;  // for formats that name nothing: the file's name without folder and extension
+    std::string fallbackName;  // for formats without names: the file's, without folder and extension
 };
 
 }  // namespace macula::presets

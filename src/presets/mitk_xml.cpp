@@ -11,7 +11,7 @@ namespace macula::presets {
 
 namespace {
 
-// Reads attributes of points, and keeps what went wrong first.
+// Reads attributes of points, and keeps the first error.
 class PointReader {
   public:
     explicit PointReader(const PresetText& file) : file_(file) {}

@@ -1,4 +1,4 @@
-// MITK's transfer functions.
+// Reads MITK's transfer functions.
 #pragma once
 
 #include "presets/imported_preset.h"
@@ -6,8 +6,8 @@
 namespace macula::presets {
 
 // <Version TransferfunctionVersion="1"/> and <TransferFunction> with ScalarOpacity, GradientOpacity and
-// Color. Points may come in any order; of several at one value the last counts, as in VTK. What is not said
-// is taken for Hounsfield units, with a note. Fails with inputNotUsable.
+// Color. Points may come in any order; of several at one value the last counts, as in VTK. Assumes Hounsfield
+// units if the file names no unit, with a note. Fails with inputNotUsable.
 Result<ImportedPresets> presetsFromMitkXml(const PresetText& file);
 
 }  // namespace macula::presets

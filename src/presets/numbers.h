@@ -1,4 +1,4 @@
-// Numbers as files of other programs write them: with a point, whatever the locale, and finite.
+// Reads numbers as other programs write them: with a decimal point, whatever the locale, and finite.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace macula::presets {
 
-// All numbers of a text in which they stand between spaces. Nothing when one of them is none, or there are
-// more than `most`.
+// All numbers of a text, separated by spaces. Nothing if one of them is invalid, or there are more than
+// `most`.
 std::optional<std::vector<double>> numbersFrom(std::string_view text, std::size_t most);
 
 }  // namespace macula::presets

@@ -23,14 +23,14 @@ constexpr std::array<std::pair<std::string_view, ColourSpace>, 7> kSpaces{
      {"DIVERGING", ColourSpace::diverging},
      {"Step", ColourSpace::step}}};
 
-// A switch that is written as 0 and 1, or as true and false.
+// A switch, written as 0 and 1, or as true and false.
 bool isOn(const JsonNode& node, std::string_view key) {
     const auto found = node.find(key);
     if (!found) return false;
     return found->isNumber() ? found->number() != 0.0 : found->boolean();
 }
 
-// A flat list of numbers in groups; nothing when it is not a multiple of them.
+// A flat list of numbers in groups; empty unless its length is a multiple of `perPoint`.
 std::vector<double> groups(const JsonNode& list, std::size_t perPoint) {
     std::vector<double> numbers;
     const std::vector<JsonNode> items = list.items(perPoint, perPoint * kMostPoints);
@@ -43,7 +43,7 @@ std::vector<double> groups(const JsonNode& list, std::size_t perPoint) {
     return numbers;
 }
 
-// ParaView keeps several points at a value; the first of them still holds there.
+// ParaView keeps several points at one value; the value itself has the height of the first.
 std::vector<OpacityPoint> opacityFrom(const JsonNode& list, std::size_t perPoint) {
     const std::vector<double> numbers = groups(list, perPoint);
     std::vector<OpacityPoint> points;

@@ -23,7 +23,8 @@ namespace {
 
 enum class Format { volumePropertyJson, paraviewJson, horosPlist, mitkXml, slicerXml, slicerVp, unknown };
 
-// The text without what may stand in front and without the zeros of UTF-16: enough to tell formats by.
+// The text without leading blanks or byte order mark, and without the zeros of UTF-16: enough to recognise
+// formats.
 std::string lettersOf(std::string_view text) {
     std::string letters;
     std::copy_if(text.begin(), text.end(), std::back_inserter(letters), [](char c) { return c != '\0'; });
@@ -65,7 +66,7 @@ Result<ImportedPresets> fromVolumePropertyJson(const PresetText& file) {
     return ImportedPresets{std::move(preset)};
 }
 
-// No part of the name may lead to another folder.
+// Refuses names that lead to another folder.
 Result<std::string> findTableBeside(const fs::path& path, const std::string& name) {
     if (!name.empty() && name.find_first_of("/\\") == std::string::npos && name.front() != '.') {
         const fs::path folder = path.parent_path();
@@ -82,7 +83,7 @@ Result<std::string> findTableBeside(const fs::path& path, const std::string& nam
         Text("Put the table beside the preset as NAME.plist, or save a 16-bit CLUT with the preset.")};
 }
 
-// The name of a file without its endings: "CT-Bone" for CT-Bone.vp.json.
+// The name of a file without its extensions: "CT-Bone" for CT-Bone.vp.json.
 std::string nameOf(const fs::path& path) {
     fs::path name = path.stem();
     if (name.extension() == ".vp") name = name.stem();

@@ -1,4 +1,4 @@
-// What a preset is called, and what its name says about it.
+// The name of a preset, and the modality and unit that it tells.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 namespace macula::presets {
 
 // The key of a preset, typed after --preset and used as its file name: lower-case letters, digits and
-// hyphens. "preset" when nothing is left. "CT-Coronary-Arteries-2" becomes "ct-coronary-arteries-2".
+// hyphens. "preset" if nothing is left. "CT-Coronary-Arteries-2" becomes "ct-coronary-arteries-2".
 std::string keyFrom(std::string_view title);
 
-// Sets name and title, and the modality and unit that the title begins with, as 3D Slicer's do: CT, MR, DTI,
-// US, uCT (whose values are no Hounsfield units). False when it begins with none of these: then CT in
-// Hounsfield units is set, and should be said.
+// Sets name and title, and the modality and unit with which the title begins, as 3D Slicer's titles do: CT,
+// MR, DTI, US, uCT (whose values are not Hounsfield units). False if it begins with none of these: it then
+// assumes CT in Hounsfield units, and the caller should note that.
 bool nameAfter(TransferFunction& function, std::string_view title);
 
 // The note that nameAfter assumed CT in Hounsfield units.

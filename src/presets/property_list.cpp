@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// XmlDocument bounds how deep this goes.
+// XmlDocument bounds the depth of the recursion.
 class Converter {
   public:
     explicit Converter(const std::string& where) : where_(where) {}

@@ -1,4 +1,4 @@
-// Apple's property lists in XML, as JSON: what reads JSON reads them too.
+// Converts Apple's property lists from XML to JSON, so that JSON readers can read them.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,7 +10,7 @@
 namespace macula::presets {
 
 // dict, array, string, date and data (both as text), real, integer, true, false. Fails with inputNotUsable
-// for text that is no property list, and for the binary form.
+// for text that is not a property list, and for the binary form.
 Result<nlohmann::json> jsonFromPropertyList(std::string_view text, const std::string& where);
 
 }  // namespace macula::presets

@@ -1,4 +1,4 @@
-// Whether anything of a volume can be seen with a preset.
+// Finds out whether a preset shows anything of a volume.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ class SeenValues {
   public:
     explicit SeenValues(const Volume& volume);
 
-    // Whether more than a thousandth of the voxels holds matter of which a hand's breadth would be visible.
-    // Never of a volume that is all padding.
+    // Whether more than a thousandth of the voxels holds matter that would be visible at the thickness of a
+    // hand's breadth. False for a volume that is all padding.
     bool areSeenWith(const TransferFunction& preset) const;
 
   private:

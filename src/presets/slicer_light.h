@@ -8,7 +8,7 @@
 
 namespace macula::presets {
 
-// Whether `text` is a number from 0 to `most`, which then is in `out`.
+// Returns whether `text` is a number from 0 to `most`, and sets `out` to it.
 bool readLight(std::string_view text, double most, double& out);
 
 // "0" nearest, "1" linear, "2" cubic.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLines = 9;
 
-// The lines that are not blank. Fails unless there are nine.
+// The non-blank lines. Fails unless there are nine.
 Result<std::array<std::string_view, kLines>> linesOf(const PresetText& file) {
     std::array<std::string_view, kLines> lines;
     std::size_t count = 0;

@@ -1,4 +1,4 @@
-// 3D Slicer's .vp: nine lines of text.
+// Reads 3D Slicer's .vp: nine lines of text.
 #pragma once
 
 #include "presets/imported_preset.h"
@@ -6,8 +6,8 @@
 namespace macula::presets {
 
 // interpolation, shade, diffuse, ambient, specular, specular power, scalar opacity, gradient opacity, colour.
-// The file names nothing; its own name says the modality. Fails with inputNotUsable; the message tells the
-// line.
+// The file has no name in it; the modality comes from the file's own name. Fails with inputNotUsable; the
+// message names the line.
 Result<ImportedPresets> presetsFromSlicerVp(const PresetText& file);
 
 }  // namespace macula::presets

@@ -22,18 +22,18 @@ bool sameHeight(Point a, const Point& b) {
     return a == b;
 }
 
-// The next larger double; from 0 the smallest that is not denormal.
+// The next larger double; from 0 the smallest normal one.
 double nextAbove(double value) {
     if (value == 0.0) return std::numeric_limits<double>::min();
     return std::nextafter(value, std::numeric_limits<double>::infinity());
 }
 
-// Moves points up, sorted by value, that stand at the value of one before them and differ from it.
+// Moves up each point (sorted by value) that has the value of an earlier one but differs from it.
 template <class Point>
 void separate(std::vector<Point>& points) {
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Point& before = points[i - 1];
-        points[i].value = std::max(points[i].value, before.value);  // where that one was moved beyond this
+        points[i].value = std::max(points[i].value, before.value);  // `before` may have moved beyond this one
         if (points[i].value == before.value && !sameHeight(points[i], before))
             points[i].value = nextAbove(before.value);
     }
@@ -49,7 +49,7 @@ void sortPoints(std::vector<Point>& points, bool keepSteps) {
     points.erase(points.begin(), kept.base());
 }
 
-// The numbers of a curve without their count.
+// The numbers of a curve, without their leading count.
 Result<std::vector<double>> readNumbers(std::string_view text, std::size_t perPoint, const Text& what,
                                         const std::string& where) {
     const auto fail = [&](Text why) {

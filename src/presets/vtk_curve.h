@@ -1,4 +1,4 @@
-// Curves as VTK's programs write and keep them.
+// Reads curves in the formats of programs that use VTK.
 #pragma once
 
 #include <string>
@@ -11,20 +11,20 @@
 namespace macula::presets {
 
 constexpr std::size_t kMostPoints = 4096;
-constexpr double kLargestValue = 1e9;  // of x, either way
+constexpr double kLargestValue = 1e9;  // the largest |x|
 
-// "N x y x y …": N is how many numbers follow. Points have to be sorted; of two at the same value that differ
-// the second is moved up by the least possible, as 3D Slicer does, so that the first still holds there.
-// Heights are clamped to 0 and 1, and `clamped` set where that changed one. `what` is what to call the curve
-// in an error, `where` its file.
+// "N x y x y …": N is the count of the numbers that follow. Points must be sorted; of two different points at
+// the same value the second is moved up by the least possible amount, as in 3D Slicer, so that the first
+// still holds there. Heights are clamped to 0 and 1, and `clamped` is set if that changed one. `what` names
+// the curve in an error, `where` its file.
 Result<std::vector<OpacityPoint>> opacityFromText(std::string_view text, const Text& what,
                                                   const std::string& where, bool& clamped);
 // "N x r g b x r g b …"
 Result<std::vector<ColourPoint>> colourFromText(std::string_view text, const Text& what,
                                                 const std::string& where, bool& clamped);
 
-// Sorts points that were added in any order, as VTK does with those of all other formats. `keepSteps` says
-// what becomes of several at one value: true keeps all, each moved as above, false keeps the last.
+// Sorts points that were added in any order, as VTK does with those of all other formats. Of several points
+// at one value, `keepSteps` keeps all, moved as above; otherwise only the last stays.
 void sortAsAdded(std::vector<OpacityPoint>& points, bool keepSteps);
 void sortAsAdded(std::vector<ColourPoint>& points, bool keepSteps);
 

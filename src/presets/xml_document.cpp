@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMaxDepth = 64;
 
-// Depth of the deepest element, walked without recursion.
+// Whether an element is nested too deep, without recursion.
 bool isTooDeep(pugi::xml_node root) {
     int depth = 0;
     pugi::xml_node node = root.first_child();
@@ -35,7 +35,7 @@ Result<XmlDocument> XmlDocument::parse(std::string_view text, const std::string&
     const auto fail = [&](Text message, Text hint) {
         return Error{ErrorCode::inputNotUsable, std::move(message), where, std::move(hint)};
     };
-    // Letters are taken in whatever encoding the file is: UTF-16 has a zero beside each letter.
+    // Works in any encoding of the file: UTF-16 only has a zero beside each letter.
     std::string letters;
     std::copy_if(text.begin(), text.end(), std::back_inserter(letters), [](char c) { return c != '\0'; });
     if (letters.find("<!ENTITY") != std::string::npos) {

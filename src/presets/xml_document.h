@@ -1,5 +1,5 @@
-// XML from strangers. The parser (pugixml) reads no external entities and expands none that a file declares;
-// files that declare some are refused all the same, as what they say could not be read.
+// XML from untrusted files. The parser (pugixml) reads no external entities and expands none that a file
+// declares; files that declare entities are refused nevertheless, because their content could not be read.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace macula::presets {
 
 class XmlDocument {
   public:
-    // Several root elements are allowed: MITK writes two. Fails with inputNotUsable when the text is no XML
+    // Several root elements are allowed: MITK writes two. Fails with inputNotUsable if the text is not XML
     // (with the line), declares entities, has no element, or is nested more than 64 deep.
     static Result<XmlDocument> parse(std::string_view text, const std::string& where);
 

@@ -6,7 +6,7 @@ namespace macula::registration {
 
 namespace {
 
-constexpr double kLeverMm = 100.0;  // a turn is told by how far it moves what lies so far from its middle
+constexpr double kLeverMm = 100.0;  // rotations are measured in mm at this radius
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// How alike two volumes are under a rigid transform.
+// Measures how alike two volumes are under a rigid transform.
 #pragma once
 
 #include <limits>
@@ -16,7 +16,7 @@ namespace macula::registration {
 // p[0] to p[2]: rotation vector about `middleMm`, in mm at a radius of 100 mm; p[3] to p[5]: shift in mm.
 glm::dmat4 transformOf(const Parameters& p, const glm::dvec3& middleMm);
 
-// Compares on one level at one set of points. The caller keeps the moving grid and its bins alive.
+// Compares on one pyramid level at one set of points. The caller keeps the moving grid and its bins alive.
 class Comparison {
   public:
     Comparison(std::vector<SamplePoint> points, const ScalarGrid& moving, const IntensityBins& bins,

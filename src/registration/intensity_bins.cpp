@@ -6,7 +6,7 @@ namespace macula::registration {
 
 namespace {
 
-constexpr double kLeftOut = 0.005;  // of the values, at each end
+constexpr double kLeftOut = 0.005;  // share of the values at each end
 
 bool isActivity(Unit unit) {
     return unit == Unit::becquerelsPerMillilitre || unit == Unit::suvBodyWeight;
@@ -28,7 +28,7 @@ IntensityBins::IntensityBins(const ScalarGrid& grid, Unit unit) : isRoot_(isActi
     };
     low_ = at(kLeftOut);
     double high = at(1.0 - kLeftOut);
-    // Little of it is anything: a few voxels in a field that is empty.
+    // Nearly all values are equal, as for a few voxels in an empty field: uses the full range.
     if (!(high > low_)) {
         low_ = at(0.0);
         high = at(1.0);

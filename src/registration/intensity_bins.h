@@ -1,4 +1,4 @@
-// From values to the bins of a histogram.
+// Maps values to the bins of a histogram.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@ inline constexpr int kBins = 40;
 // Bins kept free at each end: a cubic B-spline reaches two bins.
 inline constexpr int kMargin = 2;
 
-// Linear between the 0.5 % and 99.5 % quantiles, because a metal clip or one hot pixel would leave all tissue
-// in one bin. Activity (PET) is linear in its square root, because uptake is low in most of a body.
+// Linear between the 0.5 % and 99.5 % quantiles, because a metal clip or one hot pixel would put all tissue
+// into one bin. Activity (PET) is linear in its square root, because uptake is low in most of a body.
 class IntensityBins {
   public:
     // `unit` is that of the grid's values. A grid without values, or of one value only, has no usable bins.
     IntensityBins(const ScalarGrid& grid, Unit unit);
 
     bool areUsable() const { return perUnit_ > 0.0; }
-    // From kMargin to kBins - 1 - kMargin.
+    // The bin of a value, from kMargin to kBins - 1 - kMargin.
     double of(float value) const {
         const double shown = isRoot_ ? std::sqrt(std::max(double(value), 0.0)) : double(value);
         return kMargin + std::clamp((shown - low_) * perUnit_, 0.0, double(kBins - 1 - 2 * kMargin));

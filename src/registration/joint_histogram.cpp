@@ -36,7 +36,7 @@ void add(Part& part, std::span<const SamplePoint> points, const ScalarGrid& movi
     }
 }
 
-// Of weights that sum up to `total`.
+// The entropy of weights whose sum is `total`.
 template <class Weights>
 double entropy(const Weights& weights, double total) {
     double sum = 0.0;

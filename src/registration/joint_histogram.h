@@ -17,11 +17,11 @@ struct Likeness {
     // (H(fixed) + H(moving)) / H(fixed, moving): from 1, nothing in common, to 2. Unlike mutual information,
     // it does not grow merely because less of the volumes overlaps.
     double normalised = 1.0;
-    double overlap = 0.0;  // the share of the points that lie where the moving volume has a value
+    double overlap = 0.0;  // share of the points where the moving volume has a value
 };
 
 // Fixed values fall into one bin, moving ones into four (a cubic B-spline), so likeness changes smoothly with
-// the transform. Sums go in one order on any number of cores: the same points give the same bits.
+// the transform. Sums are taken in one order on any number of cores: the same points give the same bits.
 Likeness likenessOf(std::span<const SamplePoint> points, const ScalarGrid& moving, const IntensityBins& bins,
                     const glm::dmat4& movingFromFixed);
 

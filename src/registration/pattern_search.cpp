@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::size_t kCount = std::tuple_size_v<Parameters>;
 constexpr int kRefinements = 3;
-constexpr double kWideSteps = 4.0;      // times the last one: what lies nearer is rounded
-constexpr double kFarthestSteps = 2.0;  // a paraboloid holds no farther
+constexpr double kWideSteps = 4.0;      // times the last step: closer points differ only by rounding
+constexpr double kFarthestSteps = 2.0;  // the paraboloid is not valid beyond
 
-using Matrix = std::array<Parameters, kCount>;  // its lower triangle
+using Matrix = std::array<Parameters, kCount>;  // only the lower triangle is used
 
-// x in a x = b, by the factor of Cholesky. Nothing unless a is positive definite.
+// Solves a x = b by Cholesky factorisation. Nothing unless a is positive definite.
 std::optional<Parameters> solved(Matrix a, Parameters b) {
     for (std::size_t i = 0; i < kCount; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
@@ -61,7 +61,7 @@ class Search {
         return {at, value_(at)};
     }
 
-    // As far as steps of this size lead up.
+    // Climbs as long as steps of this size lead up.
     void climb(Highest& best, double step) {
         while (!ends()) {
             const Highest before = best;
@@ -84,7 +84,7 @@ class Search {
         }
     }
 
-    // Once more where the last steps led, as long as that leads up.
+    // Repeats the last move as long as it leads up.
     void follow(Highest& best, Highest before, double step) {
         while (!ends()) {
             Parameters ahead{};
@@ -97,8 +97,8 @@ class Search {
         }
     }
 
-    // To the top of a paraboloid through points around: steps along the axes do not follow a ridge between
-    // them.
+    // Moves to the top of a paraboloid through surrounding points: steps along the axes do not follow a
+    // diagonal ridge.
     void refine(Highest& best) {
         for (int n = 0; n < kRefinements && !cancelled_(); ++n) {
             const std::optional<Parameters> top = topAround(best, kWideSteps * range_.lastStep);
@@ -109,7 +109,7 @@ class Search {
         }
     }
 
-    // Nothing where it is no hill.
+    // Nothing if the paraboloid has no maximum.
     std::optional<Parameters> topAround(const Highest& middle, double h) {
         const auto at = [&](std::size_t i, double byI, std::size_t j, double byJ) {
             Parameters place = middle.at;
@@ -119,7 +119,7 @@ class Search {
         };
         Parameters slope{};
         Parameters above{};
-        Matrix bend{};  // of the hill turned over
+        Matrix bend{};  // minus the Hessian
         for (std::size_t i = 0; i < kCount; ++i) {
             if (cancelled_()) return std::nullopt;
             above[i] = at(i, h, i, 0.0);

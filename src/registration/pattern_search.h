@@ -20,8 +20,9 @@ struct Highest {
     double value = 0.0;
 };
 
-// Makes the same calls for the same function: about range.mostCalls at most, and up to 84 for paraboloids.
-// `value` may be minus infinity. Ends early, with the best place so far, once `cancelled` returns true.
+// Deterministic: the same function gets the same calls, about range.mostCalls at most, and up to 84 for
+// paraboloids. `value` may be minus infinity. Ends early, with the best place so far, once `cancelled`
+// returns true.
 Highest patternSearch(const std::function<double(const Parameters&)>& value, const Parameters& start,
                       const SearchRange& range, const std::function<bool()>& cancelled);
 

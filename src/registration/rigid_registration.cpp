@@ -21,7 +21,7 @@ namespace macula::registration {
 
 namespace {
 
-// Of the cells, in mm: fine enough for half a voxel of a slice that is read, and quick.
+// Cell sizes of the levels, in mm: fine enough for half a voxel of a slice for reading, and fast.
 constexpr std::array kCellsMm{2.0, 4.0, 8.0};
 constexpr std::size_t kFine = 0;
 constexpr std::size_t kMiddle = 1;
@@ -30,15 +30,15 @@ constexpr std::size_t kCoarse = 2;
 constexpr std::size_t kCoarsePoints = 4000;
 constexpr std::size_t kMiddlePoints = 16000;
 constexpr std::size_t kFinePoints = 40000;
-constexpr std::size_t kLeastPoints = 200;  // and cells of a volume
-constexpr double kLeastPointsMet = 100.0;  // fewer are alike by chance
+constexpr std::size_t kLeastPoints = 200;  // a volume also needs this many cells
+constexpr double kLeastPointsMet = 100.0;  // fewer may be alike by chance
 
-constexpr double kLeastOverlap = 0.3;    // of the smaller volume
-constexpr double kSweepStepMm = 24.0;    // along the patient, for starts: scans differ in where they begin
+constexpr double kLeastOverlap = 0.3;    // share of the smaller volume
+constexpr double kSweepStepMm = 24.0;    // of the starts along the patient: scans begin at different heights
 constexpr double kSweepReachMm = 480.0;  // to each side
 constexpr std::size_t kStartsFollowed = 4;
-constexpr double kSamePlaceMm = 10.0;  // nearer to each other, ends of the coarse level are one
-constexpr double kApartMm = 3.0;       // of the two starts of the second and third level
+constexpr double kSamePlaceMm = 10.0;  // nearer results of the coarse level count as one
+constexpr double kApartMm = 3.0;       // between the two starts of the middle and fine levels
 constexpr SearchRange kCoarseRange{.firstStep = 8.0, .lastStep = 1.0};
 constexpr SearchRange kMiddleRange{.firstStep = 3.0, .lastStep = 0.3};
 constexpr SearchRange kRivalRange{.firstStep = 3.0, .lastStep = 0.6, .mostCalls = 200};
@@ -47,10 +47,9 @@ constexpr SearchRange kFineRange{.firstStep = 1.0, .lastStep = 0.06};
 constexpr std::uint64_t kSeed = 20031;
 
 constexpr double kDoubtfulMm = 3.0;
-constexpr double kDoubtfulInformation = 0.05;  // nats: what is left between volumes of two bodies, about
+constexpr double kDoubtfulInformation = 0.05;  // nats: about that of volumes of two different bodies
 constexpr double kDoubtfulOverlap = 0.1;
-// Spines that repeat themselves have 0.7 and more one vertebra off or farther, anatomy that does not 0.36 and
-// less.
+// Repetitive spines have 0.7 or more at one vertebra off or farther, other anatomy 0.36 or less.
 constexpr double kDoubtfulRival = 0.5;
 
 constexpr std::size_t kProgressSteps = 12;
@@ -66,9 +65,9 @@ Error notUsable(Text sentence) {
             Text("Link the volumes by hand, or choose another series.")};
 }
 
-// A volume, coarser and coarser.
+// A volume at increasingly coarse levels.
 struct Pyramid {
-    std::array<ScalarGrid, kCellsMm.size()> levels;  // by kFine, kMiddle, kCoarse
+    std::array<ScalarGrid, kCellsMm.size()> levels;  // the index is kFine, kMiddle or kCoarse
 };
 
 Pyramid pyramidOf(const Volume& volume, const CancelToken& token) {
@@ -79,11 +78,11 @@ Pyramid pyramidOf(const Volume& volume, const CancelToken& token) {
     return pyramid;
 }
 
-// Where a volume has values.
+// The extent of a volume's values.
 struct Extent {
     Box box{glm::dvec3(std::numeric_limits<double>::max()),
             glm::dvec3(std::numeric_limits<double>::lowest())};
-    glm::dvec3 middleMm{0.0};  // of all cells that have a value
+    glm::dvec3 middleMm{0.0};  // centroid of the cells with a value
     std::size_t cells = 0;
     double volumeMl = 0.0;
 };
@@ -154,7 +153,7 @@ class RigidSearch {
         progress_.advance(6);
         const Comparison middle = comparison(kMiddle, kMiddlePoints, 2);
         std::optional<Rival> rival = rivalOf(answer, others, middle);
-        if (rival && rival->share >= 1.0 && !progress_.cancelled()) {  // on coarser cells it fits even better
+        if (rival && rival->share >= 1.0 && !progress_.cancelled()) {  // fits even better on the middle level
             const Answer second = refined(rival->place.at, judge);
             if (second.score > answer.score && !progress_.cancelled()) {
                 others.insert(others.begin(), answer.at);
@@ -168,11 +167,11 @@ class RigidSearch {
     }
 
   private:
-    // The better of what two searches ended with that began on both sides of a place.
+    // The better result of two searches, which began on both sides of a place.
     struct Answer {
         std::array<Highest, 2> ends{};
         Parameters at{};
-        double score = 0.0;  // by the judge
+        double score = 0.0;  // on the judge's finer points
     };
 
     Comparison comparison(std::size_t level, std::size_t points, std::uint64_t run) const {
@@ -204,7 +203,7 @@ class RigidSearch {
                              [this] { return progress_.cancelled(); });
     }
 
-    // As they lie, middle on middle, and from there along the patient.
+    // The starts: as the volumes lie, centred on each other, and from both of these along the patient.
     std::vector<Parameters> starts() const {
         const glm::dvec3 toMiddle = movingExtent_.middleMm - fixedExtent_.middleMm;
         std::vector<Parameters> all{{}, {0.0, 0.0, 0.0, toMiddle.x, toMiddle.y, toMiddle.z}};
@@ -216,7 +215,7 @@ class RigidSearch {
         return all;
     }
 
-    // Where the best starts lead to, the best place first; none twice.
+    // The places that the best starts lead to, best first, without duplicates.
     std::vector<Highest> placesOf(const Comparison& coarse) const {
         std::vector<Highest> all;
         for (const Parameters& start : starts()) {
@@ -248,7 +247,7 @@ class RigidSearch {
         return answer;
     }
 
-    // From one of two starts that lie on both sides of the answer of the coarse level.
+    // Refines from one of two starts on both sides of the coarse level's answer.
     Highest refined(const Parameters& from, std::size_t run) const {
         Parameters start = from;
         const double away = run == 0 ? kApartMm : -kApartMm;
@@ -284,7 +283,7 @@ class RigidSearch {
         return judge.at(asTheyLie ? all[0] : all[1]).information;
     }
 
-    // At the corners of what both volumes show.
+    // The largest distance at the corners of the volumes' overlap.
     double farthestApartMm(const std::array<Highest, 2>& ends) const {
         const glm::dmat4 first = transformOf(ends[0].at, fixedExtent_.middleMm);
         const glm::dmat4 second = transformOf(ends[1].at, fixedExtent_.middleMm);

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kStepMm = 5.0;  // a third of the spacing of cervical vertebrae, the closest in a spine
 constexpr int kStepsEachWay = 32;
-constexpr double kApartMm = 10.0;  // nearer than that it is the same answer
+constexpr double kApartMm = 10.0;  // nearer places are the same answer
 constexpr std::size_t kMostPeaks = 3;
-constexpr double kLeastDepth = 1e-4;  // of a likeness that goes from 1 to 2: less than points differ by
+constexpr double kLeastDepth = 1e-4;  // of a likeness from 1 to 2: below the differences between point sets
 
-constexpr std::size_t kAlong = 5;  // of Parameters: the shift along the patient
+constexpr std::size_t kAlong = 5;  // index in Parameters of the shift along the patient
 
 double shiftMm(const Parameters& a, const Parameters& b) {
     return std::hypot(a[3] - b[3], a[4] - b[4], a[5] - b[5]);
@@ -42,7 +42,7 @@ class Profile {
         return places;
     }
 
-    // The least of the scores on the way to `place`; of all of them where that does not lie along.
+    // The lowest score on the way to `place`; of the whole profile if `place` is not on it.
     double floorTowards(const Parameters& place) const {
         const double along = place[kAlong] - answer_[kAlong];
         const bool isAlong = std::abs(along) >= kApartMm && std::abs(along) <= kStepsEachWay * kStepMm;
@@ -84,10 +84,10 @@ std::optional<Rival> strongestRival(const Comparison& on, const Parameters& answ
     for (const Parameters& start : starts) {
         Rival rival{.place = search(start)};
         rival.shiftMm = shiftMm(rival.place.at, answer);
-        if (rival.shiftMm < kApartMm || !std::isfinite(rival.place.value)) continue;  // it led back
+        if (rival.shiftMm < kApartMm || !std::isfinite(rival.place.value)) continue;  // the search led back
         const double floor = std::min({profile.floorTowards(rival.place.at), highest, rival.place.value});
         const double depth = highest - floor;
-        // Where nothing is lost on the way nothing tells one place from another.
+        // If the likeness does not fall on the way, nothing distinguishes the two places.
         rival.share = depth < kLeastDepth ? 1.0 : (rival.place.value - floor) / depth;
         if (!strongest || rival.share > strongest->share) strongest = rival;
     }

@@ -6,7 +6,7 @@ namespace macula::registration {
 
 namespace {
 
-// SplitMix64: a number of 64 bits for each counter.
+// SplitMix64: a 64-bit number for each counter.
 std::uint64_t mixed(std::uint64_t counter) {
     std::uint64_t z = counter + 0x9E3779B97F4A7C15ULL;
     z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
@@ -14,7 +14,7 @@ std::uint64_t mixed(std::uint64_t counter) {
     return z ^ (z >> 31U);
 }
 
-// From 0 up to, and without, 1.
+// A number from 0 (inclusive) to 1 (exclusive).
 double share(std::uint64_t seed, std::uint64_t counter) {
     constexpr double kTo53Bits = 1.0 / 9007199254740992.0;
     return double(mixed(mixed(seed) + counter) >> 11U) * kTo53Bits;
@@ -28,7 +28,7 @@ std::vector<SamplePoint> samplePoints(const ScalarGrid& grid, const IntensityBin
     const auto valid =
         std::size_t(std::ranges::count_if(grid.values, [](float value) { return !std::isnan(value); }));
     if (valid == 0 || wanted == 0) return {};
-    // More are drawn than wanted, by as much as will miss.
+    // Draws more than wanted, because draws without a value are dropped.
     const std::size_t draws = std::min(cells, std::size_t(double(wanted) * double(cells) / double(valid)));
     std::vector<SamplePoint> points;
     points.reserve(std::min(wanted, draws) + 1);

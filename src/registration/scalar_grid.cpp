@@ -9,7 +9,8 @@ namespace macula::registration {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-// Nothing is thinner than vacuum: what scanners write here (-2000, -3024) lies outside their field of view.
+// Nothing is thinner than vacuum: lower values (-2000, -3024) mark voxels outside the scanner's field of
+// view.
 constexpr double kNothingHu = -1100.0;
 constexpr int kLeastCells = 8;
 
@@ -24,7 +25,7 @@ glm::ivec3 blockOf(const glm::ivec3& size, const glm::dmat4& worldFromVoxel, dou
     return block;
 }
 
-// Without values. What is left over at the far ends is no cell: it is less than one.
+// A grid without values. Incomplete cells at the far ends are left out.
 ScalarGrid emptyGrid(const glm::ivec3& size, const glm::dmat4& worldFromVoxel, const glm::ivec3& block) {
     ScalarGrid grid;
     grid.size = size / block;
@@ -39,7 +40,7 @@ ScalarGrid emptyGrid(const glm::ivec3& size, const glm::dmat4& worldFromVoxel, c
     return grid;
 }
 
-// valueOf(offset) is the value of a voxel, NaN where there is none.
+// valueOf(offset) is the value of a voxel, or NaN.
 template <class ValueOf>
 void fill(ScalarGrid& grid, const glm::ivec3& size, const glm::ivec3& block, const CancelToken& token,
           const ValueOf& valueOf) {

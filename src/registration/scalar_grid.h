@@ -11,8 +11,8 @@
 
 namespace macula::registration {
 
-// Its axes are those of the voxels, oblique and sheared as they are. Places go through the whole affine map,
-// so a tilted gantry needs no grid of its own.
+// Its axes are those of the voxels, oblique and sheared as they are. Positions use the whole affine map, so a
+// tilted gantry needs no other grid.
 struct ScalarGrid {
     glm::ivec3 size{0};
     glm::dmat4 worldFromGrid{1.0};
@@ -26,7 +26,7 @@ struct ScalarGrid {
     float at(const glm::dvec3& cell) const;
 };
 
-// Cells of about `cellMm`, the mean of the voxels in each; none where fewer than half of them have a value.
+// Cells of about `cellMm` with the mean of the voxels in each; NaN if fewer than half of them have a value.
 // Padding has none, nor has a voxel below -1100 HU. At least eight cells along each axis, if it has as many
 // voxels. Incomplete when cancelled. May throw std::bad_alloc.
 ScalarGrid gridOf(const Volume& volume, double cellMm, const CancelToken& token);
@@ -36,7 +36,7 @@ ScalarGrid coarser(const ScalarGrid& fine, double cellMm);
 
 inline float ScalarGrid::at(const glm::dvec3& cell) const {
     constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-    // Written so that NaN is outside, too.
+    // Written so that NaN counts as outside.
     if (!(cell.x >= 0.0 && cell.y >= 0.0 && cell.z >= 0.0 && cell.x < size.x - 1 && cell.y < size.y - 1 &&
           cell.z < size.z - 1))
         return kNone;
@@ -48,7 +48,7 @@ inline float ScalarGrid::at(const glm::dvec3& cell) const {
     const auto along = [&](const float* at) { return at[0] + (at[1] - at[0]) * share.x; };
     const float front = along(v) + (along(v + row) - along(v)) * share.y;
     const float back = along(v + slice) + (along(v + slice + row) - along(v + slice)) * share.y;
-    return front + (back - front) * share.z;  // NaN comes through
+    return front + (back - front) * share.z;  // NaN propagates
 }
 
 }  // namespace macula::registration

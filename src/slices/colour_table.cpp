@@ -9,7 +9,7 @@ namespace macula::slices {
 
 namespace {
 
-constexpr double kComesUp = 64.0;  // of 255
+constexpr double kComesUp = 64.0;  // greys, of 255, over which opacity rises
 
 std::uint32_t premultiplied(Rgb colour, double alpha) {
     const auto part = [](double value) { return std::uint32_t(std::lround(value)); };

@@ -18,7 +18,7 @@ enum class ColourTable {
 };
 inline constexpr std::array kColourTables{ColourTable::hotIron, ColourTable::green, ColourTable::grey};
 
-// As in files.
+// The name in files.
 constexpr std::string_view nameOf(ColourTable table) {
     switch (table) {
         case ColourTable::hotIron:

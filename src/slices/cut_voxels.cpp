@@ -12,8 +12,8 @@ namespace macula::slices {
 
 namespace {
 
-constexpr double kFarthestMm = 1e9;     // farther away a double does not tell voxels apart
-constexpr double kHalfWayUp = 2e-6;     // in voxels; more than what is rounded off, and nothing to a person
+constexpr double kFarthestMm = 1e9;     // beyond this, a double cannot distinguish voxels
+constexpr double kHalfWayUp = 2e-6;     // in voxels; above rounding errors, and negligible
 constexpr double kMereTouch = 1e-6;     // in voxels
 constexpr double kOnTheEllipse = 1e-9;  // of a radius
 
@@ -21,14 +21,14 @@ double lengthOf(const glm::dvec3& vector) {
     return std::hypot(vector.x, vector.y, vector.z);  // without overflow
 }
 
-// In radii: 1 on the ellipse.
+// The distance from the centre in radii: 1 on the ellipse.
 double radiiFromCentre(const glm::dvec2& mm, const glm::dvec2& radiiMm) {
     return std::hypot(mm.x / radiiMm.x, mm.y / radiiMm.y);
 }
 
 using Polygon = std::vector<glm::dvec2>;  // convex
 
-// What of the polygon has dot(normal, point) <= offset (Sutherland-Hodgman).
+// The part of the polygon with dot(normal, point) <= offset (Sutherland-Hodgman).
 Polygon clipped(const Polygon& polygon, const glm::dvec2& normal, double offset) {
     Polygon kept;
     kept.reserve(polygon.size() + 1);
@@ -63,7 +63,7 @@ std::optional<glm::dvec2> centroidOf(const Polygon& polygon) {
 // and down, lies at centre + u * right + v * down in voxel coordinates.
 class CutVoxels {
   public:
-    // Nothing for what is no ellipse or too far away.
+    // Nothing for an invalid ellipse, or one too far away.
     static std::optional<CutVoxels> of(const Ellipse& ellipse, const Volume& volume);
 
     void forEach(const std::function<void(const glm::ivec3&)>& visit) const;
@@ -84,7 +84,7 @@ class CutVoxels {
     glm::dvec2 radiiMm_{0.0};
     glm::dvec3 centre_{0.0}, right_{0.0}, down_{0.0};  // the same in voxels
     glm::dvec3 normal_{0.0};
-    int across_ = 0;              // the voxel axis that the plane cuts most squarely
+    int across_ = 0;              // the voxel axis closest to the plane's normal
     double voxelRadiusMm_ = 0.0;  // from the middle of a voxel to its farthest corner
 };
 
@@ -122,7 +122,8 @@ std::optional<CutVoxels> CutVoxels::of(const Ellipse& ellipse, const Volume& vol
     return cut;
 }
 
-// Those of an axis whose voxels reach into [low, high]; none beyond the volume, however far that is.
+// The indices along an axis whose voxels reach into [low, high], clamped to the volume, however large the
+// numbers are.
 CutVoxels::Indices CutVoxels::indices(double low, double high, int axis) const {
     const auto inVolume = [&](double index) {
         return index > 0.0 ? int(std::min(index, double(size_[axis]))) : 0;
@@ -162,7 +163,7 @@ void CutVoxels::forEach(const std::function<void(const glm::ivec3&)>& visit) con
     }
 }
 
-// Of a voxel that the plane cuts.
+// Whether a voxel that the plane cuts counts for the ellipse.
 bool CutVoxels::counts(const glm::ivec3& voxel) const {
     const glm::dvec3 fromCentreMm = transformPoint(worldFromVoxel_, glm::dvec3(voxel)) - centreMm_;
     const glm::dvec2 middleMm(glm::dot(fromCentreMm, rightMm_), glm::dot(fromCentreMm, downMm_));
@@ -175,7 +176,8 @@ bool CutVoxels::counts(const glm::ivec3& voxel) const {
     return centroid && radiiFromCentre(*centroid, radiiMm_) <= 1.0 + kOnTheEllipse;
 }
 
-// In (u, v). `middleMm` is the point of the plane that is nearest to the voxel's middle.
+// The plane's cut through a voxel, in (u, v). `middleMm` is the point of the plane that is nearest to the
+// voxel's middle.
 Polygon CutVoxels::cutOf(const glm::ivec3& voxel, const glm::dvec2& middleMm) const {
     const double r = voxelRadiusMm_;  // no point of the voxel is farther from its middle
     Polygon cut{middleMm + glm::dvec2(-r, -r), middleMm + glm::dvec2(r, -r), middleMm + glm::dvec2(r, r),

@@ -1,4 +1,4 @@
-// The voxels that the values of an ellipse are measured on.
+// Finds the voxels that an ellipse measures.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace macula::slices {
 
-// Calls visit(voxel) once for each voxel that valuesIn measures, and for padding too, in no stated order. The
-// work is bounded by a few slices of the volume, whatever the radii; an invalid ellipse has no voxels.
+// Calls visit(voxel) once for each voxel that valuesIn measures, and also for padding, in unspecified order.
+// The work is bounded by a few slices of the volume, whatever the radii; an invalid ellipse has no voxels.
 void forEachCutVoxel(const Ellipse& ellipse, const Volume& volume,
                      const std::function<void(const glm::ivec3&)>& visit);
 

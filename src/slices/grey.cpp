@@ -8,7 +8,7 @@ namespace macula::slices {
 
 namespace {
 
-// Both linear functions, their divisions done: black up to and with `black`, white above `white`.
+// Both linear functions, with their divisions done: black up to and including `black`, white above `white`.
 struct Ramp {
     double black = 0.0;
     double white = 0.0;
@@ -21,7 +21,7 @@ struct Ramp {
     }
 };
 
-// Black everywhere: nothing is above NaN.
+// Black everywhere, because no value compares as above NaN.
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr Ramp kAllBlack{.black = kNoNumber, .white = kNoNumber, .slope = 0.0};
 
@@ -49,7 +49,7 @@ Ramp rampOf(const DisplayWindow& window) {
             width > 1.0 ? 1.0 / (width - 1.0) : 0.0};
 }
 
-// Calls use(function), so that what it does with many values is compiled for each function.
+// Calls use(function) with the window's function, so that a loop over many values is compiled for each.
 template <class Use>
 auto withFunctionOf(const DisplayWindow& window, const Use& use) {
     if (!std::isfinite(window.center) || !std::isfinite(window.width)) return use(kAllBlack);
@@ -69,7 +69,7 @@ std::vector<std::uint8_t> toGrey(std::span<const float> values, const DisplayWin
         std::vector<std::uint8_t> bytes(values.size());
         for (std::size_t n = 0; n < values.size(); ++n) {
             if (std::isnan(values[n])) continue;
-            const double toNearest = grey(values[n]) * 255.0 + 0.5;  // std::lround is a call for each pixel
+            const double toNearest = grey(values[n]) * 255.0 + 0.5;  // faster than std::lround
             const int shade = static_cast<int>(toNearest);
             bytes[n] = static_cast<std::uint8_t>(inverted ? 255 - shade : shade);
         }

@@ -33,7 +33,7 @@ std::array<Linear, 3> voxelFromPicture(const Volume& volume, const SliceFrame& f
     return axes;
 }
 
-// What of a segment lies where the function is between the bounds; false where nothing does.
+// Cuts `line` to the part where the function is within the bounds; false if nothing is left.
 bool clip(PictureLine& line, const Linear& function, double low, double high) {
     const double from = function(line.from);
     const double to = function(line.to);
@@ -54,7 +54,8 @@ std::optional<PictureLine> lineAt(double slice, const std::array<Linear, 3>& vox
                                   const glm::ivec2& sizePx) {
     const Linear& k = voxel[2];
     const double steepness = glm::dot(k.along, k.along);
-    // From the point that is nearest to the middle, as far to both sides as the picture is large.
+    // From the line's point nearest to the middle of the picture, far enough to both sides to cross the
+    // picture.
     const glm::dvec2 middle = glm::dvec2(sizePx) / 2.0;
     const glm::dvec2 on = middle + k.along * ((slice - k(middle)) / steepness);
     const glm::dvec2 direction = glm::dvec2(-k.along.y, k.along.x) / std::sqrt(steepness);
@@ -103,7 +104,7 @@ std::vector<PictureLine> edgesOf(const SliceRange& slices, const Volume& volume,
     std::vector<PictureLine> edges;
     if (!frame.isUsable()) return edges;
     const std::array<Linear, 3> voxel = voxelFromPicture(volume, frame);
-    constexpr double kLeastSlicesAcross = 1e-3;  // over all of the picture: it is parallel to them
+    constexpr double kLeastSlicesAcross = 1e-3;  // over the whole picture; below this it is parallel
     if (glm::length(voxel[2].along) * glm::length(glm::dvec2(frame.sizePx)) < kLeastSlicesAcross)
         return edges;
     for (const double at : {slices.first - 0.5, slices.last + 0.5}) {

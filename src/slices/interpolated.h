@@ -1,4 +1,4 @@
-// Where pictures and measurements meet interpolated slices, of which no image was taken
+// Finds where pictures and measurements meet interpolated slices, for which no image was taken
 // (Provenance::interpolatedSlices).
 #pragma once
 

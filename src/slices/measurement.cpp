@@ -24,7 +24,7 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-// Without overflow; NaN where a number is not finite.
+// Without overflow; NaN if a number is not finite.
 double lengthOf(const glm::dvec3& vector) {
     const double length = std::hypot(vector.x, vector.y, vector.z);
     return std::isfinite(length) ? length : kNaN;
@@ -53,7 +53,7 @@ class Sums {
     double squares_ = 0.0;
 };
 
-// Digits behind the point so that the largest of the numbers has three in all.
+// Decimals so that the largest of the numbers has three significant digits.
 int decimalsFor(double largest) {
     if (!(std::abs(largest) > 0.0) || !std::isfinite(largest)) return 0;
     return int(std::clamp(2.0 - std::floor(std::log10(std::abs(largest))), 0.0, 9.0));
@@ -72,7 +72,7 @@ std::string numberText(double value, int decimals, std::string_view unit = {}) {
     return text.append(unit);
 }
 
-// Of a length or an area; what is not defined is no estimate.
+// The text of a length or an area, marked as an estimate unless it is not defined.
 std::string sizeText(double size, int decimals, std::string_view unit, const Volume& volume) {
     std::string text = numberText(size, decimals, unit);
     const bool isEstimate = !volume.provenance().isCalibrated && std::isfinite(size);
@@ -90,7 +90,7 @@ std::string textOfEllipse(const Ellipse& ellipse, const Volume& volume) {
     std::string text = numberText(values->mean, decimals);
     if (values->voxels > 1) text += " ± " + numberText(values->deviation, decimals);
     if (const std::string unit = volume.unitName(); !unit.empty()) text += " " + unit;
-    // "min" and "max" are so in every language of the window.
+    // "min" and "max" are the same in all languages of the window.
     return fmt::format("{}, min {}, max {}, {}", text, numberText(values->low, decimals),
                        numberText(values->high, decimals), areaText);
 }
@@ -125,7 +125,7 @@ double angleDeg(const Angle& angle) {
     const glm::dvec3 toLast = angle.pointsMm[2] - angle.pointsMm[1];
     const glm::dvec3 a = toFirst / lengthOf(toFirst);  // NaN when it has no length
     const glm::dvec3 b = toLast / lengthOf(toLast);
-    // By the tangent: an arc cosine loses half of its digits near 0 and 180 degrees.
+    // With atan2: an arc cosine would lose half of its digits near 0 and 180 degrees.
     return glm::degrees(std::atan2(lengthOf(glm::cross(a, b)), glm::dot(a, b)));
 }
 
@@ -152,7 +152,7 @@ bool liesIn(const Measurement& measurement, const SlicePlane& plane, double tole
     const glm::dvec3 drawnOn = ellipse ? ellipse->plane.normal() : measurement.normal;
     const glm::dvec3 normal = plane.normal() / lengthOf(plane.normal());
     const double cosine = glm::dot(drawnOn / lengthOf(drawnOn), normal);
-    // NaN compares as false: what is no number lies in no plane.
+    // NaN compares as false: an invalid measurement lies in no plane.
     if (!(std::abs(cosine) >= std::cos(glm::radians(kParallelDeg)))) return false;
     const auto distanceMm = [&](const glm::dvec3& mm) {
         return std::abs(glm::dot(mm - plane.centreMm, normal));
@@ -169,7 +169,7 @@ bool liesIn(const Measurement& measurement, const SlicePlane& plane, double tole
 std::optional<int> sliceOf(const Measurement& measurement, const Volume& volume) {
     const glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel());
     std::vector<glm::dvec3> points = pointsOf(measurement);
-    if (std::holds_alternative<Ellipse>(measurement.shape)) {  // its other side, too
+    if (std::holds_alternative<Ellipse>(measurement.shape)) {  // also the opposite ends
         points.push_back(2.0 * points[0] - points[1]);
         points.push_back(2.0 * points[0] - points[2]);
     }

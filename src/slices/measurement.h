@@ -42,12 +42,12 @@ struct Measurement {
     bool operator==(const Measurement&) const = default;
 };
 
-// As in files: "distance", "angle", "ellipse".
+// The name in files: "distance", "angle", "ellipse".
 std::string_view kindOf(const Measurement& measurement);
-// The points it was drawn by: both ends; leg, vertex, leg; or the centre and the ends of both radii.
+// The points that define it: both ends; leg, vertex, leg; or the centre and the ends of both radii.
 std::vector<glm::dvec3> pointsOf(const Measurement& measurement);
 
-// NaN if a point, or a radius of an area, is not finite; the same holds for the two below.
+// NaN if a point, or a radius of an area, is not finite; so are the next two.
 double lengthMm(const Distance& distance);
 // 0 to 180. NaN when a leg has no length.
 double angleDeg(const Angle& angle);
@@ -55,25 +55,26 @@ double areaMm2(const Ellipse& ellipse);  // of the shape as drawn, even without 
 
 struct EllipseValues {
     double areaMm2 = 0.0;          // areaMm2(ellipse)
-    std::size_t voxels = 0;        // that the other values are of
-    std::size_t interpolated = 0;  // of these, in slices without an image
-    double mean = 0.0;             // in units, as the three below
-    double deviation = 0.0;        // of a sample: n - 1. NaN for one voxel
+    std::size_t voxels = 0;        // how many the values below are taken from
+    std::size_t interpolated = 0;  // how many of them are in slices without an image
+    double mean = 0.0;             // in the volume's unit, like the next three
+    double deviation = 0.0;        // of a sample (n - 1); NaN for one voxel
     double low = 0.0;
     double high = 0.0;
 };
-// Measures the voxels, each once and without padding, that the plane cuts so that the centroid of the cut
-// lies in or on the ellipse; in a plane of voxels these are the voxels whose centre does. The voxel at the
-// ellipse's centre always counts, so that a small ellipse has a value. A plane half way between two slices is
-// in the one of the larger index. A slab is ignored: the plane alone counts. Nothing if no voxel is left, or
-// a radius is not above 0 or is NaN.
+// Measures each voxel, except padding, that the plane cuts so that the centroid of the cut lies in or on the
+// ellipse; in a plane of voxels these are the voxels whose centre does. The voxel at the ellipse's centre
+// always counts, so that a small ellipse has a value. A plane half way between two slices belongs to the one
+// with the larger index. Ignores a slab: the plane alone counts. Nothing if no voxel is left, or a radius is
+// not above 0 or is NaN.
 std::optional<EllipseValues> valuesIn(const Ellipse& ellipse, const Volume& volume);
 
-// Whether all of it is within `toleranceMm` of `plane`, and was drawn on one parallel to it, to a degree.
+// Whether the whole measurement is within `toleranceMm` of `plane`, and was drawn on a plane parallel to it,
+// to a degree.
 bool liesIn(const Measurement& measurement, const SlicePlane& plane, double toleranceMm);
 
-// The slice of the volume in whose thickness all of it lies; nothing where it goes through several, or lies
-// outside of the volume.
+// The slice of the volume in whose thickness the whole measurement lies; nothing if it crosses several, or
+// lies outside the volume.
 std::optional<int> sliceOf(const Measurement& measurement, const Volume& volume);
 
 // Whether it has a length or an area: all but angles do.

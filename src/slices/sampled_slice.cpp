@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 
-// Where each place has a voxel on either side.
+// The bounds within which a place has voxels on both sides along each axis.
 Bounds insideOf(const glm::ivec3& size) {
     Bounds inside{glm::dvec3(0.0), glm::dvec3(size - 1)};
     for (int axis = 0; axis < 3; ++axis) inside.high[axis] = std::nextafter(inside.high[axis], -1.0);
@@ -33,14 +33,15 @@ struct Line {
     glm::dvec3 at(int n) const { return first + double(n) * step; }
 };
 
-// Pixels of a row, without `end`.
+// A range of pixels of a row; `end` is one past the last.
 struct Span {
     int begin = 0;
     int end = 0;
 };
 
-// The pixels of `among` that lie in the bounds. They are neighbours, because rounding keeps the order of
-// coordinates; so only the two at the ends need be looked at once the quotients have told about where.
+// The pixels of `among` within the bounds. They are contiguous, because rounding keeps the order of
+// coordinates; so only the two ends need an exact test, after the quotients have given their approximate
+// places.
 Span within(const Bounds& bounds, const Line& line, const Span& among) {
     double first = among.begin;
     double last = among.end - 1.0;
@@ -62,7 +63,7 @@ Span within(const Bounds& bounds, const Line& line, const Span& among) {
     return found;
 }
 
-// Writes what of the row lies in the volume, and says which pixels these are.
+// Writes the pixels of the row that lie in the volume, and returns which these are.
 template <class Voxels>
 Span readLine(const VoxelGrid<Voxels>& grid, const Line& line, Filter filter, std::span<float> row) {
     const Span all = within(boundsOf(grid.size()), line, {0, static_cast<int>(row.size())});
@@ -124,7 +125,7 @@ class SlabRow {
     std::vector<double> weights_;
 };
 
-// The rows of a picture in a volume.
+// Samples the rows of a picture in a volume.
 class Rows {
   public:
     Rows(const Volume& volume, const SliceFrame& frame) : frame_(frame), places_(volume) {

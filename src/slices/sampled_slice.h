@@ -1,4 +1,4 @@
-// The values in a slice, or through a slab, in units.
+// Samples the values in a slice or through a slab, in the volume's unit.
 #pragma once
 
 #include <functional>
@@ -30,12 +30,12 @@ struct SampledSlice {
 // 1 GiB of values.
 inline constexpr double kMostSlicePixels = 268435456.0;
 
-// Filter::linear interpolates between the eight voxels around, without padding and its weights; at the centre
-// of a voxel the value is that voxel's, and beyond the outer centres that of the outermost ones. A slab takes
-// steps of at most half the smallest side of a voxel, symmetric about the plane: slab_steps.h. Uses all
-// cores. Calls `cancelled` for each row, from several threads at a time; if it returns true, the result is
-// empty. A frame without pixels, or with more than kMostSlicePixels, gives an empty slice; one that is not
-// usable (SliceFrame::isUsable) gives all NaN. May throw std::bad_alloc.
+// Filter::linear interpolates between the eight surrounding voxels, leaving out padding and its weights; at
+// the centre of a voxel the value is that voxel's, and beyond the outer centres that of the outermost ones. A
+// slab takes steps of at most half the smallest side of a voxel, symmetric about the plane: slab_steps.h.
+// Uses all cores. Calls `cancelled` for each row, from several threads at a time; if it returns true, the
+// result is empty. A frame without pixels, or with more than kMostSlicePixels, gives an empty slice; one that
+// is not usable (SliceFrame::isUsable) gives all NaN. May throw std::bad_alloc.
 SampledSlice sampleSlice(const Volume& volume, const SliceFrame& frame, const Slab& slab, Filter filter,
                          const std::function<bool()>& cancelled = {});
 

@@ -14,9 +14,9 @@ namespace macula::slices {
 
 namespace {
 
-constexpr double kTouchMm = 1e-3;  // boxes that are farther from the plane are not met
+constexpr double kTouchMm = 1e-3;  // the plane misses boxes that are farther away
 
-// Pixels of a picture, without `end`.
+// A rectangle of pixels; `end` is one past the last.
 struct Rect {
     glm::ivec2 begin{0};
     glm::ivec2 end{0};
@@ -25,8 +25,8 @@ struct Rect {
     int height() const { return end.y - begin.y; }
 };
 
-// Where a set of voxels may be seen; nothing where it is not. One pixel more to each side: borders are found
-// by what is beside them.
+// The pixels that may show a set of voxels; nothing if there are none. Has one more pixel on each side,
+// because borders are found by their neighbours.
 std::optional<Rect> rectOf(const VoxelSet& voxels, const Volume& volume, const SliceFrame& frame) {
     if (voxels.high().x < voxels.low().x) return std::nullopt;
     const std::array<glm::dvec3, 2> ends{glm::dvec3(voxels.low()) - 0.5, glm::dvec3(voxels.high()) + 0.5};
@@ -66,7 +66,7 @@ class Cut {
         return isIn_[std::size_t(y - rect_.begin.y) * std::size_t(rect_.width()) +
                      std::size_t(x - rect_.begin.x)] != 0;
     }
-    // Of a pixel that is in: whether one that is not lies within so many beside it.
+    // Whether a pixel of the segment has one outside it within `widthPx` beside it.
     bool isBorder(int x, int y, int widthPx) const {
         for (int n = 1; n <= widthPx; ++n) {
             if (isOut(x - n, y) || isOut(x + n, y) || isOut(x, y - n) || isOut(x, y + n)) return true;
@@ -75,7 +75,7 @@ class Cut {
     }
 
   private:
-    // Beyond the picture nobody knows.
+    // Pixels beyond the picture are unknown, and do not count as outside the segment.
     bool isOut(int x, int y) const {
         return x >= 0 && y >= 0 && x < sizePx_.x && y < sizePx_.y && !isIn(x, y);
     }
@@ -94,7 +94,7 @@ class Painter {
 
     bool isCancelled() const { return token_.cancelled(); }
 
-    // Nothing where the segment is not seen.
+    // Nothing if the segment is not visible.
     std::optional<Cut> cut(const VoxelSet& voxels) const {
         const auto rect = rectOf(voxels, volume_, frame_);
         if (!rect) return std::nullopt;
@@ -136,7 +136,7 @@ class Painter {
     CancelToken token_;
 };
 
-// What lies over `below`, both premultiplied.
+// The colour blended over `below`, both premultiplied.
 std::uint32_t over(const std::array<std::uint8_t, 3>& rgb, unsigned alpha, std::uint32_t below) {
     std::uint32_t result = 0;
     const auto blend = [&](unsigned shift, unsigned ink) {

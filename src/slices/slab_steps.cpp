@@ -11,7 +11,7 @@ double wantedStepMm(const Volume& volume, const SlicePlane& plane) {
     const glm::dvec3 sides = volume.spacingMm();
     const double longest = 0.5 * std::min({sides.x, sides.y, sides.z});
     const double apart = stepMm(volume, plane);
-    constexpr double kRounding = 1e-6;  // of a quotient that is a whole number
+    constexpr double kRounding = 1e-6;  // a quotient may miss a whole number by this
     return apart / std::max(1.0, std::ceil(apart / longest - kRounding));
 }
 
@@ -21,7 +21,7 @@ std::vector<SlabStep> stepsThrough(const Volume& volume, const SlicePlane& plane
     if (!(thicknessMm > 0.0)) return {SlabStep{}};
     const DepthRange depths = depthsMm(volume, plane);
     double step = wantedStepMm(volume, plane);
-    // Finite, however thick it is.
+    // Keeps the depth finite, however thick the slab is.
     const double half =
         std::min(thicknessMm / 2.0, std::max(std::abs(depths.lowMm), std::abs(depths.highMm)) + 2.0 * step);
     const double from = std::max(-half, depths.lowMm - step);
@@ -35,7 +35,7 @@ std::vector<SlabStep> stepsThrough(const Volume& volume, const SlicePlane& plane
     const double weightOfLast = whole > 0.0 ? (step + rest) / 2.0 : rest;
     const double first = std::ceil(std::max(from / step, -whole));
     const double last = std::floor(std::min(to / step, whole));
-    // Of a plane that is too far away for a double, nothing.
+    // No steps for a plane that is too far away for a double.
     const double between = last - first;
     const bool isCount = between >= 0.0 && between <= 2.0 * kMostSlabSteps;
     const int count = isCount ? static_cast<int>(between) + 1 : 0;

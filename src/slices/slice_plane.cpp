@@ -12,14 +12,14 @@ namespace macula::slices {
 
 namespace {
 
-// Of two that are equally near, rounding must not decide.
+// Rounding must not decide between two equally near orientations.
 constexpr double kClearly = 1e-9;
 
 bool isUnitVector(const glm::dvec3& v, double tolerance) {
     return std::abs(glm::length(v) - 1.0) < tolerance;
 }
 
-// Of unit length: products of voxel sides may be too small for a double.
+// Unit vectors, because products of voxel sides may be too small for a double.
 std::array<glm::dvec3, 3> voxelDirections(const Volume& volume) {
     const glm::dmat4& m = volume.worldFromVoxel();
     const auto direction = [&](int axis) { return glm::dvec3(m[axis]) / glm::length(glm::dvec3(m[axis])); };
@@ -43,7 +43,7 @@ std::array<glm::dvec3, 8> cornersMm(const Volume& volume) {
     return corners;
 }
 
-// How far from the middle of the picture its points are, along right and down.
+// How far points are from the middle of the picture, along right and down.
 class PictureReach {
   public:
     explicit PictureReach(const SlicePlane& plane) : plane_(plane) {}
@@ -159,7 +159,7 @@ double fittedMmPerPixel(const Volume& volume, const SlicePlane& plane, const glm
     const auto corners = cornersMm(volume);
     const SliceFrame frame{.plane = plane};
 
-    // Where the plane meets the edges of the volume are the corners of what it meets.
+    // The corners of the section are where the plane meets the volume's edges.
     PictureReach met(plane);
     for (unsigned low = 0; low < corners.size(); ++low) {
         for (const unsigned axis : {1U, 2U, 4U}) {

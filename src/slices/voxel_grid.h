@@ -14,8 +14,8 @@
 
 namespace macula::slices {
 
-// Voxel coordinates that differ by less are the same: coordinates are rounded, and a picture through the
-// centres of voxels shows exactly their values.
+// Voxel coordinates that differ by less count as the same: coordinates are rounded, and a picture through the
+// centres of voxels must show exactly their values.
 inline constexpr double kSamePlace = 1e-6;
 
 // The voxel whose centre is nearest. `at` is at most half a voxel + kSamePlace outside the outer centres.
@@ -90,7 +90,7 @@ class VoxelGrid {
         return between(place(low), i, j, k, inside - glm::dvec3(low));
     }
 
-    // The same, for coordinates of at least 0 and below the last voxel's centre.
+    // The same, for coordinates of at least 0 and below those of the last voxel's centre.
     double linearInside(const glm::dvec3& at) const {
         const glm::ivec3 low(at);
         return between(place(low), 1, rows(1), slices(1), at - glm::dvec3(low));

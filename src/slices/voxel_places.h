@@ -1,4 +1,4 @@
-// From places in the patient to voxel coordinates of a volume.
+// Converts patient coordinates to voxel coordinates of a volume.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -23,8 +23,8 @@ inline Bounds boundsOf(const glm::ivec3& size) {
     return {glm::dvec3(-beyond), glm::dvec3(size - 1) + beyond};
 }
 
-// From patient LPS mm to voxel coordinates. The origin is subtracted before the rotation, so that volumes far
-// from the patient's origin lose no digits.
+// Converts patient LPS mm to voxel coordinates. The origin is subtracted before the rotation, so that volumes
+// far from the patient's origin lose no digits.
 class VoxelPlaces {
   public:
     explicit VoxelPlaces(const Volume& volume)

@@ -9,13 +9,13 @@ namespace macula::xr {
 namespace {
 
 constexpr double kBladeM = 0.24;
-constexpr double kRestsWithinCosine = 0.9995;  // of half the turn: some 3.6 degrees
+constexpr double kRestsWithinCosine = 0.9995;  // of half the turn; the whole is about 3.6 degrees
 
 Pose ahead(const Pose& hand) {
     return {hand.positionM + hand.orientation * glm::dvec3(0.0, 0.0, -kToolReachM), hand.orientation};
 }
 
-// Faces of a cube: their normal is +z after the turn.
+// The turn of a cube's face: it turns +z to the face's normal.
 glm::dquat turnTo(int axis, bool isHigh) {
     const glm::dvec3 up(0.0, 1.0, 0.0);
     const glm::dvec3 right(1.0, 0.0, 0.0);
@@ -33,7 +33,7 @@ Pose facing(const glm::dvec3& atM, const glm::dvec3& headM) {
     return {atM, glm::normalize(glm::quat_cast(glm::dmat3(x, glm::cross(z, x), z)))};
 }
 
-// Of the patient's axes in the stage.
+// The turn of the patient's axes in the stage.
 glm::dquat turnOf(const glm::dmat4& stageFromWorld) {
     glm::dmat3 turn;
     for (int axis = 0; axis < 3; ++axis) turn[axis] = glm::normalize(glm::dvec3(stageFromWorld[axis]));
@@ -76,7 +76,7 @@ std::vector<OutlinePart> outlineOf(ClipTool tool, const Pose& hand, const glm::d
         case ClipTool::none:
             return {};
         case ClipTool::knife: {
-            // Seen from both sides: a picture has one.
+            // Two pictures, because each is visible from one side only.
             std::vector<OutlinePart> blade;
             for (const bool isHigh : {false, true})
                 blade.push_back({.isRound = false,

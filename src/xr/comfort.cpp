@@ -17,7 +17,7 @@ glm::dmat4 about(const glm::dvec3& pointM, const glm::dmat3& change) {
 }  // namespace
 
 glm::dmat4 turnedAround(const glm::dmat4& stageFromWorld, const Pose& head, double toTheRightDeg) {
-    // Who turns to the right sees the room turn to the left.
+    // A person who turns to the right sees the room turn to the left.
     const glm::dquat turn = glm::angleAxis(glm::radians(toTheRightDeg), glm::dvec3(0.0, 1.0, 0.0));
     return about(head.positionM, glm::mat3_cast(turn)) * stageFromWorld;
 }

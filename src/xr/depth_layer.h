@@ -1,5 +1,5 @@
-// How far away is what is shown, for the headset's software: it shifts the picture to where the eyes are by
-// then, and lays hands and walls before and behind the anatomy (XR_KHR_composition_layer_depth).
+// The depths of the pictures, for the headset's software, which reprojects the pictures to where the eyes are
+// by then, and shows hands and walls before or behind the anatomy (XR_KHR_composition_layer_depth).
 #pragma once
 
 #include <array>
@@ -17,18 +17,19 @@
 namespace macula::xr {
 
 inline constexpr float kFarM = 100.0f;
-// In metres of the room, for anatomy that stands there so large.
+// In metres of the room, for anatomy at this position and scale.
 hybrid::DepthRange depthRangeOf(const glm::dmat4& stageFromWorld);
 
-// Of two views. Must not outlive its session. Used by one thread at a time, the one that uses the device.
+// The depths of two views. Must not outlive its session. Used by one thread at a time, the one that uses the
+// device.
 class DepthLayer {
   public:
-    // Nothing where the runtime takes no depths in D32_SFLOAT, or the device cannot copy any.
+    // Nothing if the runtime takes no depths in D32_SFLOAT, or the device cannot copy them.
     static Result<std::optional<DepthLayer>> create(const Session& session, const glm::ivec2& sizePx);
 
     Result<void> acquire() { return pair_.acquire(); }
-    // Copies the part of each eye's depths, and chains what is said of them to the views, which are those of
-    // the same eyes: valid until the next call. `depths`: a row as wide as the whole picture.
+    // Copies each eye's part of the depths, and chains their description to `views`, which belong to the same
+    // eyes: valid until the next call. `depths`: its rows are as wide as the whole picture.
     Result<void> add(const EyePictures& eyes, std::span<const gpu::Buffer* const> depths,
                      std::span<XrCompositionLayerProjectionView> views);
 

@@ -112,7 +112,7 @@ void PictureWriter::start(EyeView view, std::filesystem::path folder, RoomWords 
     try {
         thread_ = std::thread(std::move(write));
     } catch (const std::system_error&) {
-        // The process has no thread left. The frame that is under way goes on.
+        // No thread could be started. The picture is lost, but the frame continues.
         const std::lock_guard lock(mutex_);
         told_ = std::move(notWritten);
     }

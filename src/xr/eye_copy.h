@@ -1,5 +1,5 @@
-// What the left eye sees, copied for others: the mirror of a window, and pictures that are taken. Waits for
-// nothing: a copy is there some frames later.
+// Copies the left eye's picture, for the mirror in a window, and for pictures that the wearer takes. Never
+// blocks: a copy arrives some frames later.
 #pragma once
 
 #include <memory>
@@ -24,9 +24,9 @@ class EyeCopy {
     explicit EyeCopy(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
     bool isUnderWay() const { return ticket_.has_value(); }
-    // `picture` is that of the eye, in whole.
+    // `picture` is the eye's whole picture.
     Result<void> begin(const gpu::Image& picture, const EyePicture& eye);
-    // Once, when it is there.
+    // Returns the copy once, when it has arrived.
     std::optional<EyeView> take();
 
   private:
@@ -38,24 +38,24 @@ class EyeCopy {
     glm::ivec2 partPx_{0};
 };
 
-// With "Not for primary diagnosis" in it.
+// The picture with "Not for primary diagnosis" stamped into it.
 EyeView stamped(EyeView view);
 
-// Writes a PNG into the folder under a name that is not taken: "macula-headset-1.png". It names no patient,
-// in the picture, the file or its name, and says that it is not for primary diagnosis. The path.
+// Writes a PNG into the folder under a free name: "macula-headset-1.png". Picture, file and name do not
+// identify the patient, and the picture says that it is not for primary diagnosis. Returns the path.
 Result<std::filesystem::path> writeEyeView(const EyeView& view, const std::filesystem::path& folder);
 
-// Writes beside the frames.
+// Writes pictures on a thread of its own.
 class PictureWriter {
   public:
     PictureWriter() = default;
     PictureWriter(const PictureWriter&) = delete;
-    ~PictureWriter();  // waits for what is under way
+    ~PictureWriter();  // waits for a running write
 
     bool isBusy() const { return thread_.joinable(); }
-    // After isBusy was false.
+    // Call it only while isBusy() is false.
     void start(EyeView view, std::filesystem::path folder, RoomWords words);
-    // Once, when it is written or was not: a sentence for who wears the headset, in these words.
+    // Returns, once after each write or failure, a sentence for the wearer in `words`.
     std::optional<std::string> told();
 
   private:

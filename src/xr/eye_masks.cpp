@@ -49,7 +49,7 @@ std::vector<std::vector<VisiblePart>> EyeMasks::partsOf(const EyePictures& pictu
             view.shownPx = picture.partPx;
             view.visible = bandsOf(view.mask.rowsOf(picture.eye, picture.partPx),
                                    (picture.partPx.y + kMostBands - 1) / kMostBands);
-            // A headset that shows nothing does not mean it.
+            // An empty mask must be an error of the headset: shows everything.
             if (view.visible.empty()) view.visible = {{glm::ivec2(0), picture.partPx}};
         }
         parts.push_back(view.visible);

@@ -1,4 +1,4 @@
-// What no lens shows, of each view of a session.
+// The parts of each view of a session that no lens shows.
 #pragma once
 
 #include <span>
@@ -13,16 +13,17 @@ namespace macula::xr {
 
 class EyeMasks {
   public:
-    // Asks again where something has changed.
+    // Asks the headset again if its masks have changed.
     Result<void> refresh(Session& session);
 
-    // Moves the sides of what each view sees in to what can be seen; `eyes` are all views.
+    // Narrows the field of each view to what its lens shows; `eyes` are all views.
     void narrow(std::span<Eye> eyes);
-    // For Swapchains::show, of the views from `firstView` on; empty: all of all can be seen.
+    // The visible parts of the pictures of the views from `firstView` on, for Swapchains::show; empty:
+    // everything is visible.
     std::vector<std::vector<VisiblePart>> partsOf(const EyePictures& pictures, std::size_t firstView);
 
   private:
-    // What was asked last: fields seldom change.
+    // Caches the last results, because fields seldom change.
     struct View {
         VisibilityMask mask;
         Eye asked{.pose = {}, .left = 0.0, .right = 0.0, .up = 0.0, .down = 0.0};

@@ -9,15 +9,15 @@ namespace macula::xr {
 
 namespace {
 
-// Of the camera's target, for whoever turns around it.
+// Distance of the camera's target, around which a person may turn.
 constexpr double kTargetMm = 500.0;
 constexpr double kRounding = 1e-6;     // of a pixel
-constexpr double kMostTangent = 11.4;  // a little less than half of 170 degrees
+constexpr double kMostTangent = 11.4;  // of a little less than half of 170 degrees
 
 constexpr double kFarthestM = 1e4;
-constexpr double kTurnError = 0.01;  // of the length of a quaternion, which is 1
+constexpr double kTurnError = 0.01;  // of a quaternion's length, which should be 1
 
-// From one side to the other in whole pixels from straight ahead.
+// The field from one side to the other, in whole pixels from straight ahead.
 struct Span {
     int first = 0;
     int last = 0;
@@ -28,7 +28,7 @@ Span spanOf(double low, double high, double pitch) {
             static_cast<int>(std::ceil(high / pitch - kRounding))};
 }
 
-// The smallest pixel with which no more than `most` are needed.
+// The smallest pixel pitch (a tangent) with which the field has at most `most` pixels.
 double pitchOf(double low, double high, int most) {
     const double exact = (high - low) / most;
     return spanOf(low, high, exact).pixels() <= most ? exact : (high - low) / (most - 1);
@@ -64,7 +64,7 @@ Pose between(std::span<const Eye> eyes) {
 }  // namespace
 
 bool isUsable(const Pose& pose) {
-    // Comparisons with what is not a number are false.
+    // Comparisons with a NaN are false.
     return glm::length(pose.positionM) < kFarthestM &&
            std::abs(glm::length(pose.orientation) - 1.0) < kTurnError;
 }
@@ -88,7 +88,7 @@ Result<EyePictures> picturesFor(std::span<const Eye> eyes, const glm::dmat4& wor
         pitch =
             std::max({pitch, pitchOf(eye.left, eye.right, mostPx.x), pitchOf(-eye.up, -eye.down, mostPx.y)});
     }
-    // With the pixels of one eye, another may need one more than it may have.
+    // With the pitch of one eye, another eye may exceed `mostPx` by one pixel.
     const auto fits = [&](const Eye& eye) {
         return spanOf(eye.left, eye.right, pitch).pixels() <= mostPx.x &&
                spanOf(-eye.up, -eye.down, pitch).pixels() <= mostPx.y;
@@ -96,7 +96,7 @@ Result<EyePictures> picturesFor(std::span<const Eye> eyes, const glm::dmat4& wor
     while (!std::all_of(eyes.begin(), eyes.end(), fits)) pitch *= 1.0 + 0.5 / std::max(mostPx.x, mostPx.y);
 
     EyePictures pictures;
-    glm::ivec2 half(1);  // of the whole picture
+    glm::ivec2 half(1);  // half the size of the whole picture
     for (const Eye& eye : eyes) {
         const Span across = spanOf(eye.left, eye.right, pitch);
         const Span down = spanOf(-eye.up, -eye.down, pitch);

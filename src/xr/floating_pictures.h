@@ -25,7 +25,7 @@ struct Floating {
     glm::dvec2 sizeM{0.0};
 };
 
-// Holds the pictures, and draws those that change, only when they do.
+// Holds the pictures, and redraws one only when it changes.
 class FloatingPictures {
   public:
     FloatingPictures();
@@ -37,9 +37,9 @@ class FloatingPictures {
     void drawPanel(const PanelTexts& texts, const RoomWords& words, std::optional<PanelButton> pointedAt);
     void drawNotice(const std::string& text);
 
-    // A sentence that floats before the eyes of that head.
+    // The placement of a sentence before that head.
     static Floating noticeBefore(const Pose& head);
-    // Where the ray meets the panel, in its pixels.
+    // Marks where the pointing ray meets the panel, in the panel's pixels.
     static Floating pointerOn(const Pose& panel, const glm::dvec2& px);
 
   private:
@@ -51,7 +51,7 @@ class FloatingPictures {
     void draw(RoomPicture which, PanelPicture picture);
 
     std::array<Drawn, kRoomPictures> pictures_;
-    PanelTexts texts_;  // as they stand on the panel
+    PanelTexts texts_;  // as drawn on the panel
     std::optional<PanelButton> pointedAt_;
     std::string notice_;
 };

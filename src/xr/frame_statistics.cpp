@@ -10,7 +10,7 @@ namespace macula::xr {
 namespace {
 
 constexpr double kMsPerNs = 1e-6;
-// A gap of more than that is no late frame: the computer slept.
+// A longer gap is not a late frame: the computer slept.
 constexpr double kMostMissed = 1000.0;
 
 constexpr double FrameTimes::*kStages[] = {&FrameTimes::waitMs, &FrameTimes::lookMs,   &FrameTimes::lendMs,

@@ -8,35 +8,35 @@
 
 namespace macula::xr {
 
-// Of one frame.
+// The times of one frame.
 struct FrameTimes {
-    std::int64_t displayedNs = 0;  // when it is seen, as the headset foresees
+    std::int64_t displayedNs = 0;  // the predicted time of display
     double periodMs = 0.0;
     bool isEmpty = false;  // submitted without pictures
-    double waitMs = 0.0;   // for the headset, before it was begun
-    double lookMs = 0.0;   // at hands and eyes
-    double lendMs = 0.0;   // until the headset lent images
-    double drawMs = 0.0;   // telling the device what to draw
+    double waitMs = 0.0;   // waiting for the headset, before the frame began
+    double lookMs = 0.0;   // reading hands and eyes
+    double lendMs = 0.0;   // waiting until the headset lent images
+    double drawMs = 0.0;   // recording the device's commands
     double submitMs = 0.0;
-    double deviceMs = 0.0;  // until the device had drawn it
-    double workMs = 0.0;    // for later frames
-    double drawnMs = 0.0;   // from when it was begun to when the device had drawn it
-    std::size_t level = 0;  // of the governor, in this frame
+    double deviceMs = 0.0;  // waiting until the device had drawn
+    double workMs = 0.0;    // spent on later frames
+    double drawnMs = 0.0;   // from the frame's begin until the device had drawn
+    std::size_t level = 0;  // the governor's level
 };
 
 struct FrameFigures {
     std::uint64_t frames = 0;  // submitted
-    std::uint64_t empty = 0;   // of these, without pictures
-    // Times at which the headset showed something and had no new frame for it.
+    std::uint64_t empty = 0;   // how many of them had no pictures
+    // Display times for which the headset had no new frame.
     std::uint64_t missed = 0;
-    std::uint64_t late = 0;  // frames that were followed by such times
+    std::uint64_t late = 0;  // frames after which some were missed
     double periodMs = 0.0;   // the mean
-    double longestMs = 0.0;  // of drawnMs
+    double longestMs = 0.0;  // the longest drawnMs
     FrameTimes mean;         // of frames with pictures
     std::size_t worstLevel = 0;
     std::size_t lastLevel = 0;
 
-    // Of all times at which the headset showed something; 100 before the first frame.
+    // The share of display times with a new frame; 100 before the first frame.
     double inTimePercent() const;
 };
 

@@ -9,14 +9,14 @@ namespace {
 
 constexpr double kLeastPeriodMs = 1.0;
 constexpr double kMostPeriodMs = 1000.0;
-// More than that was no drawing: the computer slept, or something was compiled.
+// A longer time is not drawing: the computer slept, or a shader was compiled.
 constexpr double kMostPeriodsOfFrame = 4.0;
-// One late frame says little; of two, the second within kForgetsLate frames, the next is not to be late.
+// Steps down at the second late frame within about kForgetsLate frames, since a single one says little.
 constexpr int kLateFrames = 2;
 constexpr int kForgetsLate = 8;
 constexpr double kMostSavedPeriods = 2.0;
-constexpr double kForgetsOverrun = 0.5;          // with each piece of work
-constexpr double kForgetsOverrunOfFrame = 0.98;  // with each frame, once what was late is made good
+constexpr double kForgetsOverrun = 0.5;          // factor per piece of work
+constexpr double kForgetsOverrunOfFrame = 0.98;  // factor per frame, if latePeriods_ is not negative
 
 bool isTime(double ms) {
     return std::isfinite(ms) && ms >= 0.0;
@@ -50,7 +50,7 @@ void Governor::noteFrame(double drawnMs) {
     if (latePeriods_ >= 0.0)
         for (Habit& habit : habits_) habit.overrunMs *= kForgetsOverrunOfFrame;
     drawnMs = std::min(drawnMs, kMostPeriodsOfFrame * periodMs_);
-    if (sinceStepUp_ >= 0 && ++sinceStepUp_ > 2 * kFramesWithRoom) {  // it has lasted
+    if (sinceStepUp_ >= 0 && ++sinceStepUp_ > 2 * kFramesWithRoom) {  // the step up has lasted
         sinceStepUp_ = -1;
         patience_[level_] = 1;
     }
@@ -58,7 +58,7 @@ void Governor::noteFrame(double drawnMs) {
         withRoom_ = 0;
         late_ += kForgetsLate;
         if (late_ <= (kLateFrames - 1) * kForgetsLate || level_ + 1 == kLevels.size()) return;
-        // At least the next; where that would not do, as far down as it takes.
+        // One level down, or as many as the prediction needs to fit the period.
         std::size_t level = level_ + 1;
         while (level + 1 < kLevels.size() && predictedMs(drawnMs, level) > periodMs_) ++level;
         change(level);
@@ -79,7 +79,7 @@ std::optional<double> Governor::timeFor(Work work, double usedMs) {
     const double overrunMs = habits_[std::size_t(work)].overrunMs;
     const double leftMs = kOurShare * periodMs_ - usedMs;
     if (leftMs - overrunMs >= kLeastWorkMs) return leftMs - overrunMs;
-    // It does not fit. It may be late now and then, as much as was saved for that.
+    // The work does not fit: it may make a frame late now and then, if enough late time has been saved.
     const double late = (usedMs + overrunMs) / periodMs_ - kOurShare;
     if (latePeriods_ < std::min(std::max(late, kLateShare), kMostSavedPeriods)) return std::nullopt;
     return kLeastWorkMs;

@@ -8,7 +8,7 @@ glm::dmat4 Grasp::follow(const glm::dmat4& stageFromWorld, const TwoHands& hands
     std::array<bool, 2> holds{};
     for (std::size_t i = 0; i < hands.size(); ++i)
         holds[i] = hands[i].grip && holdsOn(hands[i].squeeze, holds_[i]);
-    if (holds != holds_) {  // it begins anew from where it is
+    if (holds != holds_) {  // another hold starts from the present placement
         holds_ = holds;
         stageFromWorldThen_ = stageFromWorld;
         for (std::size_t i = 0; i < hands.size(); ++i) then_[i] = hands[i].grip.value_or(Pose{});

@@ -1,4 +1,4 @@
-// What hands do, and how they take the anatomy along. Knows no OpenXR.
+// The state of the hands, and how they move the anatomy. Knows no OpenXR.
 #pragma once
 
 #include <array>
@@ -10,31 +10,31 @@
 namespace macula::xr {
 
 struct Hand {
-    std::optional<Pose> grip = {};  // where it holds; nothing while nobody knows
+    std::optional<Pose> grip = {};  // where it holds; nothing while it is not tracked
     float squeeze = 0.0f;           // 0 to 1: grabs
     float trigger = 0.0f;           // 0 to 1: cuts
     std::optional<Pose> aim = {};   // points along its own -z
-    float press = 0.0f;             // 0 to 1: presses what it points at
+    float press = 0.0f;             // 0 to 1: presses the button that it points at
     float turn = 0.0f;              // -1 to 1: to the left, to the right
 };
 
 // The left one first.
 using TwoHands = std::array<Hand, 2>;
 
-// Whatever is held from 0 to 1 is held on to until it is clearly let go.
+// With hysteresis: a value from 0 to 1 counts as held until it is clearly released.
 inline constexpr float kTakesFrom = 0.6f;
 inline constexpr float kLetsGoBelow = 0.4f;
 constexpr bool holdsOn(float value, bool held) {
     return value >= (held ? kLetsGoBelow : kTakesFrom);
 }
 
-// What hands do to the anatomy, from frame to frame.
+// Moves the anatomy with the hands, from frame to frame.
 class Grasp {
   public:
-    // Where the anatomy is now that the hands are there: one that squeezes takes it along, two turn and scale
-    // it too.
+    // The placement that follows the hands: one hand that squeezes moves and turns the anatomy, two also
+    // scale it.
     glm::dmat4 follow(const glm::dmat4& stageFromWorld, const TwoHands& hands);
-    // Something else has moved it: what is held is taken anew from where it is.
+    // Something else has moved the anatomy: the hands hold it from its present placement on.
     void takeAnew() { holds_ = {}; }
     bool isHolding() const { return holds_[0] || holds_[1]; }
     bool holds(std::size_t hand) const { return holds_.at(hand); }

@@ -115,7 +115,7 @@ Result<void> Hands::suggest(const InteractionProfile& profile) {
     info.suggestedBindings = bindings.data();
     const XrResult suggested =
         runtime_->call().SuggestInteractionProfileBindings(runtime_->instance(), &info);
-    if (suggested == XR_ERROR_PATH_UNSUPPORTED) return {};  // a kind that this runtime does not know
+    if (suggested == XR_ERROR_PATH_UNSUPPORTED) return {};  // this runtime does not know the controller
     MACULA_XR_TRY(suggested, Text("use controllers"));
     return {};
 }
@@ -220,7 +220,7 @@ Result<void> Hands::pulse(const Session& session, std::size_t hand, float streng
     vibration.amplitude = std::clamp(strength, 0.0f, 1.0f);
     const XrResult felt = runtime_->call().ApplyHapticFeedback(
         session.handle(), &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
-    // A hand that feels nothing is no reason to stop.
+    // Only the loss of the session is an error, not a missing vibration.
     if (felt == XR_ERROR_SESSION_LOST || felt == XR_ERROR_INSTANCE_LOST)
         return xrError(felt, Text("be felt in a hand"));
     return {};

@@ -1,4 +1,4 @@
-// What is in the hands of who wears the headset, and where the eyes look.
+// The controllers or hands of the wearer, and where the eyes look.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace macula::xr {
 
-// The actions of a session. Must not outlive it.
+// The OpenXR actions of a session. Must not outlive it.
 class Hands {
   public:
     static Result<Hands> create(const Session& session);
@@ -25,13 +25,13 @@ class Hands {
 
     struct Seen {
         TwoHands hands;
-        std::optional<Pose> gaze;  // nothing where eyes are not followed, or not now
+        std::optional<Pose> gaze;  // nothing: no eye tracking, or not now
     };
-    // At that time. Hands lie still while the session has not the focus. A hand without a controller is the
-    // hand itself, where the headset sees it.
+    // The state at that time. Hands are idle while the session does not have the focus. Without a controller,
+    // a hand is the bare hand if the headset tracks it.
     Result<Seen> look(const Session& session, XrTime time);
 
-    // Felt in that hand, where its controller can.
+    // Vibrates the controller of that hand, if it can.
     Result<void> pulse(const Session& session, std::size_t hand, float strength, double ms) const;
 
   private:

@@ -14,7 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kEyes = 2;
-// The first ones are late because shaders are compiled for them: that says nothing of later ones.
+// The first frames are late because shaders are compiled: they must not lower the level.
 constexpr std::uint64_t kFramesAtFirst = 10;
 constexpr XrTime kMirrorEveryNs = 100'000'000;  // of the headset's time
 
@@ -26,7 +26,7 @@ double msSince(Clock::time_point begun) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
 }
 
-// The time since it was asked last.
+// Measures the time since the last call.
 class Laps {
   public:
     double next() {
@@ -44,13 +44,13 @@ glm::ivec2 scaled(const glm::ivec2& sizePx, double scale) {
     return glm::max(glm::ivec2(glm::round(glm::dvec2(sizePx) * scale)), glm::ivec2(2));
 }
 
-// By how much the larger side of a whole picture is larger than it may be for parts of that size.
+// The factor by which a whole picture is larger than kMostSides times its part.
 double excessOf(const glm::ivec2& wholePx, const glm::ivec2& partPx) {
     constexpr double kMostSides = 2.0;
     return std::max(double(wholePx.x) / partPx.x, double(wholePx.y) / partPx.y) / kMostSides;
 }
 
-// A look through the middle of the insets: where a headset that follows the eyes has put them.
+// The gaze through the middle of the insets, where a headset with eye tracking has placed them.
 Pose throughMiddle(std::span<const Eye> insets) {
     glm::dvec3 look(0.0);
     for (const Eye& inset : insets)
@@ -125,7 +125,7 @@ Result<Headset::Step> Headset::step() {
     times_.deviceMs = laps.next();
     times_.drawnMs = msSince(begun);
     governor_.notePeriod(time.periodMs);
-    // What another state takes to be shown is no shorter in coarser pictures.
+    // Without the time to show another state, which coarser pictures would not shorten.
     if (++framesShown_ > kFramesAtFirst && holdsRate_) governor_.noteFrame(times_.drawnMs - changesMs_);
     MACULA_TRY_VOID(copyForOthers());
     MACULA_TRY_VOID(workUntilNext(msSince(begun)));
@@ -133,8 +133,8 @@ Result<Headset::Step> Headset::step() {
     return Step::shown;
 }
 
-// The other kind of work, where there is no time for the one whose turn it is. In the dark, as when a clip is
-// shown for a look, a late frame is the lesser evil.
+// Does the other kind of work if there is no time for the one whose turn it is. While it is dark, as in a
+// preview of a clip, a late frame is the lesser evil.
 Result<void> Headset::workUntilNext(double begunAgoMs) {
     const auto work = [&](Work kind, double budgetMs) {
         return view_->work(kind, shown_->eyes,
@@ -161,9 +161,9 @@ std::optional<double> Headset::timeFor(Work work, double begunAgoMs) {
     return std::max(Governor::kOurShare * times_.periodMs - begunAgoMs, Governor::kLeastWorkMs);
 }
 
-// The eyes are located twice: at first for where the anatomy stands and what hands do, and again when the
-// headset has lent its images, which may take a while, just before splats are drawn and the fovea is warped.
-// What floats lies where hands were at first; the headset's software lays it before the later pictures.
+// Locates the eyes twice: first to place the anatomy and for the hands, and again after the headset has lent
+// its images, which may take a while, just before splats are drawn and the fovea is warped. Floating pictures
+// stay where the hands were at first; the headset's software composes them over the later pictures.
 Result<Headset::Views> Headset::draw(const FrameTime& time) {
     Laps laps;
     changesMs_ = 0.0;
@@ -204,11 +204,11 @@ Result<bool> Headset::aim(std::vector<Eye> eyes, const std::optional<Pose>& gaze
     const double scale = governor_.quality().scale;
     const auto pictured = [&](std::span<const Eye> views, const Swapchains& lent, auto& pictures) {
         auto made = picturesFor(views, worldFromStage, scaled(lent.sizePx(), scale));
-        // A part far aside is a small one of a large picture (insets are): coarser, so that not too much is
-        // drawn for it.
+        // An off-centre part (as insets are) is a small part of a large symmetric picture: uses fewer pixels,
+        // so that not too much is drawn outside it.
         const double excess = made ? excessOf(made->sizePx, lent.sizePx()) : 1.0;
         if (excess > 1.0) made = picturesFor(views, worldFromStage, scaled(lent.sizePx(), scale / excess));
-        if (!made) {  // a headset that is confused for a moment says so
+        if (!made) {  // the headset reports an unusable field or pose
             if (!std::exchange(isConfused_, true)) log::warning("{}", made.error().message.english());
             return false;
         }
@@ -248,8 +248,8 @@ Result<std::vector<XrCompositionLayerProjectionView>> Headset::drawFor(Shown& sh
     return views;
 }
 
-// Of each picture what lenses show. In the dark nothing, where the room is seen behind it: what is black
-// there would hide the room from who does not know where they are.
+// The parts of each picture that lenses show. In the dark none, if the real room is visible behind it: black
+// pictures would hide the room from a person who has lost orientation.
 std::vector<std::vector<VisiblePart>> Headset::seenOf(const EyePictures& pictures, std::size_t firstView,
                                                       double light) {
     if (session_.blendsByAlpha() && !(light > 0.0))
@@ -299,7 +299,7 @@ Result<bool> Headset::change(const RoomState& state, Lasts lasts) {
     return changed;
 }
 
-// The mirror is a few times a second, a picture when it was asked for; one copy at a time.
+// Mirrors a few times a second, and copies a picture when the wearer takes one; one copy at a time.
 Result<void> Headset::copyForOthers() {
     const RoomHost& host = controls_->host();
     if (auto view = copy_.take()) {

@@ -3,9 +3,9 @@
 //   MACULA_TRY(Headset headset, Headset::open(runtime, device, view));
 //   while (true) { MACULA_TRY(const auto step, headset.step()); if (step == ended) break; }
 //
-// When a step fails with deviceLost drop it. Where the session was lost another one may be opened for the
-// same view, and with `placed` everything stands where it stood; when the software of the headset is gone,
-// runtime, device and view are made anew as well, of the view's scene.
+// When a step fails with deviceLost, drop it. If only the session was lost, open another one for the same
+// view; with `placed` everything stands where it stood. If the headset's software has ended, make runtime,
+// device and view again as well, from the view's scene.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -32,49 +32,49 @@ namespace macula::xr {
 
 struct HeadsetOptions {
     SessionOptions session = {};
-    glm::ivec2 eyePx{0};    // of the picture for each eye; 0: as the headset wants it
-    bool holdsRate = true;  // false: nothing is left out, however late frames are
+    glm::ivec2 eyePx{0};    // size of each eye's picture; 0: as the headset recommends
+    bool holdsRate = true;  // false: never lowers the quality for late frames
 };
 
 // Used by one thread, the one that uses the device.
 class Headset {
   public:
     enum class Step {
-        waiting,  // nobody wears it: come again after a while
+        waiting,  // nobody wears it: call again after a while
         empty,    // a frame without pictures was submitted
         shown,
         ended,
     };
-    // What was shown last.
+    // The last pictures shown.
     struct Shown {
         EyePictures eyes;
-        std::optional<EyePictures> insets;  // where the headset has them; smaller and finer
-        hybrid::Frame frame;    // its pictures (of eyes, then of insets) are valid until the next step
-        glm::dvec2 gaze{0.0};   // in the picture of the centre eye; of the insets where it is not followed
-        double fineness = 1.0;  // of the pixels of insets over those of eyes
+        std::optional<EyePictures> insets;  // if the headset has them; smaller and finer
+        hybrid::Frame frame;                // its pictures (eyes, then insets) are valid until the next step
+        glm::dvec2 gaze{0.0};   // in the centre eye's picture; without eye tracking, the insets' middle
+        double fineness = 1.0;  // pixel density of insets over that of eyes
         XrTime displayed = 0;
     };
 
-    // `view` outlives it. `placed`: stageFromWorld; nothing: before who wears it, once it is known where that
-    // is. `controls`: what hands have chosen so far, of a session before; null: nothing.
+    // `view` outlives it. `placed`: stageFromWorld; nothing: in front of the wearer, once the head's position
+    // is known. `controls`: the choices of an earlier session; null: none.
     static Result<Headset> open(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
                                 RoomView& view, const std::optional<glm::dmat4>& placed = {},
                                 const HeadsetOptions& options = {},
                                 std::shared_ptr<RoomControls> controls = nullptr);
 
-    // A frame: waits for its time, draws, submits, and uses what is left of its time for what will be better
-    // in later ones. A frame that was begun is submitted, also when drawing fails.
+    // One frame: waits for its time, draws, submits, and uses the rest of its time to improve later frames. A
+    // frame that was begun is always submitted, even when drawing fails.
     Result<Step> step();
-    // Steps go on until one says ended.
+    // Call step() until it returns ended.
     Result<void> requestEnd() { return session_.requestEnd(); }
 
     const std::optional<glm::dmat4>& placed() const { return stageFromWorld_; }
     const std::optional<Shown>& shown() const { return shown_; }
-    // Of the last frame that was submitted.
+    // The times of the last submitted frame.
     const FrameTimes& times() const { return times_; }
     const Governor& governor() const { return governor_; }
     const Session& session() const { return session_; }
-    // Of the picture for each eye, at most.
+    // The largest size of the picture for each eye.
     const glm::ivec2& eyePx() const { return lent_.eyes.sizePx(); }
     const RoomControls& controls() const { return *controls_; }
 
@@ -84,11 +84,11 @@ class Headset {
         std::vector<XrCompositionLayerQuad> quads;
     };
 
-    // What the headset lends: dropped before the session.
+    // The images that the headset lends: destroyed before the session.
     struct Lent {
         Swapchains eyes;
         std::optional<Swapchains> insets;
-        std::optional<DepthLayer> depths;  // of eyes
+        std::optional<DepthLayer> depths;  // for `eyes`
         std::optional<DepthLayer> insetDepths;
     };
 
@@ -104,12 +104,12 @@ class Headset {
           stageFromWorld_(placed) {}
     static Result<Lent> lend(const Session& session, const HeadsetOptions& options);
     Result<Views> draw(const FrameTime& time);
-    // Where it is to stand, and what hands do.
+    // Places the anatomy, and handles the hands.
     Result<RoomFollowed> follow(const FrameTime& time, const std::vector<Eye>& eyes, const TwoHands& hands,
                                 bool isTracked);
     Result<bool> change(const RoomState& state, Lasts lasts);
     Result<void> acquire();
-    // Where eyes are by now, and so what they are shown; false: nobody knows.
+    // Sets the pictures for the present positions of the eyes; false: these are not usable.
     Result<bool> aim(std::vector<Eye> eyes, const std::optional<Pose>& gaze, Shown& shown);
     Result<std::vector<XrCompositionLayerProjectionView>> drawFor(Shown& shown, double light);
     std::vector<std::vector<VisiblePart>> seenOf(const EyePictures& pictures, std::size_t firstView,
@@ -121,7 +121,7 @@ class Headset {
     std::optional<double> timeFor(Work work, double begunAgoMs);
 
     Session session_;
-    Hands hands_;       // dropped before the session
+    Hands hands_;       // destroyed before the session
     Lent lent_;         // likewise
     QuadLayers quads_;  // likewise
     EyeMasks masks_;
@@ -130,14 +130,14 @@ class Headset {
     RoomView* view_;
     std::shared_ptr<RoomControls> controls_;
     bool wantsPicture_ = false;
-    bool copiesForPicture_ = false;  // what is under way
+    bool copiesForPicture_ = false;  // the running copy is for a picture
     XrTime mirroredAt_ = 0;
     bool holdsRate_;
     Governor governor_;
     std::uint64_t framesShown_ = 0;
     FrameTimes times_;
-    bool isConfused_ = false;  // says what no pictures can be made for
-    double changesMs_ = 0.0;   // of this frame, for another state to be shown
+    bool isConfused_ = false;  // an unusable view was logged already
+    double changesMs_ = 0.0;   // spent in this frame on showing another state
     std::optional<glm::dmat4> stageFromWorld_;
     std::optional<Shown> shown_;
 };

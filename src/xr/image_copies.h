@@ -1,4 +1,4 @@
-// Copies to images of the headset that are not of a whole picture, or not of colours.
+// Copies to the headset's images that are not of a whole picture, or not of colours.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,17 +10,17 @@
 
 namespace macula::xr {
 
-// Of the part of a picture that begins at `firstPx`, those parts; the rest of the layer becomes black and
-// clear. Bit by bit.
+// Copies `parts` of the picture whose upper left corner is at `firstPx`, bit by bit; the rest of the layer
+// becomes black and transparent.
 void copyVisible(gpu::Recorder& recorder, const gpu::Image& from, const glm::ivec2& firstPx,
                  std::span<const VisiblePart> parts, const gpu::LentLayer& to);
 
-// The part of `partPx` at `firstPx` of depths in rows of `rowPx`, to the depths of a layer (D32_SFLOAT).
-// The device's queue draws (drawsOnQueue).
+// Copies the part of size `partPx` at `firstPx`, from depths in rows of `rowPx`, to a depth layer
+// (D32_SFLOAT). The device's queue must be a graphics queue (drawsOnQueue).
 void copyDepths(gpu::Recorder& recorder, const gpu::Buffer& from, int rowPx, const glm::ivec2& firstPx,
                 const glm::ivec2& partPx, const gpu::LentLayer& to);
 
-// Whether the device's queue can do more than compute: depths cannot be copied on another.
+// Whether the device's queue is a graphics queue, which copying of depths needs.
 bool drawsOnQueue(const gpu::Device& device);
 
 }  // namespace macula::xr

@@ -1,19 +1,19 @@
-// Which control of which kind of controller does what.
+// The table of controllers, and what each of their controls does.
 #pragma once
 
 #include <span>
 
 namespace macula::xr {
 
-// Paths below /user/hand/left/input and right; null: it has none.
+// Paths below /user/hand/left/input and right; null: the controller has no such control.
 struct InteractionProfile {
     const char* name;
-    const char* extension;  // that it needs; null: none
+    const char* extension;  // the extension that it needs; null: none
     const char* grab;
     const char* cut;
     const char* press;
     const char* turn;        // a stick, -1 to 1
-    const char* turnsWhile;  // a pad that is touched all the time turns only while this is pressed
+    const char* turnsWhile;  // for a pad, which a thumb always touches: turns only while this is pressed
 };
 
 std::span<const InteractionProfile> interactionProfiles();

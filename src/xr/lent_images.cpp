@@ -9,7 +9,7 @@ namespace macula::xr {
 
 namespace {
 
-// A headset that does not give an image back for so long has stopped.
+// A headset that does not return an image for this long has stopped.
 constexpr XrDuration kMostWaitNs = 2'000'000'000;
 
 }  // namespace
@@ -34,7 +34,7 @@ Result<std::optional<LentImages>> LentImages::create(const Session& session, con
     LentImages made(session, kind.layout);
     const XrResult created = session.runtime().call().CreateSwapchain(session.handle(), &info, &made.handle_);
     if (XR_FAILED(created)) made.handle_ = XR_NULL_HANDLE;
-    // Runtimes say in many ways that they take no layers.
+    // Runtimes report in various ways that they support no layers.
     const bool isOver = created == XR_ERROR_SESSION_LOST || created == XR_ERROR_INSTANCE_LOST ||
                         created == XR_ERROR_OUT_OF_MEMORY;
     if (XR_FAILED(created) && layers > 1 && !isOver) return std::optional<LentImages>();
@@ -53,7 +53,7 @@ LentImages::LentImages(LentImages&& other) noexcept
 
 LentImages::~LentImages() {
     if (!handle_) return;
-    static_cast<void>(device_->waitForAll());  // copies into them
+    static_cast<void>(device_->waitForAll());  // copies into the images may still run
     runtime_->call().DestroySwapchain(handle_);
 }
 
@@ -78,7 +78,7 @@ Result<void> LentImages::acquire() {
     XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO};
     wait.timeout = kMostWaitNs;
     const XrResult waited = call.WaitSwapchainImage(handle_, &wait);
-    // An image that was not waited for cannot be given back: the session is of no more use.
+    // An image cannot be released without a successful wait: the session is lost.
     if (waited == XR_TIMEOUT_EXPIRED) return xrError(XR_ERROR_SESSION_LOST, Text("lend a picture"));
     MACULA_XR_TRY(waited, Text("lend a picture"));
     if (index >= images_.size()) return xrError(XR_ERROR_RUNTIME_FAILURE, Text("lend a picture"));

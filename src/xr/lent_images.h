@@ -1,4 +1,4 @@
-// An OpenXR swapchain: images that the headset lends, one at a time, and shows when they are given back.
+// An OpenXR swapchain: images that the headset lends, one at a time, and shows after they are returned.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -18,12 +18,12 @@ class LentImages {
     struct Kind {
         std::int64_t format = 0;  // a VkFormat
         XrSwapchainUsageFlags usage = 0;
-        VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;  // in which images are lent
+        VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;  // the layout of lent images
     };
     // R8G8B8A8_SRGB: our pictures are encoded already, and are copied bit by bit.
     static const Kind kColours;
 
-    // Nothing where the runtime does not take so many layers of that.
+    // Nothing if the runtime does not support this many layers of this kind.
     static Result<std::optional<LentImages>> create(const Session& session, const glm::ivec2& sizePx,
                                                     std::uint32_t layers, const Kind& kind);
 
@@ -31,12 +31,12 @@ class LentImages {
     LentImages& operator=(LentImages&&) = delete;
     ~LentImages();
 
-    // Waits until the headset has one to lend. One that is lent already stays.
+    // Waits until the headset lends an image. Does nothing if one is lent already.
     Result<void> acquire();
-    // Gives it back, as it was written by what was submitted until now: it is shown next. Nothing happens
-    // where none is lent.
+    // Returns the image to the headset, which shows it next, with all writes submitted until now. Does
+    // nothing if none is lent.
     Result<void> release();
-    // Of the image, between the two.
+    // A layer of the lent image. Call it between acquire() and release().
     gpu::LentLayer layer(std::uint32_t number) const;
     // The upper left part of that size.
     XrSwapchainSubImage part(std::uint32_t layer, const glm::ivec2& partPx) const;
@@ -51,7 +51,7 @@ class LentImages {
     VkImageLayout layout_;
     XrSwapchain handle_ = XR_NULL_HANDLE;
     std::vector<VkImage> images_;
-    std::optional<std::uint32_t> lent_;  // which of these
+    std::optional<std::uint32_t> lent_;  // index into images_
 };
 
 }  // namespace macula::xr

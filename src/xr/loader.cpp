@@ -26,7 +26,7 @@ bool findOne(const Loader& loader, XrInstance instance, const char* name, Functi
 }  // namespace
 
 Result<Loader> Loader::open(const char* library) {
-    // What it has to say, Macula says in words.
+    // Silences the loader: Macula reports its errors itself.
     setenv("XR_LOADER_DEBUG", "none", 0);
     void* opened = dlopen(library, RTLD_NOW | RTLD_LOCAL);
     Loader loader;

@@ -8,15 +8,15 @@ namespace macula::xr {
 
 inline constexpr const char* kLoaderLibrary = "libopenxr_loader.so.1";
 
-// Of an instance, by their names without xr.
+// The functions of an instance, named without the prefix xr.
 struct Functions {
 #define MACULA_XR_FUNCTION(name) PFN_xr##name name = nullptr;
 #include "xr/functions.inl"
 #undef MACULA_XR_FUNCTION
-    PFN_xrGetVisibilityMaskKHR GetVisibilityMaskKHR = nullptr;  // null where the extension is not on
+    PFN_xrGetVisibilityMaskKHR GetVisibilityMaskKHR = nullptr;  // null without the extension
 };
 
-// Stays in memory until the program ends, as it keeps what it has found.
+// The library stays loaded until the program ends, because it caches what it has found.
 struct Loader {
     PFN_xrGetInstanceProcAddr getInstanceProcAddr = nullptr;
     PFN_xrEnumerateInstanceExtensionProperties enumerateExtensions = nullptr;
@@ -25,7 +25,7 @@ struct Loader {
     // deviceNotUsable when it is not installed.
     static Result<Loader> open(const char* library = kLoaderLibrary);
 
-    // deviceNotUsable when one is missing; those that there are, are found all the same.
+    // deviceNotUsable if a function is missing; the others are set nevertheless.
     Result<void> find(XrInstance instance, Functions& functions) const;
 };
 

@@ -1,4 +1,5 @@
-// OpenXR 1.0 with Vulkan. Functions come from the loader at run time (loader.h): a program without it starts.
+// OpenXR 1.0 with Vulkan. The loader resolves functions at run time (loader.h), so the program starts without
+// it.
 #pragma once
 
 #include <vulkan/vulkan_core.h>

@@ -11,10 +11,11 @@ namespace macula::xr {
 // From the top; the bit of value 16 is the leftmost of five dots.
 using LetterRows = std::array<std::uint8_t, 7>;
 
-// A box for what has no letter.
+// The glyph of a character; a box if there is none.
 const LetterRows& lettersOf(char32_t sign);
 
-// Of UTF-8, one each, but two for a sharp s; what takes more than two bytes is one that has no letter.
+// The characters of UTF-8 text. A sharp s becomes two; a sequence of more than two bytes becomes one without
+// a glyph.
 std::u32string signsOf(std::string_view text);
 
 }  // namespace macula::xr

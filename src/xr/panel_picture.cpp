@@ -65,7 +65,7 @@ void PanelPicture::writeInto(std::string_view text, const glm::ivec2& fromPx, co
     const int most = (sizePx.x + scale) / (scale * kAdvancePx);
     std::string shown(text);
     if (int(signsOf(shown).size()) > most) {
-        // Whole signs of UTF-8: a byte that goes on belongs to the one before.
+        // Removes whole UTF-8 characters: a continuation byte belongs to the one before.
         while (!shown.empty() && int(signsOf(shown).size()) > std::max(most - 2, 0)) {
             while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xc0) == 0x80)
                 shown.pop_back();

@@ -1,4 +1,5 @@
-// A small picture with letters for what floats in the room: panels, notices, outlines. No library draws it.
+// A small picture with letters for panels, notices and outlines that float in the room. Drawn without a
+// library.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +10,13 @@
 
 namespace macula::xr {
 
-// 8 bits each, encoded for display, alpha straight: 255 hides what is behind it.
+// 8 bits each, encoded for display, with straight alpha: 255 is opaque.
 using PanelColour = glm::u8vec4;
 
-// Row 0 on top. What is drawn beyond a border is left out.
+// Row 0 on top. Drawing is clipped to the picture.
 class PanelPicture {
   public:
-    // Of a letter, and with the gap behind it, at scale 1.
+    // The size of a letter, and its width with the gap after it, at scale 1.
     static constexpr glm::ivec2 kLetterPx{5, 7};
     static constexpr int kAdvancePx = 6;
 
@@ -27,11 +28,11 @@ class PanelPicture {
 
     void fill(const glm::ivec2& fromPx, const glm::ivec2& sizePx, const PanelColour& colour);
     void frame(const glm::ivec2& fromPx, const glm::ivec2& sizePx, int widthPx, const PanelColour& colour);
-    // A ring, or a disc where `innerPx` is 0, of these radii.
+    // A ring of these radii, or a disc if `innerPx` is 0.
     void ring(const glm::dvec2& middlePx, double innerPx, double outerPx, const PanelColour& colour);
-    // Capitals; a sign that there is no letter for is a box. `atPx` is the left upper corner.
+    // Writes in capitals; a character without a glyph is a box. `atPx` is the upper left corner.
     void write(std::string_view text, const glm::ivec2& atPx, int scale, const PanelColour& colour);
-    // In the middle of a rectangle, cut off with two dots where it is too long.
+    // Centred in a rectangle; text that is too long is cut off with two dots.
     void writeInto(std::string_view text, const glm::ivec2& fromPx, const glm::ivec2& sizePx, int scale,
                    const PanelColour& colour);
 

@@ -20,7 +20,7 @@ std::optional<PanelButton> PanelPointer::follow(const TwoHands& hands, const glm
     const bool wasPressed = std::exchange(isPressed_, holdsOn(hand.press, isPressed_));
     if (isPressed_ && !wasPressed && hit_) isOfPanel_ = true;
     if (!isPressed_ || wasPressed) return std::nullopt;
-    // The ray was on the button before it was pressed: nothing happens by a sweep.
+    // Only if the ray was on the button before the press, so that a sweep over it presses nothing.
     return before == pointedAt_ ? pointedAt_ : std::nullopt;
 }
 

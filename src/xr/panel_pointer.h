@@ -1,4 +1,4 @@
-// A hand that points at the panel at the other wrist, and presses its buttons. Knows no OpenXR.
+// Lets a hand point at the panel on the other wrist and press its buttons. Knows no OpenXR.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,26 @@
 
 namespace macula::xr {
 
-// From frame to frame.
+// Call follow() in each frame.
 class PanelPointer {
   public:
-    // Finds the panel, and what the ray of the pointing hand meets. Returns the button that is pressed in
-    // this frame. `isBusy`: the pointing hand holds the anatomy or cuts, and does not press by the way.
+    // Finds the panel, and the button that the ray of the pointing hand meets. Returns the button pressed in
+    // this frame. `isBusy`: the pointing hand holds the anatomy or cuts, and must not press by accident.
     std::optional<PanelButton> follow(const TwoHands& hands, const glm::dvec3& headM, bool isBusy,
                                       const PanelTexts& texts);
-    // Hands as all but the panel see them. What is pressed on the panel neither cuts nor grabs, until it is
-    // let go, wherever the ray is then. After follow().
+    // The hands for everything except the panel. A press on the panel neither cuts nor grabs until it is
+    // released, wherever the ray is then. Call it after follow().
     TwoHands handsBeside(const TwoHands& hands);
 
     void moveToOtherWrist();
-    // Nobody has looked for a while: the next press needs the ray on the button anew.
+    // Call it after a pause: the next press needs the ray on the button again.
     void interrupt() { pointedAt_.reset(); }
 
     std::size_t panelHand() const { return panelHand_; }
     std::size_t pointingHand() const { return 1 - panelHand_; }
-    // In this frame.
+    // The panel's pose in this frame.
     const std::optional<Pose>& panel() const { return panel_; }
-    const std::optional<glm::dvec2>& hit() const { return hit_; }  // of the ray, in pixels of the panel
+    const std::optional<glm::dvec2>& hit() const { return hit_; }  // where the ray meets the panel, in pixels
     std::optional<PanelButton> pointedAt() const { return pointedAt_; }
 
   private:
@@ -38,7 +38,7 @@ class PanelPointer {
     std::optional<glm::dvec2> hit_;
     std::optional<PanelButton> pointedAt_;
     bool isPressed_ = false;
-    bool isOfPanel_ = false;  // what the pointing hand holds down was pressed on the panel
+    bool isOfPanel_ = false;  // the pointing hand's press began on the panel
 };
 
 }  // namespace macula::xr

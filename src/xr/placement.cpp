@@ -7,8 +7,8 @@ namespace macula::xr {
 
 namespace {
 
-constexpr double kReachM = 0.35;       // from the eyes to the nearest that can be seen, at least
-constexpr double kLeastApartM = 0.02;  // of two hands, to tell how they turn
+constexpr double kReachM = 0.35;       // least distance from the eyes to the visible anatomy
+constexpr double kLeastApartM = 0.02;  // between two hands, to define their direction
 
 glm::dmat4 shift(const glm::dvec3& by) {
     glm::dmat4 matrix(1.0);
@@ -19,7 +19,7 @@ glm::dmat4 shift(const glm::dvec3& by) {
 // The shortest turn from one direction to another.
 glm::dquat turnBetween(const glm::dvec3& from, const glm::dvec3& to) {
     const double cosine = glm::dot(from, to);
-    if (cosine < -1.0 + 1e-9) {  // half a turn, about whatever is across
+    if (cosine < -1.0 + 1e-9) {  // half a turn, about any perpendicular axis
         const glm::dvec3 helper = std::abs(from.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
         return glm::dquat(0.0, glm::normalize(glm::cross(from, helper)));
     }
@@ -31,14 +31,15 @@ glm::dquat turnBetween(const glm::dvec3& from, const glm::dvec3& to) {
 glm::dmat4 stageFromWorldBefore(const Pose& head, const Box& seenMm) {
     const glm::dvec3 look = head.orientation * glm::dvec3(0.0, 0.0, -1.0);
     glm::dvec3 ahead(look.x, 0.0, look.z);
-    // Who looks straight down has the top of the head ahead, who looks straight up has it behind.
+    // If the wearer looks straight down, ahead is where the top of the head points; straight up, the
+    // opposite.
     if (glm::length(ahead) < 1e-3) {
         const glm::dvec3 top = head.orientation * glm::dvec3(0.0, look.y < 0.0 ? 1.0 : -1.0, 0.0);
         ahead = {top.x, 0.0, top.z};
     }
     ahead = glm::normalize(ahead);
     const glm::dvec3 right = glm::cross(ahead, glm::dvec3(0.0, 1.0, 0.0));
-    // The patient's left is at the right of who looks from in front.
+    // The patient's left is on the right of a viewer in front.
     const glm::dmat3 turn(right, ahead, glm::dvec3(0.0, 1.0, 0.0));
     const glm::dmat3 scaled = kMetresPerMm * turn;
     const double radiusM = 0.5 * kMetresPerMm * std::max(seenMm.diagonal(), 0.0);

@@ -14,7 +14,7 @@ namespace macula::xr {
 
 namespace {
 
-constexpr double kShiftShare = 0.02;  // of what lies between the first and the last point of the opacity
+constexpr double kShiftShare = 0.02;  // of the range from the first to the last opacity point
 
 std::optional<std::size_t> presetIndex(const RoomState& state, const RoomHost& host) {
     const TransferFunction& now = *state.transferFunction;
@@ -31,7 +31,7 @@ RoomState withPreset(RoomState state, const RoomHost& host, int steps) {
     const int count = int(host.presets.size());
     if (count == 0) return state;
     const auto index = presetIndex(state, host);
-    // One that is not in the list stands before the first.
+    // A preset that is not in the list counts as before the first.
     const int at = index ? int(*index) + steps : (steps > 0 ? 0 : count - 1);
     state.transferFunction = host.presets[std::size_t((at % count + count) % count)];
     return state;
@@ -58,8 +58,8 @@ std::string shiftText(const RoomState& state, const RoomHost& host) {
     if (!index || now.opacity.empty() || host.presets[*index]->opacity.empty()) return host.words.shift;
     const double across = now.opacity.back().value - now.opacity.front().value;
     double by = now.opacity.front().value - host.presets[*index]->opacity.front().value;
-    if (std::abs(by) < 1e-9 * across) by = 0.0;  // rounding, of steps to and fro
-    // Three digits, but no power of ten: "+1040", and not "+1.04e+03".
+    if (std::abs(by) < 1e-9 * across) by = 0.0;  // rounding of steps back and forth
+    // Three digits, but without an exponent: "+1040", and not "+1.04e+03".
     const std::string number =
         std::abs(by) < 999.5 ? fmt::format("{:+.3g}", by + 0.0) : fmt::format("{:+.0f}", by);
     return fmt::format("{} {}{}", host.words.shift, host.words.ofNumber(number),

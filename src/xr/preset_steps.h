@@ -8,12 +8,12 @@
 
 namespace macula::xr {
 
-// The state with the preset that comes so many after its own in the list of the host, going round. One that
-// is not in the list stands before the first.
+// The state with the preset `steps` after its own in the host's list, cyclically. A preset that is not in the
+// list counts as before the first.
 RoomState withPreset(RoomState state, const RoomHost& host, int steps);
-// The state with its curve moved; a preset of the host becomes an own copy first.
+// The state with its curve moved along the values; the host's preset is copied first.
 RoomState withShift(RoomState state, const RoomHost& host, int steps);
-// How far the curve was moved from the preset of the host, in the words of the host.
+// How far the curve was moved from the host's preset, in the host's words.
 std::string shiftText(const RoomState& state, const RoomHost& host);
 
 }  // namespace macula::xr

@@ -1,5 +1,5 @@
-// Flat pictures in the room, which the software of the headset puts before the eyes by itself, at its own
-// pace (XrCompositionLayerQuad): letters stay sharp, however coarse the anatomy is.
+// Flat pictures in the room, which the headset's software composes at its own rate (XrCompositionLayerQuad):
+// letters stay sharp, however coarse the anatomy is.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ namespace macula::xr {
 // Must not outlive its session. Used by one thread at a time, the one that uses the device.
 class QuadLayers {
   public:
-    // Layers of the stage for what floats. Pictures are sent when they are seen first, and when they have
-    // changed.
+    // The layers of the floating pictures, in the stage. Uploads a picture when it is first shown, and when
+    // it has changed.
     Result<std::vector<XrCompositionLayerQuad>> show(const Session& session, const RoomControls& controls,
                                                      std::span<const Floating> floating);
 
@@ -27,7 +27,7 @@ class QuadLayers {
     struct Sent {
         std::optional<LentImages> images;
         std::optional<gpu::Image> picture;
-        std::uint64_t number = 0;  // of the picture that was sent last
+        std::uint64_t number = 0;  // number of the last uploaded picture
     };
 
     static Result<void> make(const Session& session, Sent& sent, const glm::ivec2& sizePx);

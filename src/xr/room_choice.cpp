@@ -33,13 +33,13 @@ Result<void> RoomChoice::undo(const RoomHost& host, const ShowRoom& show) {
 }
 
 Result<void> RoomChoice::takeWanted(const RoomHost& host, double seconds, const ShowRoom& show) {
-    // A hand in the window that drags is followed in steps, which are one to be undone.
+    // Follows a drag in the window in several states, which become one undo step.
     if (!host.wanted || std::abs(seconds - wantedAt_) < kWantedEveryS) return {};
     std::optional<RoomState> wanted = host.wanted();
     if (!wanted) return {};
     const bool goesOn = wasWanted_ && std::abs(seconds - wantedAt_) < kDragGoesOnS;
     wantedAt_ = seconds;
-    wanted->quality = now().quality;  // of the headset alone
+    wanted->quality = now().quality;  // quality is a choice for the headset alone
     if (!wanted->transferFunction || *wanted == now()) return {};
     MACULA_TRY(const bool isShown, show(*wanted, Lasts::forGood));
     if (!isShown) return {};

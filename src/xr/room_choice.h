@@ -1,4 +1,4 @@
-// What was chosen in the room, or elsewhere for it, in steps that can be undone. Knows no OpenXR.
+// The choices made in the room, or elsewhere for it, as steps that can be undone. Knows no OpenXR.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,7 @@ namespace macula::xr {
 
 enum class Lasts { forGood, forALook };
 
-// Shows another state. False, and all is as it was, when nothing of it could be seen; an error ends the
-// session.
+// Shows another state. False, and nothing changes, if nothing would be visible; an error ends the session.
 using ShowRoom = std::function<Result<bool>(const RoomState&, Lasts)>;
 
 class RoomChoice {
@@ -23,19 +22,19 @@ class RoomChoice {
     const RoomState& now() const { return history_.now(); }
     bool canUndo() const { return history_.canUndo(); }
 
-    // Shows the next state, and tells the host. False when nothing of it could be seen.
+    // Shows the next state, and notifies the host. False if nothing would be visible.
     Result<bool> change(RoomState next, const RoomHost& host, const ShowRoom& show);
-    // Does nothing where no step is left, or where the one before cannot be shown.
+    // Does nothing if there is no step to undo, or if the state before cannot be shown.
     Result<void> undo(const RoomHost& host, const ShowRoom& show);
-    // Shows what was chosen elsewhere. The host, who knows of that, is told nothing.
+    // Shows a choice made elsewhere. Does not notify the host, which made it.
     Result<void> takeWanted(const RoomHost& host, double seconds, const ShowRoom& show);
-    // Shows the present state again: what was gone for a look comes back where nothing stays gone.
+    // Shows the present state again, to end the preview of a cut that was not made.
     Result<void> comeBack(const ShowRoom& show) const;
 
   private:
     RoomHistory history_;
-    double wantedAt_ = -1e9;  // when something that was chosen elsewhere came last
-    bool wasWanted_ = false;  // the last step was that
+    double wantedAt_ = -1e9;  // when the last choice from elsewhere came
+    bool wasWanted_ = false;  // the last step came from elsewhere
 };
 
 }  // namespace macula::xr

@@ -65,7 +65,7 @@ std::string RoomControls::sizeText(double scale) const {
 Result<RoomFollowed> RoomControls::follow(const glm::dmat4& stageFromWorld, const RoomFrame& frame,
                                           const Show& show) {
     seconds_ = frame.seconds;
-    noticeUntil_ = std::min(noticeUntil_, seconds_ + kNoticeSeconds);  // a new session has its own time
+    noticeUntil_ = std::min(noticeUntil_, seconds_ + kNoticeSeconds);  // each session has its own clock
     RoomFollowed followed;
     followed.stageFromWorld = stageFromWorld;
     followed.light = fade_.follow(frame.seconds, frame.isTracked);
@@ -118,7 +118,7 @@ Result<void> RoomControls::press(PanelButton button, const RoomFrame& frame, con
                                               : ClipTool::none;
             return {};
         case PanelButton::resetClips: {
-            // What hides voxels, as a table, was chosen elsewhere.
+            // Keeps the mask (a hidden table, for example), which was chosen elsewhere.
             Clip clip;
             if (next.clip) clip.mask = next.clip->mask;
             next.clip = clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(clip));
@@ -147,7 +147,7 @@ Result<void> RoomControls::press(PanelButton button, const RoomFrame& frame, con
             return {};
         case PanelButton::otherWrist:
             pointer_.moveToOtherWrist();
-            // It was pressed by the hand that has the panel now, and cuts nothing with it.
+            // The hand that pressed the button has the panel now, and must not cut with the same press.
             for (HeldTool& tool : tools_) tool.waitForRelease();
             return {};
     }
@@ -162,7 +162,7 @@ void RoomControls::grasp(const RoomFrame& frame, const TwoHands& hands, RoomFoll
         if (grasp_.holds(hand) && !before[hand]) followed.pulses.push_back(in(hand, kFeelsGrasp));
     const double scale = scaleOf(followed.stageFromWorld);
     if (std::abs(scale / scaleBefore - 1.0) < 1e-4) return;
-    notice_ = sizeText(scale);  // for the eyes alone, while it grows
+    notice_ = sizeText(scale);  // only before the eyes, not to the host
     noticeUntil_ = frame.seconds + kNoticeSeconds;
 }
 

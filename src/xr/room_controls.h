@@ -1,5 +1,5 @@
-// All that a person does in the room, from frame to frame: hands, the panel at the wrist, tools, turns; and
-// what floats there for that. What was chosen stays when a session is lost. Knows no OpenXR.
+// Handles all that a person does in the room, from frame to frame: hands, the panel at the wrist, tools,
+// turns; and the pictures that float there. Choices survive the loss of a session. Knows no OpenXR.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@
 
 namespace macula::xr {
 
-// Felt in a hand.
+// A vibration in a hand.
 struct Pulse {
     std::size_t hand = 0;
     float strength = 0.5f;  // 0 to 1
@@ -36,14 +36,14 @@ struct RoomFrame {
     Pose head;
     TwoHands hands;
     bool isTracked = true;  // the headset sees where it is
-    Box seenMm;             // what can be seen, in the world
+    Box seenMm;             // the visible part, in the world
 };
 
 struct RoomFollowed {
     glm::dmat4 stageFromWorld{1.0};
     std::vector<Pulse> pulses = {};
-    std::vector<Floating> floating = {};  // what comes later lies in front
-    double light = 1.0;                   // of all that is seen, 0 to 1
+    std::vector<Floating> floating = {};  // later ones lie in front
+    double light = 1.0;                   // brightness of everything, 0 to 1
     bool wantsPicture = false;
 };
 
@@ -53,14 +53,14 @@ class RoomControls {
 
     RoomControls(RoomHost host, RoomState first);
 
-    // In this order: what was chosen elsewhere, the panel, a turn, the grasp, tools.
+    // Handles in this order: choices from elsewhere, the panel, a turn, the grasp, tools.
     Result<RoomFollowed> follow(const glm::dmat4& stageFromWorld, const RoomFrame& frame, const Show& show);
-    // It stands elsewhere all of a sudden: what is held does not jump back.
+    // The anatomy was placed elsewhere: held anatomy does not jump back.
     void takeAnew() { grasp_.takeAnew(); }
-    // Nobody has looked at the hands for a while: what they hold is taken anew, and a cut that was begun is
-    // none, wherever they are by now.
+    // After a pause without hands: a grasp starts again from their present position, and a cut that was begun
+    // is abandoned.
     void interrupt();
-    // A frame of which nobody knows where the eyes are.
+    // Call it for a frame without known eye positions.
     void goDark(double seconds) {
         fade_.goDark(seconds);
         interrupt();
@@ -68,11 +68,11 @@ class RoomControls {
 
     const RoomState& state() const { return choice_.now(); }
     const RoomHost& host() const { return host_; }
-    // Stands before the eyes for some seconds, and goes to the host. `sentence` names no patient, and is in
-    // the words of the host.
+    // Shows a sentence before the eyes for some seconds, and passes it to the host. `sentence` names no
+    // patient, and is in the host's words.
     void tell(const std::string& sentence);
 
-    // A picture that floats. Its number changes when it does.
+    // A floating picture. Its number changes when the picture does.
     const PanelPicture& picture(RoomPicture which) const { return pictures_.picture(which); }
     std::uint64_t pictureNumber(RoomPicture which) const { return pictures_.number(which); }
 
@@ -106,7 +106,7 @@ class RoomControls {
     FloatingPictures pictures_;
     bool hasKnife_ = true;
     ClipTool held_ = ClipTool::none;  // in the hand with the panel
-    PanelTexts texts_;                // as they are now
+    PanelTexts texts_;                // the present ones
     std::string notice_;
     double noticeUntil_ = 0.0;
     double seconds_ = 0.0;

@@ -1,4 +1,4 @@
-// Who shows the room to somebody, and hears what comes of it. Knows no OpenXR.
+// The program that shows the room, and receives the choices made there. Knows no OpenXR.
 #pragma once
 
 #include <filesystem>
@@ -14,17 +14,17 @@
 
 namespace macula::xr {
 
-// The window, or the command. All is called on the thread of the headset, and may be empty.
+// The window, or the command. Its functions are called on the headset's thread, and may be empty.
 struct RoomHost {
     std::vector<std::shared_ptr<const TransferFunction>> presets = {};  // to choose from
     RoomWords words = {};
-    bool isCalibrated = true;             // the volume, as in Provenance: of no other a size is told
-    std::filesystem::path pictures = {};  // where those that are taken go; empty: none can be taken
-    std::function<void(const std::string&)> note = {};  // in these words
+    bool isCalibrated = true;             // whether the volume is (Provenance); if not, no sizes are shown
+    std::filesystem::path pictures = {};  // folder for pictures taken there; empty: none can be taken
+    std::function<void(const std::string&)> note = {};  // a sentence, in `words`
     std::function<void(const RoomState&)> changed = {};
-    // What was chosen elsewhere since the last time.
+    // Returns the choice made elsewhere since the last call, if any.
     std::function<std::optional<RoomState>()> wanted = {};
-    // A few times a second.
+    // Called a few times a second.
     std::function<void(EyeView)> mirror = {};
 };
 

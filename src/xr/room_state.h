@@ -1,4 +1,4 @@
-// What a person can choose in the room, as one value. Knows no OpenXR.
+// All that a person can choose in the room, as one value. Knows no OpenXR.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace macula::xr {
 
-// How much of the time of frames goes to what is traced where the eyes look.
+// The share of frame time that goes to tracing where the eyes look.
 enum class RoomQuality { fast, balanced, fine };
-double foveaShareOf(RoomQuality quality);          // of the usual budget: 1 is balanced
-std::uint32_t mostSamplesOf(RoomQuality quality);  // of each pixel of it, while nothing moves
+double foveaShareOf(RoomQuality quality);          // relative to the usual budget: 1 is balanced
+std::uint32_t mostSamplesOf(RoomQuality quality);  // per pixel of the fovea, while nothing moves
 
 struct RoomState {
     std::shared_ptr<const TransferFunction> transferFunction = {};
@@ -24,23 +24,23 @@ struct RoomState {
     bool operator==(const RoomState& b) const;  // by value
 };
 
-// Steps that can be undone.
+// States that can be undone.
 class RoomHistory {
   public:
-    static constexpr std::size_t kMostSteps = 200;  // older ones are forgotten
+    static constexpr std::size_t kMostSteps = 200;  // older ones are dropped
 
     explicit RoomHistory(RoomState first) : states_{std::move(first)} {}
     const RoomState& now() const { return states_.back(); }
-    void push(RoomState next);  // nothing happens where it is the same
+    void push(RoomState next);  // does nothing for an equal state
     bool canUndo() const { return states_.size() > 1; }
-    const RoomState& before() const;  // after canUndo
+    const RoomState& before() const;  // needs canUndo()
     void undo() { states_.pop_back(); }
 
   private:
     std::vector<RoomState> states_;
 };
 
-// A picture of the left eye, as it is shown: 8 bits each, row 0 on top. Holds no names.
+// The left eye's picture as displayed: 8 bits each, row 0 on top. Holds no names.
 struct EyeView {
     glm::ivec2 sizePx{0};
     std::vector<std::uint8_t> rgba;  // opaque

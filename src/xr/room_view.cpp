@@ -16,14 +16,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Of the picture, in which -1 to 1 is all: who looks elsewhere does not wait for what was begun.
+// Distance in a picture of -1 to 1: if the gaze moves farther, an unfinished fovea is abandoned.
 constexpr double kLooksElsewhere = 0.25;
 constexpr int kLeastSidePx = 32;
 constexpr double kWidestFieldDeg = 150.0;
-constexpr std::size_t kMostSizes = 2;  // of pictures at a time: of eyes and of insets
-// A frame waits for one of these, and a headset for the frame.
+constexpr std::size_t kMostSizes = 2;  // of pictures at a time: eyes and insets
+// A frame waits for the running dispatch, and the headset for the frame.
 constexpr double kDispatchMs = 8.0;
-constexpr std::uint64_t kScene = 1;  // there is one study in the room
+constexpr std::uint64_t kScene = 1;  // the room has only one study
 
 std::uint32_t samplesIn(RoomQuality quality, std::uint32_t ofBalanced) {
     return std::max(ofBalanced * mostSamplesOf(quality) / mostSamplesOf(RoomQuality::balanced), 1u);
@@ -53,7 +53,7 @@ Result<RoomView> RoomView::create(const std::shared_ptr<gpu::Device>& device, Ro
     MACULA_TRY_VOID(tracer.scene().setTransferFunction(*scene.drawing.transferFunction));
     MACULA_TRY_VOID(tracer.scene().setEnvironment(trace::Environment::fromRig(*scene.drawing.lights)));
     MACULA_TRY_VOID(tracer.setSettings(scene.drawing.settings));
-    MACULA_TRY_VOID(tracer.setView({.width = 64, .height = 64}));  // whoever asks what is seen needs one
+    MACULA_TRY_VOID(tracer.setView({.width = 64, .height = 64}));  // seenMm() needs a view
     MACULA_TRY(hybrid::HybridFrame hybrid, hybrid::HybridFrame::create(device, tracer));
     hybrid::LiveModelOptions modelOptions = options.model.value_or(hybrid::liveModelOptions(*device));
     if (!modelOptions.dispatchMs) modelOptions.dispatchMs = kDispatchMs;
@@ -127,7 +127,8 @@ Result<RoomPictures> RoomView::draw(const EyePictures& eyes, const EyePictures* 
     }
     RoomPictures pictures;
     hybrid::Periphery splats = periphery();
-    // Depths of splats are there until those of the next eye are drawn. A fovea is no eye.
+    // The depths of splats are valid until the next eye is drawn. The fovea also draws splats, but is not an
+    // eye.
     splats.draw = [&](const Camera& eye, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
         MACULA_TRY(const hybrid::DrawnSplats drawn, drawSplats(eye, sizePx));
         const bool isEye = std::find(request.eyes.begin(), request.eyes.end(), eye) != request.eyes.end();
@@ -143,7 +144,7 @@ Result<RoomPictures> RoomView::draw(const EyePictures& eyes, const EyePictures* 
 }
 
 Work RoomView::nextWork() const {
-    // The first thing to be seen is traced.
+    // The first picture is a traced one.
     return wants(Work::model) && hybrid_.hasFovea() && !wasTurnOfModel_ ? Work::model : Work::fovea;
 }
 
@@ -160,7 +161,7 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkRequest& re
     const glm::dvec2& gaze = request.gaze;
     const std::uint32_t mostSamples = samplesIn(shown_.quality, request.mostSamples);
     const bool isSameKind = aimed_ && aimed_->isOverModel == isOverModel;
-    // The coarse picture of all would lie over what was learnt.
+    // The coarse picture of the whole view would cover the model's splats.
     if (aimed_ && !isSameKind) hybrid_.forgetFovea();
     const bool looksElsewhere =
         isSameKind && isOverModel && glm::length(aimed_->gaze - gaze) > kLooksElsewhere;
@@ -170,7 +171,7 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkRequest& re
         Aimed next{
             .aim = isSame ? aimed_->aim : newFovea(eyes, request), .gaze = gaze, .isOverModel = isOverModel};
         if (isSame) {
-            // While neither head nor eyes move, it is traced anew with twice the samples, up to these.
+            // While neither head nor eyes move, traces again with twice the samples, up to `mostSamples`.
             if (next.aim.samplesPerPixel >= mostSamples) return {};
             next.aim.samplesPerPixel *= 2;
         }
@@ -181,7 +182,7 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkRequest& re
     return {};
 }
 
-// While there is no model, a coarse picture of all that is seen, straight ahead.
+// While there is no model, a coarse picture of the whole view, straight ahead.
 hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const WorkRequest& request) const {
     const double msPerSample = hybrid_.foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
     const double budgetMs =
@@ -219,7 +220,7 @@ Result<bool> RoomView::show(const RoomState& state, Lasts lasts) {
     if (state.clip && !validate(*state.clip)) return false;
     RoomState finer = shown_;
     finer.quality = state.quality;
-    if (state == finer && isForALook == isForALook_) {  // nothing has to be made again for that
+    if (state == finer && isForALook == isForALook_) {  // quality changes neither scene nor model
         shown_.quality = state.quality;
         if (!isForALook) scene_.quality = state.quality;
         return true;

@@ -1,4 +1,5 @@
-// A study as both eyes see it: the same facade that the window has (pipeline/hybrid/frame). Knows no OpenXR.
+// A study as both eyes see it, with the same facade as in the window (pipeline/hybrid/frame). Knows no
+// OpenXR.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -29,39 +30,39 @@ struct RoomScene {
     RoomQuality quality = RoomQuality::balanced;
 };
 
-// How eyes are shown it.
+// How the room appears to the eyes.
 struct RoomLook {
-    double light = 1.0;                             // how much of it is seen, 0 to 1
-    bool keepsCoverage = false;                     // the room is seen behind it
-    std::optional<hybrid::DepthRange> depths = {};  // in which depths are told; nothing: none are
+    double light = 1.0;                             // brightness, 0 to 1
+    bool keepsCoverage = false;                     // the real room is visible behind it
+    std::optional<hybrid::DepthRange> depths = {};  // range in which to encode depths; nothing: no depths
 };
 
 struct RoomPictures {
     hybrid::Frame frame;
-    // Of each of its pictures (EyeDepths::make); none while they are not known.
+    // The depths of each picture (EyeDepths::make); empty while there are none.
     std::vector<const gpu::Buffer*> depths;
 };
 
-// What is done for later frames.
+// Work for later frames.
 struct WorkRequest {
     double budgetMs = 0.0;
-    glm::dvec2 gaze{0.0};   // in the picture of the centre eye
-    double fineness = 1.0;  // of pixels where they look, over that of the pictures
-    // Of each pixel in balanced quality, while neither head nor eyes move.
+    glm::dvec2 gaze{0.0};   // in the centre eye's picture
+    double fineness = 1.0;  // pixel density at the gaze, relative to the pictures
+    // Per pixel in balanced quality, while neither head nor eyes move.
     std::uint32_t mostSamples = mostSamplesOf(RoomQuality::balanced);
 };
 
 struct RoomOptions {
-    std::optional<hybrid::LiveModelOptions> model = {};  // nothing: what suits the device
-    bool learns = true;                                  // false: no model is made; all is traced
+    std::optional<hybrid::LiveModelOptions> model = {};  // nothing: suitable ones for the device
+    bool learns = true;                                  // false: makes no model, and traces everything
 };
 
 // Used by one thread at a time, the one that uses the device.
 class RoomView {
   public:
-    // usage for a look that is not path-traced, and for light that hangs on the camera: there are two eyes,
-    // and both see the same light. inputNotUsable when nothing can be seen. What was learnt goes to the
-    // shelf, which may outlive the device.
+    // usage for a look that is not path-traced, and for lights attached to the camera: both eyes must see the
+    // same light. inputNotUsable if nothing is visible. The learned model goes to the shelf, which may
+    // outlive the device.
     static Result<RoomView> create(const std::shared_ptr<gpu::Device>& device, RoomScene scene,
                                    std::shared_ptr<hybrid::ModelShelf> shelf,
                                    const RoomOptions& options = {});
@@ -69,30 +70,31 @@ class RoomView {
     const Box& seenMm() const { return seenMm_; }
     const RoomScene& scene() const { return scene_; }
 
-    // What of the scene a person chooses.
+    // The part of the scene that a person can choose.
     RoomState state() const;
 
-    // Of splats: what is nearer is not drawn. Of what is traced, all is seen, however near.
+    // Splats nearer than this are not drawn; traced pictures have no near limit.
     void setNear(double nearMm) { nearMm_ = nearMm; }
 
-    // Waits for nothing. Pictures are valid until the next call: of both eyes, then of both insets.
+    // Does not wait for the device. Pictures are valid until the next call: both eyes, then both insets.
     Result<RoomPictures> draw(const EyePictures& eyes, const EyePictures* insets = nullptr,
                               const RoomLook& look = {});
-    // Whose turn it is: fovea, where the eyes look, and what the model learns take turns.
+    // Whose turn it is: tracing the fovea and training the model alternate.
     Work nextWork() const;
     bool wants(Work work) const {
         return work == Work::fovea || (options_.learns && !isForALook_ && model_.hasWork());
     }
-    // Nothing is learnt or traced yet of what is shown: it is dark.
+    // Nothing of the scene is learned or traced yet, so the pictures are dark.
     bool isDark() const { return !drawsModel() && !hybrid_.hasFovea(); }
-    // About as long as is wanted, at least a dispatch of some 12 ms or a step of learning.
+    // Works for about the budget, but at least for one dispatch of about 12 ms, or one training step.
     Result<void> work(Work work, const EyePictures& eyes, const WorkRequest& request);
 
-    // Shows another state. What is for a look is traced alone, and nothing is learnt of it; `scene` stays as
-    // it was. False, and all is as it was, when nothing would be left, or it is no valid state.
+    // Shows another state. A preview (Lasts::forALook) is only traced, and nothing is learned from it;
+    // `scene` stays as it was. False, and nothing changes, if nothing would be visible, or if the state is
+    // not valid.
     Result<bool> show(const RoomState& state, Lasts lasts = Lasts::forGood);
-    // Removes what is not kept too. False, and nothing happens, when nothing would be left, or the clip has
-    // all the planes that it may have.
+    // Cuts the scene to `kept` as well. False, and nothing happens, if nothing would be left, or if the clip
+    // has the most planes already.
     Result<bool> cut(const HalfSpace& kept);
 
     hybrid::HybridFrame& frame() { return hybrid_; }
@@ -119,7 +121,7 @@ class RoomView {
     std::shared_ptr<gpu::Device> device_;
     RoomScene scene_;
     RoomOptions options_;
-    RoomState shown_;  // that of the scene, or what is shown for a look
+    RoomState shown_;  // the scene's state, or a preview
     bool isForALook_ = false;
     double nearMm_ = 10.0;
     live::SceneIds names_;
@@ -127,16 +129,16 @@ class RoomView {
     hybrid::HybridFrame hybrid_;
     hybrid::LiveModel model_;
     Box seenMm_;
-    std::vector<splat::DevicePicture> nothing_;  // instead of splats while there are none, of each size
+    std::vector<splat::DevicePicture> nothing_;  // empty ones, while there are no splats; one for each size
     std::optional<hybrid::EyeDepths> depths_;
     struct Aimed {
         hybrid::FoveaAim aim;
         glm::dvec2 gaze{0.0};
         bool isOverModel = false;
     };
-    std::optional<Aimed> aimed_;  // the last one
+    std::optional<Aimed> aimed_;  // the last aim
     bool wasTurnOfModel_ = false;
-    bool hasSaidNoRoom_ = false;  // once, not in each frame
+    bool hasSaidNoRoom_ = false;  // logs it once, not in each frame
 };
 
 }  // namespace macula::xr

@@ -6,9 +6,9 @@ namespace macula::xr {
 
 namespace {
 
-constexpr std::string_view kMark = " (edited";  // and " 2" from the second on, and ")": see scene::ownCopy
+constexpr std::string_view kMark = " (edited";  // " 2" from the second copy on; ")": see scene::ownCopy
 
-// Where the mark of a copy begins; npos where a person named it otherwise.
+// Where the mark of a copy begins; npos in other titles, such as a person's own.
 std::size_t markOfCopy(std::string_view title) {
     const auto markAt = title.rfind(kMark);
     if (markAt == std::string_view::npos || !title.ends_with(')')) return std::string_view::npos;

@@ -1,4 +1,4 @@
-// What is written in the room: on the panel, and before the eyes. In English, unless a host has other words.
+// The texts in the room: on the panel, and before the eyes. In English, unless a host has other words.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 namespace macula::xr {
 
-// %1 stands for what is put in. A button at half the width of the panel has 15 letters; letters are those of
-// panel_letters.h.
+// %1 is replaced by an argument. A button of half the panel's width has room for 15 letters; the glyphs are
+// those of panel_letters.h.
 struct RoomWords {
     std::string shift = "Shift";
     std::string knifeOn = "Knife: on";
@@ -29,7 +29,7 @@ struct RoomWords {
     std::string realSize = "Real size 1:1";
     std::string larger = "%1 times real size";
     std::string smaller = "1/%1 of real size";
-    std::string notCalibrated = "Size is not calibrated";  // in the place of all sizes
+    std::string notCalibrated = "Size is not calibrated";  // instead of all sizes
     std::string recentre = "Before me";
     std::string quality = "Quality: %1";
     std::string fast = "fast";
@@ -44,19 +44,19 @@ struct RoomWords {
     std::string lostPlace = "The headset has lost its place. Look around.";
     std::string pictureWritten = "Picture %1 is written.";
 
-    std::string edited = "edited";              // of a preset that was changed, scene::ownCopy
-    std::map<std::string, std::string> titles;  // of presets that are built in, by the English one
+    std::string edited = "edited";              // marks a changed preset, as scene::ownCopy does
+    std::map<std::string, std::string> titles;  // of built-in presets, by the English title
     char decimalSign = '.';
-    // Errors and notes of any room. Called on whichever thread has one.
+    // Translates errors and notes. Called on any thread.
     std::function<std::string(const Text&)> say = [](const Text& text) { return text.english(); };
 
     const std::string& of(RoomQuality chosen) const;
-    const std::string& of(ClipTool tool) const;  // that a hand holds; the knife is none of these
+    const std::string& of(ClipTool tool) const;  // of a tool other than the knife
     std::string ofTitle(std::string_view title) const;
-    std::string ofNumber(std::string number) const;  // with a point as the decimal sign
+    std::string ofNumber(std::string number) const;  // `number` has a decimal point
 };
 
-// `what` in the place of %1.
+// `pattern` with `what` instead of %1.
 std::string filled(std::string pattern, std::string_view what);
 
 }  // namespace macula::xr

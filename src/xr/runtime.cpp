@@ -14,7 +14,7 @@ namespace macula::xr {
 
 namespace {
 
-// Where somebody has said which runtime is meant, it is there, and does not work.
+// If a person has chosen a runtime, it exists but does not work.
 Error noRuntime() {
     const char* chosen = std::getenv("XR_RUNTIME_JSON");
     if (chosen && *chosen)
@@ -39,7 +39,7 @@ Result<std::vector<std::string>> extensionsOf(const Loader& loader) {
     return names;
 }
 
-// Used where they are offered.
+// Extensions that Macula uses if the runtime offers them.
 constexpr const char* kOptional[] = {
     XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME, XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME,
     XR_KHR_VISIBILITY_MASK_EXTENSION_NAME,      XR_VARJO_QUAD_VIEWS_EXTENSION_NAME,
@@ -195,7 +195,7 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
     XrGraphicsRequirementsVulkan2KHR needs{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN2_KHR};
     MACULA_XR_TRY(call.GetVulkanGraphicsRequirements2KHR(runtime.instance(), runtime.system(), &needs),
                   Text("tell which Vulkan it needs"));
-    // What a runtime was tested with at most is no limit: Vulkan 1.3 does all that 1.1 does.
+    // The highest version tested with a runtime is not a limit: Vulkan 1.3 includes 1.1.
     if (needs.minApiVersionSupported > XR_MAKE_VERSION(1, 3, 0xffff))
         return Error{ErrorCode::deviceNotUsable, Text("The headset needs another version of Vulkan."), "",
                      Text("Update the software of the headset.")};

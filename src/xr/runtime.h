@@ -14,18 +14,18 @@
 
 namespace macula::xr {
 
-// What there is, for a person.
+// What runtime and headset offer, for a person.
 struct Offer {
     std::string runtime;  // "Monado 21.0.0"
-    std::string headset;  // empty: none is there
-    glm::ivec2 eyePx{0};  // of the picture for each eye, as the headset wants it
+    std::string headset;  // empty: no headset
+    glm::ivec2 eyePx{0};  // recommended size of each eye's picture
     bool hasGaze = false;
     bool takesDepth = false;    // a depth layer (XR_KHR_composition_layer_depth)
-    bool hasMask = false;       // says what no lens shows (XR_KHR_visibility_mask)
+    bool hasMask = false;       // has a mask of what no lens shows
     bool hasInsets = false;     // two more views, finer and smaller (XR_VARJO_quad_views)
-    glm::ivec2 insetPx{0};      // of the picture for each of these
-    bool showsRoom = false;     // the room may be seen behind what is shown
-    bool isSeeThrough = false;  // and is always seen: what is black is clear
+    glm::ivec2 insetPx{0};      // recommended size of each inset's picture
+    bool showsRoom = false;     // can show the real room behind the pictures
+    bool isSeeThrough = false;  // always shows it: black is transparent
     std::vector<std::string> extensions;
 };
 
@@ -39,21 +39,21 @@ class Runtime {
     Runtime& operator=(const Runtime&) = delete;
     ~Runtime();
 
-    // Again and again, until one is there; deviceNotUsable until then.
+    // Call it repeatedly until a headset is there; deviceNotUsable until then.
     Result<void> findHeadset();
 
     const Offer& offer() const { return offer_; }
     const Functions& call() const { return call_; }
     XrInstance instance() const { return instance_; }
     XrSystemId system() const { return system_; }  // after findHeadset
-    // With insets four views, the two insets last; else one for each eye. After findHeadset.
+    // With insets four views, the two insets last; otherwise one for each eye. Call it after findHeadset.
     XrViewConfigurationType viewConfiguration() const;
     std::uint32_t viewCount() const { return offer_.hasInsets ? 4 : 2; }
     const std::vector<XrEnvironmentBlendMode>& blendModes() const { return blendModes_; }
     Result<XrPath> path(const std::string& text) const;
-    // Whether an extension that Macula can use is offered, and so enabled.
+    // Whether the runtime offers this optional extension, which is then enabled.
     bool isOn(const char* extension) const;
-    // Of an extension that is enabled; null where the runtime has it not.
+    // A function of an enabled extension; null if the runtime lacks it.
     PFN_xrVoidFunction function(const char* name) const;
 
   private:
@@ -65,23 +65,23 @@ class Runtime {
     Functions call_;
     XrInstance instance_ = XR_NULL_HANDLE;
     XrSystemId system_ = XR_NULL_SYSTEM_ID;
-    std::vector<XrEnvironmentBlendMode> blendModes_;  // the first is what the headset likes best
+    std::vector<XrEnvironmentBlendMode> blendModes_;  // the headset's favourite first
     Offer offer_;
 };
 
-// What `macula xr --check` tells; `missing` is the first thing that keeps the headset from being used.
+// The report of `macula xr --check`; `missing` is the first obstacle to using the headset.
 struct Check {
     Offer offer;
     std::optional<Error> missing;
 };
 Check checkHeadset(const char* loaderLibrary = kLoaderLibrary);
 
-// The device that the headset shows pictures of, made by its runtime.
+// The device that draws for the headset, created by the runtime.
 struct HeadsetDevice {
     gpu::Instance instance;
     std::shared_ptr<gpu::Device> device;
 };
-// `isAnnounced`: as of gpu::DeviceOptions.
+// `isAnnounced`: as in gpu::DeviceOptions.
 Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validation = gpu::Validation::off,
                                  bool isAnnounced = true);
 

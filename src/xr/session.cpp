@@ -76,7 +76,7 @@ Result<void> Session::create() {
     return {};
 }
 
-// The anatomy stands in darkness where that is offered, unless somebody wants to see the room.
+// Prefers darkness around the anatomy, unless the request wants the real room visible.
 void Session::chooseBlendMode(const SessionOptions& request) {
     const std::vector<XrEnvironmentBlendMode>& modes = runtime_->blendModes();
     const auto choose = [&](XrEnvironmentBlendMode mode) {
@@ -90,7 +90,7 @@ void Session::chooseBlendMode(const SessionOptions& request) {
     if (!choose(XR_ENVIRONMENT_BLEND_MODE_OPAQUE) && !modes.empty()) blend_ = modes.front();
 }
 
-// The floor that somebody walks on where the headset knows it, else the place where it was put on.
+// Uses the floor space if the headset knows it, otherwise the place where it was put on.
 Result<void> Session::makeStage() {
     std::uint32_t count = 0;
     MACULA_XR_TRY(runtime_->call().EnumerateReferenceSpaces(session_, 0, &count, nullptr),
@@ -157,7 +157,7 @@ Result<void> Session::changeTo(XrSessionState state) {
             return {};
         case XR_SESSION_STATE_LOSS_PENDING:
             return xrError(XR_ERROR_SESSION_LOST, Text("go on"));
-        default:  // whether frames are seen, shouldRender says
+        default:  // shouldRender says whether frames are visible
             return {};
     }
 }
@@ -188,7 +188,7 @@ Result<VisibilityMask> Session::maskOf(std::uint32_t view) const {
     mask.indexCapacityInput = mask.indexCountOutput;
     mask.indices = indices.data();
     const XrResult filled = ask(mask);
-    if (filled == XR_ERROR_SIZE_INSUFFICIENT) return VisibilityMask();  // it changes just now, and tells so
+    if (filled == XR_ERROR_SIZE_INSUFFICIENT) return VisibilityMask();  // it is changing; an event follows
     MACULA_XR_TRY(filled, Text("tell what its lenses show"));
     corners.resize(std::min<std::size_t>(corners.size(), mask.vertexCountOutput));
     indices.resize(std::min<std::size_t>(indices.size(), mask.indexCountOutput));

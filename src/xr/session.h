@@ -20,13 +20,13 @@
 
 namespace macula::xr {
 
-// What somebody wants of a session.
+// What the caller wants of a session.
 struct SessionOptions {
-    bool showsRoom = false;  // behind the anatomy, where the headset can
+    bool showsRoom = false;  // the real room behind the anatomy, if the headset can
 };
 
 struct FrameTime {
-    XrTime displayed = 0;  // when the frame will be seen
+    XrTime displayed = 0;  // the predicted time of display
     double periodMs = 0.0;
     bool shouldRender = false;
 };
@@ -34,17 +34,17 @@ struct FrameTime {
 XrPosef toXr(const Pose& pose);
 Pose fromXr(const XrPosef& pose);
 
-// Used by one thread at a time, the one that uses the device: frames use its queue. Errors of all calls:
-// deviceLost when the session or the runtime is lost; then drop it, and begin another one.
+// Used by one thread at a time, the one that uses the device: frames use its queue. All calls may fail with
+// deviceLost when session or runtime are lost; then drop it, and begin another one.
 class Session {
   public:
     enum class Phase {
-        waiting,  // it is not worn yet, or was taken off: listen again after a while
+        waiting,  // nobody wears the headset: listen again after a while
         running,  // frames are wanted
         ended,    // drop it
     };
 
-    // `device` is that of openDevice. deviceNotUsable when the runtime refuses.
+    // `device` comes from openDevice. deviceNotUsable when the runtime refuses.
     static Result<Session> begin(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
                                  const SessionOptions& request = {});
 
@@ -52,35 +52,35 @@ class Session {
     Session& operator=(Session&&) = delete;
     ~Session();
 
-    // Hears what the runtime has to say, and does what it asks for.
+    // Reads the runtime's events, and responds to them.
     Result<Phase> listen();
-    // Whether by that time the space is another than when somebody asked last: who wears it has recentred. It
-    // is announced before it is so.
+    // Whether the wearer has recentred the space between the last call and that time. The runtime announces
+    // it in advance.
     bool wasRecentred(XrTime time);
-    // Whether what lenses show has changed, likewise; true the first time.
+    // Whether the lens masks have changed since the last call; true the first time.
     bool hasNewMasks();
-    // Asks the runtime to end: frames go on until listen() says ended.
+    // Asks the runtime to end: frames continue until listen() returns ended.
     Result<void> requestEnd();
 
-    // Waits until it is time. The frame must be ended, with pictures or without.
+    // Waits for the frame's time. The frame must be ended, with pictures or without.
     Result<FrameTime> beginFrame();
-    // Of each eye, then of each inset. Nothing while the headset does not know where it is, or says what is
-    // no place. `isTracked`: whether it sees where it is, and does not only guess.
+    // Each eye, then each inset. Empty while the headset does not know its position, or reports an unusable
+    // one. `isTracked`: whether it sees where it is, and does not only estimate it.
     Result<std::vector<Eye>> eyesAt(XrTime time, bool* isTracked = nullptr) const;
-    // What no lens shows of that view; none where the headset does not say.
+    // The part of that view that no lens shows; empty if the headset has no mask.
     Result<VisibilityMask> maskOf(std::uint32_t view) const;
-    // Whether the room is seen behind what is shown, by the picture's alpha.
+    // Whether the real room is visible behind the pictures, by their alpha.
     bool blendsByAlpha() const { return blend_ == XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND; }
     XrEnvironmentBlendMode blendMode() const { return blend_; }
-    // `views`: of the stage, one for each eye, and one for each inset; none: nothing is shown. `quads` float
+    // `views`: in the stage, one for each eye, and one for each inset; empty: shows nothing. `quads` float
     // before them.
     Result<void> endFrame(const FrameTime& time, std::span<const XrCompositionLayerProjectionView> views,
                           std::span<const XrCompositionLayerQuad> quads = {});
 
-    // Where a space is in the stage; nothing while nobody knows, likewise.
+    // The pose of a space in the stage; nothing while it is unknown or unusable.
     Result<std::optional<Pose>> locate(XrSpace space, XrTime time) const;
 
-    // Frames that were begun and never came to be submitted.
+    // Frames that were begun but never submitted.
     std::uint64_t unsubmitted() const { return framesBegun_ - framesEnded_; }
 
     XrSession handle() const { return session_; }
@@ -104,7 +104,7 @@ class Session {
     XrSpace stage_ = XR_NULL_HANDLE;
     XrEnvironmentBlendMode blend_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
     Phase phase_ = Phase::waiting;
-    std::optional<XrTime> recentredFrom_;  // not asked for yet
+    std::optional<XrTime> recentredFrom_;  // from a change not yet reported by wasRecentred()
     bool hasNewMasks_ = true;
     std::uint64_t framesBegun_ = 0;
     std::uint64_t framesEnded_ = 0;

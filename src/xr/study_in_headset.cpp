@@ -23,8 +23,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kListenEvery{20};
-constexpr std::chrono::seconds kMostEnding{5};  // for a runtime to end a session that is asked to
-// For software that begins anew, or a headset that is plugged in again.
+constexpr std::chrono::seconds kMostEnding{5};  // for the runtime to end the session
+// For the headset's software to restart, or a headset to be plugged in again.
 constexpr std::chrono::seconds kMostAway{10};
 constexpr std::chrono::milliseconds kLookEvery{250};
 constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
@@ -50,10 +50,10 @@ Result<RoomScene> sceneOf(const HeadsetRequest& request, const Hears& note, Prog
     return scene;
 }
 
-// What stays when a session is lost.
+// What survives the loss of a session.
 struct Kept {
     RoomScene scene;
-    std::shared_ptr<RoomControls> controls;  // made of the host and the scene
+    std::shared_ptr<RoomControls> controls;  // made from host and scene
     std::shared_ptr<hybrid::ModelShelf> shelf = std::make_shared<hybrid::ModelShelf>(kShelfBytes);
     std::optional<glm::dmat4> placed;
     HeadsetFigures figures;
@@ -66,7 +66,7 @@ Result<std::shared_ptr<Runtime>> runtimeWithHeadset() {
     return runtime;
 }
 
-// After a loss: until it is there again, somebody cancels, or it was away for too long.
+// After a loss: waits until the headset is back, the progress is cancelled, or kMostAway has passed.
 Result<std::shared_ptr<Runtime>> runtimeAgain(const Progress& progress) {
     const Clock::time_point begun = Clock::now();
     while (true) {
@@ -78,7 +78,7 @@ Result<std::shared_ptr<Runtime>> runtimeAgain(const Progress& progress) {
     }
 }
 
-// Until it is ended by whoever may.
+// Runs until the wearer, the frame limit or the progress ends it.
 Result<void> goOn(Headset& headset, const ShowOptions& request, Kept& kept, const Progress& progress) {
     std::optional<Clock::time_point> asked;
     while (true) {
@@ -103,7 +103,7 @@ Result<void> goOn(Headset& headset, const ShowOptions& request, Kept& kept, cons
                 if (kept.figures.frames++ >= request.warmUpFrames) kept.statistics.note(headset.times());
                 break;
         }
-        if (asked && Clock::now() - *asked > kMostEnding) return {};  // dropping it ends it, too
+        if (asked && Clock::now() - *asked > kMostEnding) return {};  // destroying the session also ends it
     }
 }
 
@@ -127,7 +127,7 @@ Result<void> useOnce(std::shared_ptr<Runtime> runtime, const ShowOptions& reques
         return done;
     };
     Result<void> shown = show();
-    kept.scene = view.scene();  // with what was cut
+    kept.scene = view.scene();  // includes the cuts
     if (shown)
         view.model().hide();
     else

@@ -1,4 +1,4 @@
-// A study in a headset, as somebody asked for it who has no window.
+// Shows a study in a headset, for callers with or without a window.
 #pragma once
 
 #include <cstdint>
@@ -20,53 +20,52 @@
 namespace macula::xr {
 
 struct ShowOptions {
-    std::uint64_t frames = 0;        // after which it ends; 0: when who wears it ends it
-    bool showsRoom = false;          // behind the anatomy, where the headset can
-    glm::ivec2 eyePx{0};             // of the picture for each eye; 0: as the headset wants it
-    std::uint64_t warmUpFrames = 0;  // that the figures of time leave out
+    std::uint64_t frames = 0;        // ends after this many; 0: when the wearer ends it
+    bool showsRoom = false;          // the real room behind the anatomy, if possible
+    glm::ivec2 eyePx{0};             // size of each eye's picture; 0: as the headset recommends
+    std::uint64_t warmUpFrames = 0;  // not counted in the figures of time
 };
 
-// Empty: not given.
+// Empty members: not given.
 struct HeadsetRequest {
     std::filesystem::path path;
     std::string series;
     pictures::StateRequest state;
     std::string lights;  // a built-in name
     dicom::ScanOptions how;
-    std::filesystem::path pictures = {};  // the folder for those that are taken; empty: none can be
+    std::filesystem::path pictures = {};  // folder for pictures taken there; empty: none can be taken
     ShowOptions show = {};
 };
 
 struct HeadsetFigures {
     std::uint64_t frames = 0;  // submitted
-    std::uint64_t empty = 0;   // of these, without pictures
+    std::uint64_t empty = 0;   // how many of them had no pictures
     std::uint64_t sessions = 0;
     double seconds = 0.0;
     std::string headset;
     std::string runtime;
     std::string device;
-    glm::ivec2 eyePx{0};  // of the pictures, at most
+    glm::ivec2 eyePx{0};  // the largest size of the pictures
     FrameFigures times;
-    std::uint64_t unsubmitted = 0;  // frames that were begun and not submitted
-    std::uint64_t stepsDown = 0;    // of the governor
+    std::uint64_t unsubmitted = 0;  // frames begun but not submitted
+    std::uint64_t stepsDown = 0;    // levels that the governor went down
     std::uint64_t stepsUp = 0;
 };
-// A line for a person.
+// Lines for a person.
 Text textOf(const HeadsetFigures& figures);
 
-// Which of them can be shown on that volume.
+// The presets of the catalogue that can show that volume.
 std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const scene::Catalogue& catalogue,
                                                                 const Volume& volume);
 
-// What is open somewhere, until who wears the headset ends it, or the progress says cancelled, which is an
-// end as any other. A session that is lost is begun again, with everything where it was, once the headset is
-// there; an error when it is away for ten seconds, and at the third loss within a minute.
+// Shows an open scene until the wearer ends it, or the progress is cancelled, which is a normal end. A lost
+// session is begun again, with everything where it was, once the headset is back; an error if it is away for
+// ten seconds, and at the third loss within a minute.
 Result<HeadsetFigures> showScene(RoomScene scene, RoomHost host, Progress& progress,
                                  const ShowOptions& request = {});
 
-// Finds the headset first: nobody waits for a study that cannot be shown. As showScene; `note` hears of what
-// there is to say, in English. `cancelled` as the progress says, after the session was ended as the headset
-// wants it.
+// Finds the headset first, so that nobody waits for a study that cannot be shown. Otherwise like showScene;
+// `note` gets messages in English. `cancelled` if the progress was, after the session has ended in order.
 using Hears = std::function<void(const std::string&)>;
 Result<HeadsetFigures> showStudy(const HeadsetRequest& request, const Hears& note, Progress& progress);
 

@@ -1,5 +1,5 @@
-// The images of two views that the headset lends: as two layers of one swapchain or, where the runtime does
-// not take these, as two swapchains.
+// The images of two views that the headset lends: two layers of one swapchain or, if the runtime does not
+// support layers, two swapchains.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -18,16 +18,16 @@ class SwapchainPair {
   public:
     static constexpr std::size_t kViews = 2;
 
-    // For pictures of at most that size; nothing when the runtime does not take the format.
+    // For pictures of at most that size; nothing if the runtime does not support the format.
     static Result<std::optional<SwapchainPair>> create(const Session& session, const glm::ivec2& sizePx,
                                                        const LentImages::Kind& kind);
 
-    // An image for each view, which may take until the headset has shown another. Those that are lent already
-    // stay.
+    // Acquires an image for each view, which may wait until the headset has shown another. Does nothing for
+    // images that are lent already.
     Result<void> acquire();
-    // Gives them back, as they were written by what was submitted until now: they are shown next.
+    // Returns them to the headset, which shows them next, with all writes submitted until now.
     Result<void> release();
-    // Of a view, between the two.
+    // The lent image of a view. Call it between acquire() and release().
     gpu::LentLayer image(std::size_t view) const { return chainOf(view).layer(layerOf(view)); }
     // The upper left part of that size.
     XrSwapchainSubImage part(std::size_t view, const glm::ivec2& partPx) const {

@@ -52,7 +52,7 @@ Result<std::vector<XrCompositionLayerProjectionView>> Swapchains::show(
     MACULA_CHECK_EQ(eyes.eyes.size(), SwapchainPair::kViews);
     MACULA_TRY_VOID(pair_.acquire());
     const Result<void> copied = copy(eyes, pictures, visible);
-    // Given back in any case: the next frame wants it.
+    // Released even after an error: the next frame needs the images.
     MACULA_TRY_VOID(pair_.release());
     if (!copied) return copied.error();
 

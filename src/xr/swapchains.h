@@ -19,14 +19,15 @@ namespace macula::xr {
 class Swapchains {
   public:
     // For pictures of at most that size. R8G8B8A8_SRGB: our pictures are encoded already, and are copied bit
-    // by bit. deviceNotUsable when the runtime does not take that.
+    // by bit. deviceNotUsable if the runtime does not support it.
     static Result<Swapchains> create(const Session& session, const glm::ivec2& sizePx);
 
-    // Waits until the runtime lends the images: before it is known where the eyes are by then.
+    // Waits until the runtime lends the images. Called before the eyes are located, because it may take a
+    // while.
     Result<void> acquire() { return pair_.acquire(); }
-    // Copies the part of each eye's picture, and says of which views the layer is made. `visible`: of each
-    // part what can be seen (bandsOf); the rest is black and clear. Empty: all. Waits for the runtime, and
-    // for no drawing.
+    // Copies each eye's part of its picture, and returns the views of the layer. `visible`: the visible areas
+    // of each part (bandsOf); the rest becomes black and transparent. Empty: everything is visible. Waits for
+    // the runtime, but not for drawing.
     Result<std::vector<XrCompositionLayerProjectionView>> show(
         const EyePictures& eyes, std::span<const gpu::Image* const> pictures,
         std::span<const std::vector<VisiblePart>> visible = {});

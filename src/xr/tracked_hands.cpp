@@ -11,7 +11,7 @@ namespace macula::xr {
 
 namespace {
 
-// Tips that touch are about a finger's width apart, as their joints lie inside.
+// Joints lie inside the fingers, so tips that touch are about a finger's width apart.
 constexpr double kTouchM = 0.018;
 constexpr double kApartM = 0.045;
 
@@ -36,11 +36,11 @@ Hand handOf(std::span<const std::optional<Pose>> joints) {
     hand.grip = palm;
     if (const auto pinch = apart(joints, XR_HAND_JOINT_THUMB_TIP_EXT, XR_HAND_JOINT_INDEX_TIP_EXT))
         hand.squeeze = hand.press = pinchOf(*pinch);
-    // Who pinches with the index finger has the middle finger near it.
+    // While the index finger pinches, the middle finger is near the thumb, too.
     if (const auto pinch = apart(joints, XR_HAND_JOINT_THUMB_TIP_EXT, XR_HAND_JOINT_MIDDLE_TIP_EXT);
         pinch && hand.squeeze < kLetsGoBelow)
         hand.trigger = pinchOf(*pinch);
-    // A finger that pinches is bent: what is pointed at is ahead of the knuckle, as the palm lies.
+    // A pinching finger is bent, so the hand points from the knuckle in the direction of the palm.
     if (const auto& knuckle = joints[XR_HAND_JOINT_INDEX_PROXIMAL_EXT])
         hand.aim = Pose{knuckle->positionM, palm->orientation};
     return hand;
@@ -68,7 +68,7 @@ Result<std::optional<TrackedHands>> TrackedHands::create(const Session& session)
         const XrResult asked = made.make_(session.handle(), &info, &made.trackers_[hand]);
         if (asked == XR_ERROR_SESSION_LOST || asked == XR_ERROR_INSTANCE_LOST)
             return xrError(asked, Text("follow hands"));
-        if (XR_FAILED(asked)) return std::optional<TrackedHands>();  // controllers do without
+        if (XR_FAILED(asked)) return std::optional<TrackedHands>();  // controllers work without it
     }
     return std::optional<TrackedHands>(std::move(made));
 }

@@ -1,4 +1,4 @@
-// Hands without controllers, where the headset sees them (XR_EXT_hand_tracking): thumb and index finger
+// Hands without controllers, if the headset tracks them (XR_EXT_hand_tracking): thumb and index finger
 // together grab and press, thumb and middle finger cut.
 #pragma once
 
@@ -13,16 +13,16 @@
 
 namespace macula::xr {
 
-// 1 where two finger tips touch, 0 where they are clearly apart.
+// 1 if two finger tips touch, 0 if they are clearly apart.
 float pinchOf(double apartM);
 
-// From the joints, XR_HAND_JOINT_COUNT_EXT of them, in the stage: those whose place is known.
+// The hand from XR_HAND_JOINT_COUNT_EXT joints in the stage; nothing for a joint whose position is unknown.
 Hand handOf(std::span<const std::optional<Pose>> joints);
 
-// Of a session. Must not outlive it.
+// The hand trackers of a session. Must not outlive it.
 class TrackedHands {
   public:
-    // Nothing where the headset does not see hands.
+    // Nothing if the headset does not track hands.
     static Result<std::optional<TrackedHands>> create(const Session& session);
 
     TrackedHands(TrackedHands&& other) noexcept;

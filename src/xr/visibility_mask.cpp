@@ -8,15 +8,15 @@ namespace macula::xr {
 
 namespace {
 
-// The grid on which it is found how far in the sides can be moved.
+// The grid that finds how far the sides can be moved in.
 constexpr int kGrid = 256;
 constexpr double kMostTangent = 1e3;
 
 bool isPlace(const glm::dvec2& p) {
-    return std::abs(p.x) < kMostTangent && std::abs(p.y) < kMostTangent;  // false for what is no number
+    return std::abs(p.x) < kMostTangent && std::abs(p.y) < kMostTangent;  // false for NaN
 }
 
-// Where the height y meets the edge from p to q, in x; it widens the span.
+// Extends [low, high] to the x at which the edge from p to q crosses the height y.
 void meet(const glm::dvec2& p, const glm::dvec2& q, double y, double& low, double& high) {
     if ((p.y > y) == (q.y > y)) return;
     const double x = p.x + (q.x - p.x) * (y - p.y) / (q.y - p.y);
@@ -51,7 +51,7 @@ std::vector<VisibilityMask::Run> VisibilityMask::rowsOf(const Eye& eye, const gl
             meet(t.b, t.c, y, low, high);
             meet(t.c, t.a, y, low, high);
             if (!(low <= high)) continue;
-            // Pixels whose middles lie between.
+            // Hides the pixels whose centres lie between.
             const auto pixel = [&](double x) {
                 return std::clamp((x - eye.left) / pitchX - 0.5, -1.0, double(width));
             };
@@ -81,8 +81,8 @@ Eye VisibilityMask::visiblePartOf(const Eye& eye) const {
         first = glm::min(first, glm::ivec2(run.first, row));
         end = glm::max(end, glm::ivec2(run.end, row + 1));
     }
-    if (first.x >= end.x) return eye;  // nothing at all is no answer of a headset
-    // What lies between the middles of two cells may be seen.
+    if (first.x >= end.x) return eye;  // an empty field must be an error of the headset
+    // Cells were tested at their centres, so the neighbouring cells may be partly visible.
     first = glm::max(first - 1, glm::ivec2(0));
     end = glm::min(end + 1, glm::ivec2(kGrid));
     const double across = (eye.right - eye.left) / kGrid;

@@ -1,4 +1,4 @@
-// What of an eye's picture cannot be seen through the lens, and so need not be drawn. Knows no OpenXR.
+// The part of an eye's picture that the lens hides, and that need not be drawn. Knows no OpenXR.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,21 +9,21 @@
 
 namespace macula::xr {
 
-// Triangles at distance 1 from the eye, as tangents: right and up are positive.
+// Hidden triangles at distance 1 from the eye, as tangents: right and up are positive.
 class VisibilityMask {
   public:
-    VisibilityMask() = default;  // all can be seen
-    // Each three of `indices` name a triangle that cannot be seen. Where these are not triangles, or a corner
-    // is no place, all can be seen: too much is drawn, and nothing missed.
+    VisibilityMask() = default;  // nothing is hidden
+    // Each three of `indices` name a hidden triangle. If they are invalid, or a corner is not finite, hides
+    // nothing: too much is drawn, but nothing is missing.
     VisibilityMask(std::vector<glm::dvec2> corners, std::span<const std::uint32_t> indices);
 
     bool isEmpty() const { return triangles_.empty(); }
 
-    // The eye with its sides moved in to what can be seen; as it is where nothing can.
+    // The eye with its sides moved in to the visible field; unchanged if nothing would be visible.
     Eye visiblePartOf(const Eye& eye) const;
 
-    // Of a picture of what the eye sees, of that size: of each row, from the first pixel to behind the last
-    // whose middle can be seen; {0, 0} where none can.
+    // The visible part of each row in a picture of that size of the eye's field: from the first pixel to one
+    // past the last whose centre is visible; {0, 0} if there is none.
     struct Run {
         int first = 0;
         int end = 0;
@@ -38,8 +38,8 @@ class VisibilityMask {
     std::vector<Triangle> triangles_;
 };
 
-// Parts of a picture, with nothing but what is outside of them hidden: rows of a band have one width. Few, so
-// that a copy has few pieces.
+// Parts of a picture that cover all visible pixels. The rows of a band have one width, so that a copy has few
+// regions.
 struct VisiblePart {
     glm::ivec2 firstPx{0};
     glm::ivec2 sizePx{0};

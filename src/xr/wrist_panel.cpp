@@ -9,8 +9,8 @@ namespace macula::xr {
 namespace {
 
 constexpr double kReachM = 1.5;
-constexpr double kFacesFromCosine = 0.35;  // some 70 degrees to the side
-// In the frame of a grip: its -z goes up through the fist, its +y back along the arm.
+constexpr double kFacesFromCosine = 0.35;  // about 70 degrees to the side
+// In the coordinates of a grip: its -z goes up through the fist, its +y back along the arm.
 constexpr glm::dvec3 kFromGripM{0.0, 0.06, -0.15};
 constexpr double kBeforeM = 0.002;
 

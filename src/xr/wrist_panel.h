@@ -1,4 +1,4 @@
-// The panel at the wrist: what is on it, how it looks, and which button a ray meets. Knows no OpenXR.
+// The panel at the wrist: its contents, its looks, and which button a ray meets. Knows no OpenXR.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -28,7 +28,7 @@ enum class PanelButton {
     otherWrist,
 };
 
-// What is written on it, and changes.
+// The texts on the panel that change.
 struct PanelTexts {
     std::string preset;
     std::string shift;    // "Shift +20 HU"
@@ -36,7 +36,7 @@ struct PanelTexts {
     std::string held;     // "Hold: ball"
     std::string quality;  // "Quality: balanced"
     std::string size;     // "Real size 1:1"
-    std::string news;     // what came of the last press
+    std::string news;     // the result of the last press
     bool canUndo = false;
     bool canTakePictures = false;
 
@@ -48,19 +48,19 @@ class WristPanel {
     static constexpr glm::ivec2 kSizePx{400, 480};
     static constexpr glm::dvec2 kSizeM{0.20, 0.24};
 
-    // Where it floats, above the wrist of a hand that is held so: x to the right, y up, read from its +z.
+    // Where it floats above the wrist of a hand with this grip: x to the right, y up, readable from its +z.
     static Pose poseAt(const Pose& grip);
-    // It is there for who looks at it, and does not stand between the eyes and the anatomy else.
+    // Whether the panel faces the head. It is shown only then, so that it does not stand before the anatomy.
     static bool isTurnedTo(const Pose& panel, const glm::dvec3& headM);
-    // Where the ray along -z of `aim` meets the front of it, in pixels from the left upper corner; nothing
-    // beside it, from behind, or farther away than 1.5 m.
+    // Where the ray along -z of `aim` meets the panel's front, in pixels from the upper left corner; nothing
+    // beside it, from behind, or more than 1.5 m away.
     static std::optional<glm::dvec2> hit(const Pose& panel, const Pose& aim);
     static Pose poseOf(const Pose& panel, const glm::dvec2& px);  // just in front of it
 
     static std::optional<PanelButton> buttonAt(const glm::dvec2& px);
     static glm::dvec2 middleOf(PanelButton button);  // in pixels
 
-    // Whether somebody can press it now.
+    // Whether the button can be pressed now.
     static bool isOffered(PanelButton button, const PanelTexts& texts);
     static PanelPicture draw(const PanelTexts& texts, const RoomWords& words,
                              std::optional<PanelButton> pointedAt);

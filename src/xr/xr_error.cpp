@@ -30,7 +30,7 @@ Error xrError(XrResult result, Text doing) {
             return {ErrorCode::outOfMemory, Text("There is not enough memory for the headset."), "",
                     Text("Close other programs.")};
         default:
-            // The number is for who reads the log; openxr.h has its name.
+            // The log has the number, whose name is in openxr.h.
             log::warning("OpenXR: {} on the way to {}", static_cast<int>(result), doing.english());
             return {ErrorCode::deviceNotUsable, Text("The headset could not {}.", std::move(doing)), "",
                     Text("Restart the software of the headset.")};

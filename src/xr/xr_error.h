@@ -1,4 +1,4 @@
-// What an XrResult means to a person.
+// Translates an XrResult into an error for a person.
 #pragma once
 
 #include "base/result.h"
@@ -6,8 +6,8 @@
 
 namespace macula::xr {
 
-// `doing` completes "The headset could not ...". A lost session or instance becomes deviceLost: another one
-// may be begun.
+// `doing` completes "The headset could not ...". A lost session or instance becomes deviceLost: the caller
+// may begin another one.
 Error xrError(XrResult result, Text doing);
 
 }  // namespace macula::xr

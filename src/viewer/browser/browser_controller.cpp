@@ -25,7 +25,7 @@ BrowserController::BrowserController(const WindowContext& context, OpeningContro
       keeper_(keeper),
       browser_(new StudyBrowser),
       recent_(new RecentMenu(&context.window)) {
-    // It may be a folder of which no volume is on screen yet.
+    // The browser may list a folder from which no volume has been opened yet.
     connect(browser_, &StudyBrowser::chosen, this,
             [this](std::size_t index) { opening_.openFound(browser_->found(), index); });
     connect(recent_, &RecentMenu::chosen, this,
@@ -41,7 +41,7 @@ void BrowserController::connectLoader() {
     connect(&loader, &StudyLoader::loaded, this, [this, &loader] {
         if (const study::StudySource& source = loader.source()) recent_->add(*source);
     });
-    // Of a folder that was read the series stay, to choose another one from.
+    // Keeps the list of a folder that was read to its end, so that another series can be chosen from it.
     const auto goBack = [this] {
         if (browser_->found() && !browser_->found()->isWhole()) showOpen();
     };
@@ -94,7 +94,7 @@ void BrowserController::showOpen() {
     showFound(study.found, study.volumeIndex);
 }
 
-// Which of it was seen before is known later, and of glimpses not asked for: there are no volumes yet.
+// Asks which volumes were seen before only once the folder is read: partial lists have no volumes yet.
 void BrowserController::showFound(const std::shared_ptr<const study::FoundVolumes>& found,
                                   std::optional<std::size_t> open) {
     const bool isNew = found != browser_->found();

@@ -1,4 +1,4 @@
-// The list of studies, while a folder is read and after; its volumes, and what was opened before.
+// The study browser, the list of the open folder's volumes, and the menu of what was opened before.
 #pragma once
 
 #include <QObject>
@@ -29,7 +29,8 @@ class BrowserController : public QObject {
     Q_OBJECT
 
   public:
-    // `opening` and the keeper live until the window's destructor; null: nothing is kept.
+    // `opening` and the keeper live until the window's destructor; without a keeper nothing is kept between
+    // runs.
     BrowserController(const WindowContext& context, OpeningController& opening, live::StudyKeeper* keeper);
 
     StudyBrowser& browser() const { return *browser_; }
@@ -39,7 +40,7 @@ class BrowserController : public QObject {
     std::optional<std::size_t> selectedOther() const;
 
     void addFindAction(QMenu& edit);
-    void addVolumes(QToolBar& bar);  // of the folder of the open study
+    void addVolumes(QToolBar& bar);  // a list of the volumes in the open study's folder
     void showNames(bool shown);
     void onStudyShown();
 
@@ -57,7 +58,7 @@ class BrowserController : public QObject {
     bool namesShown_ = true;
     QAction* shown_ = nullptr;
     VolumeChoice* volumes_ = nullptr;
-    QAction* volumesInBar_ = nullptr;  // shows and hides them
+    QAction* volumesInBar_ = nullptr;  // shows and hides `volumes_`
 };
 
 }  // namespace macula::viewer

@@ -16,7 +16,7 @@ QString shownPath(const std::filesystem::path& path) {
     return harmless(QString::fromStdString(path.string()));
 }
 
-// With its parent: exports of many patients have folders of one name.
+// Includes the parent folder: exports of many patients have subfolders of the same name.
 QString titleOfPath(const std::filesystem::path& path) {
     const std::filesystem::path parent = path.parent_path().filename();
     QString title = shownPath(parent.empty() ? path : parent / path.filename());
@@ -65,7 +65,7 @@ void RecentMenu::fill() {
         action->setToolTip(shownPath(path));
     }
     addSeparator();
-    // Queued: the action is one of those that go.
+    // Queued, because clearAll() deletes the action that emits this signal.
     connect(addAction(tr("&Forget All")), &QAction::triggered, this, &RecentMenu::clearAll,
             Qt::QueuedConnection);
 }

@@ -15,7 +15,7 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr int kIndentPx = 14;  // for each level: pictures need the room
+constexpr int kIndentPx = 14;  // for each level; small, to leave room for pictures
 
 QImage asImage(const study::Thumbnail& thumbnail) {
     const QImage borrowed(thumbnail.grey.data(), thumbnail.widthPx, thumbnail.heightPx, thumbnail.widthPx,
@@ -23,7 +23,7 @@ QImage asImage(const study::Thumbnail& thumbnail) {
     return borrowed.copy();
 }
 
-// A series of presentation states too: they are all that can be opened there.
+// Also expands a series that has only presentation states: nothing else can be opened there.
 bool startsExpanded(const study::StudyTree& tree, const study::StudyRow& row) {
     if (row.kind == study::StudyRow::Kind::patient || row.kind == study::StudyRow::Kind::study) return true;
     return row.kind == study::StudyRow::Kind::series && row.picture == nullptr && !row.children.empty() &&
@@ -133,10 +133,10 @@ void StudyBrowser::setFound(std::shared_ptr<const study::FoundVolumes> found,
     model_->setOpen(open);
     layOut(study::kNoRow);
     revealOpen();
-    // A row that is lit is taken for that of what is on screen, which is of another folder.
+    // The open volume is in another folder: a selected row would be mistaken for it.
     if (!open) tree_->selectionModel()->clearSelection();
     tellWhatIsMissing();
-    // What somebody looks at stays in its place while more is found below.
+    // The rows on screen stay in place while more are found below.
     if (goesOn && !open) tree_->verticalScrollBar()->setValue(scrolledTo);
 }
 
@@ -167,7 +167,7 @@ void StudyBrowser::focusSearch() {
     search_->selectAll();
 }
 
-// Shows nothing by itself.
+// Does not update the rows.
 void StudyBrowser::endSearch() {
     const QSignalBlocker blocker(search_);
     search_->clear();
@@ -188,7 +188,7 @@ void StudyBrowser::search() {
     tellWhatIsMissing();
 }
 
-// After the model forgot what was selected and expanded.
+// Restores selection and expanded rows after the model was reset.
 void StudyBrowser::layOut(std::size_t current) {
     const QScopedValueRollback laysOut(isLayingOut_, true);
     for (std::size_t row = 0; row < model_->tree().rows.size(); ++row) {
@@ -202,7 +202,7 @@ void StudyBrowser::layOut(std::size_t current) {
 bool StudyBrowser::isExpanded(std::size_t row) const {
     if (words_.empty()) return expanded_[row];
     const study::StudyRow& shown = model_->tree().rows[row];
-    // Rows that were found themselves need not be told by what is below them.
+    // A row that matches by itself need not show its children to explain the match.
     return startsExpanded(model_->tree(), shown) || !study::holdsAll(shown.searched, words_);
 }
 
@@ -210,7 +210,7 @@ void StudyBrowser::rememberExpanded(const QModelIndex& index, bool isExpanded) {
     if (!isLayingOut_ && words_.empty()) expanded_[StudyTreeModel::rowOf(index)] = isExpanded;
 }
 
-// Selects the volume that is open, and expands what it is in.
+// Selects the open volume, and expands the rows that contain it.
 void StudyBrowser::revealOpen() {
     const std::vector<study::StudyRow>& rows = model_->tree().rows;
     for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -228,8 +228,8 @@ std::size_t StudyBrowser::currentRow() const {
     return index.isValid() ? StudyTreeModel::rowOf(index) : study::kNoRow;
 }
 
-// Of the rows that are shown: what was wanted, else the volume that is open, else the first that can be
-// opened and is not folded away, else the first.
+// A visible row: `wanted`, else the open volume, else the first row that can be opened and is not folded
+// away, else the first row.
 std::size_t StudyBrowser::rowToSelect(std::size_t wanted) const {
     const std::vector<study::StudyRow>& rows = model_->tree().rows;
     if (wanted < rows.size() && model_->isShown(wanted)) return wanted;
@@ -248,7 +248,7 @@ std::size_t StudyBrowser::rowToSelect(std::size_t wanted) const {
 void StudyBrowser::openRow(const QModelIndex& index) {
     if (!index.isValid()) return;
     const study::StudyRow& row = model_->tree().rows[StudyTreeModel::rowOf(index)];
-    // Copies: who hears of it may give the browser another folder.
+    // Copied, because a listener may set another folder here.
     if (const auto presentation = row.presentation) return Q_EMIT presentationChosen(*presentation);
     if (row.kind == study::StudyRow::Kind::presentation) return Q_EMIT presentationRefused(Text(row.whyNot));
     if (!row.volume) return tree_->setExpanded(index, !tree_->isExpanded(index));
@@ -280,7 +280,7 @@ bool StudyBrowser::onSearchKey(int key) {
 
 bool StudyBrowser::eventFilter(QObject* watched, QEvent* event) {
     if (watched == tree_->viewport()) {
-        // Whatever has brought other rows to sight has them painted.
+        // Rows that come into view are painted, whatever moved them there.
         if (event->type() == QEvent::Paint) picturesAreDue_.start(0);
     } else if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
@@ -311,7 +311,7 @@ void StudyBrowser::makeNextPicture() {
 
 void StudyBrowser::takePicture(const Result<study::Thumbnail>& made) {
     const dicom::Stack* stack = std::exchange(making_, nullptr);
-    // A series without a picture is told apart by its texts: it is no error that anybody must hear of.
+    // Not an error to report: a series without a picture can be told apart by its texts.
     model_->setPicture(stack, made.ok() ? asImage(*made) : QImage());
     makeNextPicture();
 }

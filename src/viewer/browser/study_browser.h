@@ -31,14 +31,15 @@ class StudyBrowser : public QWidget {
     // Wide enough for most series descriptions beside their thumbnails.
     QSize sizeHint() const override { return {340, 400}; }
 
-    // Null: no folder. `open` is an index into FoundVolumes::volumes(); without it no row is selected until a
-    // person selects one, and the browser says that the open volume is not in the folder. The search is
-    // cleared, unless the new list continues a folder that is still being read (FoundVolumes::isWhole).
+    // `found` null: no folder is open. `open` is an index into FoundVolumes::volumes(); if it is nothing, no
+    // row is selected until a person selects one, and the browser says that the open volume is not in the
+    // folder. The search is cleared, unless the new list continues a folder that is still being read
+    // (FoundVolumes::isWhole).
     void setFound(std::shared_ptr<const study::FoundVolumes> found, std::optional<std::size_t> open);
     const std::shared_ptr<const study::FoundVolumes>& found() const { return found_; }
     void setShown(std::optional<std::size_t> open);
-    // Hidden names remove all file text that may name a patient. Thumbnails stay, with any text burnt into
-    // the images.
+    // While names are hidden, so is all text from files that may name a patient. Thumbnails stay, with any
+    // text burnt into the images.
     void showNames(bool shown);
     // Indices of the volumes that have data stored between runs.
     void setStored(std::set<std::size_t> volumes);
@@ -47,8 +48,8 @@ class StudyBrowser : public QWidget {
 
   Q_SIGNALS:
     void chosen(std::size_t index);       // a volume other than the open one
-    void secondAsked(std::size_t index);  // the same, to show beside the open one
-    // A person chose the presentation state of that row; its volume may not be open.
+    void secondAsked(std::size_t index);  // a volume to show beside the open one
+    // A person chose this presentation state; its volume may not be open.
     void presentationChosen(const macula::study::StudyRow::Presentation& presentation);
     // The chosen presentation state cannot be shown; the sentence is study::StudyRow::whyNot.
     void presentationRefused(const Text& whyNot);
@@ -83,8 +84,8 @@ class StudyBrowser : public QWidget {
 
     std::shared_ptr<const study::FoundVolumes> found_;
     bool namesShown_ = true;
-    std::vector<std::string> words_;  // of the search
-    std::vector<bool> expanded_;      // of each row, without a search
+    std::vector<std::string> words_;  // the words to search for
+    std::vector<bool> expanded_;      // whether each row is expanded while there is no search
     bool isLayingOut_ = false;
 
     QTimer picturesAreDue_;

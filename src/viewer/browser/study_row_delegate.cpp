@@ -18,13 +18,13 @@ constexpr int kPicturePx = 96;  // logical, as all here
 constexpr int kMarginPx = 4;
 constexpr int kLeastTextPx = 80;
 
-// Where the list is narrow, words count more.
+// In a narrow list the text matters more than the picture.
 bool showsPicture(const QModelIndex& index, int widthPx) {
     return index.data(StudyTreeModel::hasPictureRole).toBool() &&
            widthPx >= kPicturePx + 2 * kMarginPx + kLeastTextPx;
 }
 
-// As much of it as fits into a line, up to a space.
+// How many characters fit into a line, up to a space.
 qsizetype firstLineOf(const QString& text, const QFont& font, int widthPx) {
     QTextLayout layout(text, font);
     layout.beginLayout();
@@ -34,7 +34,7 @@ qsizetype firstLineOf(const QString& text, const QFont& font, int widthPx) {
     return line.textLength();
 }
 
-// The picture as it was acquired, also where text runs from right to left.
+// Never mirrors the picture, even where text runs from right to left.
 void paintPicture(QPainter* painter, const QRect& box, const QImage& picture, const QPalette& palette) {
     if (picture.isNull()) {
         painter->setPen(palette.color(QPalette::Mid));

@@ -128,7 +128,7 @@ QStringList StudyTreeModel::details(std::size_t row) const {
     return lines;
 }
 
-// Escaped, since Qt takes text that looks like HTML for HTML, and files may hold any.
+// Escaped, because Qt renders text that looks like HTML, and files may hold any text.
 QString StudyTreeModel::toolTip(std::size_t row) const {
     const study::StudyRow& shown = tree_.rows[row];
     QStringList lines{shownText(shown.title)};

@@ -28,9 +28,9 @@ class StudyTreeModel : public QAbstractItemModel {
 
     explicit StudyTreeModel(QObject* parent = nullptr);
 
-    // Shows all rows, and clears open, stored and thumbnails.
+    // Shows all rows, and clears the open volume, the stored ones and the thumbnails.
     void setTree(study::StudyTree tree);
-    // Replaces the texts of the same folder; open, stored and thumbnails stay.
+    // Replaces the texts of the same folder, and keeps the open volume, the stored ones and the thumbnails.
     void setTexts(study::StudyTree tree);
     const study::StudyTree& tree() const { return tree_; }
     void setRowsShown(std::vector<bool> shown);  // one for each row
@@ -65,9 +65,9 @@ class StudyTreeModel : public QAbstractItemModel {
 
     study::StudyTree tree_;
     std::vector<bool> shown_;
-    std::vector<std::size_t> top_;                    // of the rows shown, as the two below
-    std::vector<std::vector<std::size_t>> children_;  // of each row
-    std::vector<int> places_;                         // of each row, among the children of its parent
+    std::vector<std::size_t> top_;                    // the shown rows at the top level
+    std::vector<std::vector<std::size_t>> children_;  // each row's shown children
+    std::vector<int> places_;  // the position of each row among the children of its parent
     std::optional<std::size_t> open_;
     std::set<std::size_t> stored_;
     std::unordered_map<const dicom::Stack*, QImage> pictures_;

@@ -25,7 +25,7 @@ VolumeChoice::VolumeChoice(QWidget* parent) : QComboBox(parent) {
     });
 }
 
-// As any list, but what is too long ends in an ellipsis: else a series of another number may be read.
+// Like any combo box, but elides long text: text that is cut off could show the wrong series number.
 void VolumeChoice::paintEvent(QPaintEvent*) {
     QStylePainter painter(this);
     QStyleOptionComboBox option;

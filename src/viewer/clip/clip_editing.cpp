@@ -11,7 +11,7 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr int kWheelPauseMs = 600;      // what is turned until then is one step to undo
+constexpr int kWheelPauseMs = 600;      // turns of the wheel until then are one undo step
 constexpr double kStepsThrough = 50.0;  // of the wheel, from one end of the volume to the other
 
 Error noStudy() {
@@ -26,7 +26,7 @@ Error noStudy() {
 ClipEditing::ClipEditing(StudyEditor& session, QObject* parent) : QObject(parent), session_(session) {
     wheelEnds_.setSingleShot(true);
     wheelEnds_.setInterval(kWheelPauseMs);
-    // By then, another hand may be at something else.
+    // By then, a person may be dragging something else, whose step must go on.
     connect(&wheelEnds_, &QTimer::timeout, this, [this] {
         if (session_.undoText() == tr("Depth of the cut")) session_.endDrag();
     });

@@ -1,4 +1,4 @@
-// Edits the clip by dragging in the pictures, and holds what they show of it.
+// Edits the clip by drags in the pictures, and holds the handles and cuts that they show.
 #pragma once
 
 #include <QObject>
@@ -32,7 +32,7 @@ class ClipEditing : public QObject {
     // when the clip has no plane left.
     Result<void> setEyeCut(bool cuts);
     void setFollowsCamera(bool follows);
-    void dragEyeCut(double fromMiddleMm);  // joined into one undo step likewise
+    void dragEyeCut(double fromMiddleMm);  // one undo step until endDrag, too
     // Moves the cut deeper by `steps`. A new cut starts in front of the whole volume.
     Result<void> stepEyeCut(double steps);
     // Call when the camera has come to rest: a cut that follows it turns with it.
@@ -43,7 +43,7 @@ class ClipEditing : public QObject {
     void removeScissorCuts();
 
   Q_SIGNALS:
-    void changed();  // what the pictures show of the clip
+    void changed();  // whether the pictures show the clip or its handles
 
   private:
     Result<scene::EyeCut> newEyeCut() const;

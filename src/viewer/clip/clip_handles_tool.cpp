@@ -15,9 +15,9 @@ namespace {
 using Kind = scene::ClipHandle::Kind;
 
 constexpr double kHitPx = 10.0;  // logical
-constexpr int kDotsOfEdge = 5;   // without its ends
+constexpr int kDotsOfEdge = 5;   // between the ends of an edge
 constexpr int kDotsOfBall = 40;
-constexpr double kTowardsEye = 0.995;  // the cosine of an angle: who looks along a line cannot drag along it
+constexpr double kTowardsEye = 0.995;  // cosine: a handle cannot be dragged along a line seen nearly end-on
 
 void addDot(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const glm::dvec3& mm) {
     if (const auto place = rays.placeOf(mm)) marks.push_back({.kind = MarkKind::dot, .place = *place});
@@ -40,7 +40,7 @@ void addBox(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const 
     addDot(marks, rays, box.high);
 }
 
-// Where a plane meets the box.
+// Adds dots where a plane meets the box.
 void addPlane(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const HalfSpace& plane,
               const Box& box) {
     const glm::dvec3 n = plane.normal;
@@ -101,7 +101,7 @@ std::optional<scene::PlacedHandle> ClipHandlesTool::handleAt(const PicturePlace&
     return nearest;
 }
 
-// On the line of the handle, or across the line of sight through it.
+// The pointer's position on the line of the handle, or across the line of sight through it.
 std::optional<glm::dvec3> ClipHandlesTool::draggedTo(const scene::PlacedHandle& handle,
                                                      const PicturePlace& place) const {
     const auto rays = scene::PictureRays::of(place.picture.camera, place.picture.aspect);
@@ -119,7 +119,7 @@ bool ClipHandlesTool::press(const PicturePlace& place) {
     const auto handle = handleAt(place);
     const auto at = handle ? draggedTo(*handle, place) : std::nullopt;
     if (!at) return false;
-    session_.endDrag();  // of what was dragged before
+    session_.endDrag();  // ends the undo step of an earlier drag
     held_ = Held{.handle = *handle, .grabbedMm = *at - handle->atMm};
     pointed_ = handle->handle;
     return true;
@@ -136,7 +136,7 @@ void ClipHandlesTool::release(const PicturePlace& place) {
     giveUp();
 }
 
-// What was dragged so far stays: it can be undone.
+// Keeps the drag so far: a person can undo it.
 void ClipHandlesTool::giveUp() {
     held_.reset();
     session_.endDrag();

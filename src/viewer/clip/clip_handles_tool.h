@@ -31,7 +31,7 @@ class ClipHandlesTool : public QObject, public PictureTool {
   private:
     struct Held {
         scene::PlacedHandle handle;
-        glm::dvec3 grabbedMm;  // the pointer's offset: minus this, the old position
+        glm::dvec3 grabbedMm;  // from the handle to the pointer, when it was grabbed
     };
     bool isUsable() const { return editing_.hasHandles() && session_.hasStudy(); }
     std::vector<scene::PlacedHandle> handles(const scene::PictureRays& rays) const;

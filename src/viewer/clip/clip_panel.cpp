@@ -37,7 +37,7 @@ std::array<scene::Face, 3> sidesOfCorner(int number) {
             scene::faceOf(2, (number & 4) == 0)};
 }
 
-// Whether a clip of the list is meant. The last bits of a box may have changed when it was written.
+// Whether `clip` is the listed one. Writing to a file may have changed the last bits of a box.
 bool isSameClip(const ClipPreset& listed, const ClipPreset& clip) {
     return listed.name == clip.name && (listed == clip || toJson(listed) == toJson(clip));
 }
@@ -229,7 +229,7 @@ void ClipPanel::chooseFromList(int index) {
     propose(scene::OptionalClip(*listed.at(std::size_t(index) - 1)), false);
 }
 
-// What is refused leaves all as it is, and the controls go back to it.
+// A refused edit changes nothing, and the controls return to the session's clip.
 void ClipPanel::propose(const Edited& edited, bool isDrag, bool showsAll) {
     say(*trouble_, edited ? QString() : reason(edited.error()));
     if (edited) {
@@ -318,7 +318,7 @@ void ClipPanel::showFaces() {
     say(*besides_, besides.join(QLatin1Char(' ')));
 }
 
-// While it is hidden it does not follow the cross-hair.
+// A hidden panel does not follow the cross-hair.
 void ClipPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     showTools();

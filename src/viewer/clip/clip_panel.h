@@ -17,8 +17,8 @@
 
 namespace macula::viewer {
 
-// Shows the clip of the session's state, and proposes others. A button is disabled while its edit fails, and
-// its tool tip says why. The session outlives it.
+// Shows the clip of the session's state, and proposes changes to it. A button is disabled while its edit
+// would fail, and its tool tip says why. The session outlives it.
 class ClipPanel : public QWidget {
     Q_OBJECT
 
@@ -52,7 +52,7 @@ class ClipPanel : public QWidget {
     void showClip();
     void showInList();
     void showFaces();
-    void showTools();  // and the cross-hair
+    void showTools();  // also shows the cross-hair's position
 
     const Volume& volume() const { return *session_.study().volume; }
     const scene::OptionalClip& clip() const { return session_.state().clip; }
@@ -73,7 +73,7 @@ class ClipPanel : public QWidget {
     QDoubleSpinBox* thickness_ = nullptr;
     QDoubleSpinBox* radius_ = nullptr;
     QComboBox* corners_ = nullptr;
-    scene::OptionalClip lastOwn_;  // of this study; the list can restore it
+    scene::OptionalClip lastOwn_;  // this study's last unlisted clip, for the list to restore
 };
 
 }  // namespace macula::viewer

@@ -50,7 +50,7 @@ void ClipsController::connectTools() {
     connect(scissors_, &ScissorTool::refused, &context_.notifications, &Notifications::showError);
 }
 
-// More than fits on a small screen.
+// Scrolls, because it is too tall for a small screen.
 QWidget* ClipsController::makePanel() {
     auto* column = new QWidget;
     auto* layout = new QVBoxLayout(column);
@@ -65,7 +65,7 @@ QWidget* ClipsController::makePanel() {
     auto* scrolls = new QScrollArea;
     scrolls->setObjectName(QStringLiteral("clip-scrolls"));
     scrolls->setFrameShape(QFrame::NoFrame);
-    scrolls->setFocusPolicy(Qt::NoFocus);  // what is in it has the focus
+    scrolls->setFocusPolicy(Qt::NoFocus);  // its contents have the focus
     scrolls->setWidgetResizable(true);
     scrolls->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scrolls->setWidget(column);
@@ -143,7 +143,8 @@ void ClipsController::addPresets() {
     });
 }
 
-// Number 0 is no clip; a clip of its own is none of the menu's, and "No Clip" takes it away.
+// Entry 0 is "No Clip", which also removes a clip that is not in the menu; for such a clip no entry is
+// checked.
 void ClipsController::showChosen() {
     const scene::StudyState& state = context_.session.state();
     const auto& clips = context_.session.catalogue().clips;

@@ -1,4 +1,4 @@
-// Clips in the pictures: handles, the cut from the eye, the scissors, and what they leave of the voxels.
+// Clips in the pictures: their handles, the cut from the eye, the scissors, and the voxels that these hide.
 #pragma once
 
 #include <QObject>
@@ -34,12 +34,12 @@ class ClipsController : public QObject {
     ClipHandlesTool& handles() const { return *handles_; }
     WorkBar* bar() const { return bar_; }
     QWidget* makePanel();
-    void setDock(QDockWidget& dock);  // of the panel
-    // `first` stands above all else: it removes the table.
+    void setDock(QDockWidget& dock);  // the panel's dock
+    // `first` is the menu's first entry: it removes the patient table.
     void addMenu(QMenuBar& bar, QAction& first);
 
   private:
-    void showChosen();  // in the menu, as the session has it
+    void showChosen();  // checks the session's clip in the menu
     void connectTools();
     void addTools();
     void addEyeCut();

@@ -12,7 +12,7 @@
 
 namespace macula::viewer {
 
-// Shows the cuts of the session's state, and proposes others. Session and editing outlive it.
+// Shows the cuts of the session's state, and proposes changes to them. Session and editing outlive it.
 class CutTools : public QWidget {
     Q_OBJECT
 

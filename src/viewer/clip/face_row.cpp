@@ -50,7 +50,7 @@ FaceRow::FaceRow(scene::Face face, QWidget* parent)
     letter_->setBuddy(number_);
     letter_->setFixedWidth(letter_->fontMetrics().horizontalAdvance(QLatin1Char('W')));
 
-    // All six alike, whatever their numbers: one stands below the other.
+    // The same width for all six, whatever their numbers, because they are in one column.
     number_->setMinimumWidth(number_->fontMetrics().horizontalAdvance(QStringLiteral("W 1000.0 mm")) +
                              kArrowsPx);
 
@@ -86,7 +86,7 @@ void FaceRow::setRangeMm(double lowMm, double highMm, double stepMm) {
     slider_->setRange(0, int(std::clamp(steps, 1.0, kMostSteps)));
     slider_->setPageStep(std::max(1, slider_->maximum() / kStepsOfAPage));
     number_->setDecimals(decimals);
-    // Outwards: what is typed to open a face reaches all of the volume.
+    // Rounded outwards, so that a face typed at the limit leaves the whole volume visible.
     number_->setRange(std::floor(lowMm / unit) * unit, std::ceil(highMm / unit) * unit);
     number_->setSingleStep(std::max(unit, stepMm));
 }
@@ -99,7 +99,7 @@ void FaceRow::showMm(double mm) {
     number_->setValue(mm);
 }
 
-// The ends are exact, so that a face that was pulled there is open.
+// The ends are exact, so that a face pulled to the end of the slider is open.
 double FaceRow::mmOfSlider() const {
     if (slider_->value() == slider_->maximum()) return highMm_;
     return lowMm_ + (highMm_ - lowMm_) * slider_->value() / slider_->maximum();
@@ -117,7 +117,7 @@ void FaceRow::setUsable(bool usable, const QString& whyNot) {
     open_->setToolTip(usable ? tr("Show all of the volume on the %1 side again").arg(face) : whyNot);
 }
 
-// What one key or one press did is one step to undo.
+// The changes of one key press or one click are one undo step.
 bool FaceRow::eventFilter(QObject* watched, QEvent* event) {
     switch (event->type()) {
         case QEvent::KeyRelease:

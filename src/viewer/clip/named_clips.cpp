@@ -96,7 +96,7 @@ std::optional<std::string> NamedClips::typedName() {
     return name;
 }
 
-// Under a name that is there already it takes the place of what was there; that can be undone.
+// Replaces a clip that has this name already; a person can undo that.
 void NamedClips::save() {
     if (!session_.hasStudy()) return;
     const auto name = typedName();
@@ -146,7 +146,7 @@ void NamedClips::remove() {
     });
 }
 
-// The same row stays chosen, or the last one.
+// The same row stays selected, or the last one if it is gone.
 void NamedClips::showClips() {
     const int row = list_->currentRow();
     {

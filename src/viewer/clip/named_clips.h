@@ -12,8 +12,8 @@
 
 namespace macula::viewer {
 
-// Shows the named clips of the session's state, and proposes others: a person saves the current clip and cuts
-// under a unique name and restores them later. The session outlives it.
+// Shows the named clips of the session's state, and proposes changes to them: a person saves the current clip
+// and cuts under a unique name and restores them later. The session outlives it.
 class NamedClips : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ class NamedClips : public QWidget {
     const std::vector<scene::NamedClip>& clips() const { return session_.state().namedClips; }
     std::optional<std::size_t> chosen() const;
     std::optional<std::size_t> indexOf(const std::string& name) const;
-    std::optional<std::string> typedName();  // nothing, with a message, if it is not usable
+    std::optional<std::string> typedName();  // if it is not usable: nothing, and a message
     void save();
     void apply();
     void rename();

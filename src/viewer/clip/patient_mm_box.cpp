@@ -70,7 +70,8 @@ double PatientMmBox::valueFromText(const QString& text) const {
     return patientMm(axis_, text, locale()).value_or(value());
 }
 
-// What is not yet a coordinate may become one; what never does is taken back when it is entered.
+// Other text may become a coordinate while a person types; if it never does, entering it restores the old
+// value.
 QValidator::State PatientMmBox::validate(QString& text, int& /*position*/) const {
     return patientMm(axis_, text, locale()) ? QValidator::Acceptable : QValidator::Intermediate;
 }

@@ -11,8 +11,8 @@ namespace macula::viewer {
 namespace {
 
 constexpr double kLeastStepPx = 1.0;    // logical, as all below
-constexpr double kLeastExtentPx = 6.0;  // what is smaller was a click
-constexpr double kOffPx = 0.5;          // how far the outline may be from what was drawn
+constexpr double kLeastExtentPx = 6.0;  // a smaller outline was a click
+constexpr double kOffPx = 0.5;          // how far the simplified outline may be from the drawn one
 constexpr double kDotsEveryPx = 6.0;
 constexpr std::size_t kMostPoints = 20000;
 constexpr std::size_t kMostDots = 300;
@@ -57,7 +57,7 @@ bool ScissorTool::press(const PicturePlace& place) {
 
 void ScissorTool::move(const PicturePlace& place) {
     if (!outline_) return;
-    // Over another picture the outline would be around something else.
+    // In another picture the same outline would enclose something else.
     if (!isOver(place.picture)) return giveUp();
     const glm::dvec2 at = halfHeights(place);
     const double awayPx = glm::distance(outline_->points.back(), at) * pixelsPerHalfHeight(place.picture);
@@ -89,7 +89,7 @@ std::optional<Qt::CursorShape> ScissorTool::point(const PicturePlace&) {
     return isOut_ ? std::optional(Qt::CrossCursor) : std::nullopt;
 }
 
-// Dots along what was drawn, and half as many along the line that closes it.
+// Dots along the drawn line, and half as many along the line that closes it.
 std::vector<ToolMark> ScissorTool::marks(const PictureGeometry& picture) const {
     if (!isOver(picture)) return {};
     const auto place = [&](const glm::dvec2& p) { return glm::dvec2(p.x / picture.aspect, p.y); };

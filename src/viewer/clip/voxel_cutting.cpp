@@ -33,7 +33,7 @@ void VoxelCutting::want(const std::vector<scene::ScissorCut>& scissors) {
         Q_EMIT changed();
         return;
     }
-    // What the first cuts left is gone on with.
+    // If cuts were only appended, continues from the mask of the earlier ones.
     const std::vector<scene::ScissorCut>& had = made_.of;
     const bool goesOn = had.size() < scissors.size() && std::equal(had.begin(), had.end(), scissors.begin());
     std::optional<Mask> from = goesOn ? made_.mask : std::nullopt;

@@ -15,28 +15,29 @@
 
 namespace macula::viewer {
 
-// Keeps the scene::scissorMask of the cuts wanted last. The old mask stays until the new one is made, and
-// cuts appended to those of the mask are computed alone. Lives on the UI thread.
+// Holds the scene::scissorMask of the cuts last given to want(). The old mask stays until the new one is
+// made. If cuts were only appended, the mask is computed from the old one and the new cuts. Lives on the UI
+// thread.
 class VoxelCutting : public QObject {
     Q_OBJECT
 
   public:
     explicit VoxelCutting(QObject* parent);
 
-    void setVolume(std::shared_ptr<const Volume> volume);  // without cuts; no `changed`
+    void setVolume(std::shared_ptr<const Volume> volume);  // removes all cuts; does not emit changed()
     void want(const std::vector<scene::ScissorCut>& scissors);
     const std::optional<Mask>& mask() const { return made_.mask; }             // nothing: no cuts
-    const std::vector<scene::ScissorCut>& madeOf() const { return made_.of; }  // of the mask
+    const std::vector<scene::ScissorCut>& madeOf() const { return made_.of; }  // those in mask()
     bool running() const { return job_.running(); }
-    // Refuses the cuts being computed: see `refused`.
+    // Drops the cuts that are being computed, and emits refused().
     void cancel();
 
   Q_SIGNALS:
     void began();
     void progressed(const QString& stage, double fraction);
     void ended();
-    void changed();  // the mask
-    // The wanted cuts failed or were cancelled; `had` are those of the mask.
+    void changed();  // mask() is another one
+    // The wanted cuts failed or were cancelled; `had` are the cuts that mask() still includes.
     void refused(const std::vector<macula::scene::ScissorCut>& had);
     void failed(const macula::Error& error);
 

@@ -15,8 +15,8 @@ class StudyEditor;
 class StudyNotes;
 class Viewport;
 
-// Each controller of a feature keeps a copy. All of it lives until the window's destructor, which takes it
-// down in an order of its own: a controller's destructor uses none of it.
+// Each controller of a feature keeps a copy. The objects live until the window's destructor, which destroys
+// them in its own order, so a controller's destructor must use none of them.
 struct WindowContext {
     QMainWindow& window;  // the parent of dialogs
     StudyEditor& session;
@@ -25,8 +25,8 @@ struct WindowContext {
     Notifications& notifications;
     StudyNotes& notes;
     FileDialogs& files;
-    std::function<void()> focusPicture;  // the pane that last had the focus, or a shown one
-    std::string device = {};             // as in gpu::chooseDevice
+    std::function<void()> focusPicture;  // focuses the last focused pane, or a shown one
+    std::string device = {};             // its name, see gpu::chooseDevice
 };
 
 }  // namespace macula::viewer

@@ -7,7 +7,7 @@
 
 namespace macula::viewer {
 
-// Calls `show` at once, and for each other state or study as long as `shown` lives.
+// Calls `show` at once, and again for each other state or study as long as `shown` lives.
 template <class Show>
 void followState(StudyEditor& session, QObject* shown, Show show) {
     QObject::connect(&session, &StudyEditor::changed, shown, show);

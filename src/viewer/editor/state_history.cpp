@@ -35,7 +35,7 @@ void StateHistory::forgetOldest() {
 bool StateHistory::push(const QString& what, scene::StudyState state, bool joins) {
     const bool goesOn = joins && joining_ && place_ > 0 && states_[place_].what == what;
     if (state == now()) {
-        joining_ = joining_ && joins;  // what has not begun is not gone on with
+        joining_ = joining_ && joins;  // without a first step there is none to join
         return false;
     }
     joining_ = joins;

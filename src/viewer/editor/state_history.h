@@ -21,9 +21,9 @@ class StateHistory {
     StateHistory() { count(); }
     const scene::StudyState& now() const { return states_[place_].state; }
 
-    void begin(scene::StudyState state);  // without earlier states
-    // Returns whether the state changed. With `joins`, it replaces the last step if that was such a push with
-    // the same `what`, and nothing has ended joining since.
+    void begin(scene::StudyState state);  // drops all earlier states
+    // Returns whether the state changed. With `joins`, it replaces the last step if that was also pushed with
+    // `joins` and the same `what`, and endJoining() was not called since.
     bool push(const QString& what, scene::StudyState state, bool joins = false);
     // Replaces the present state without a step. Returns whether it changed.
     bool amend(scene::StudyState state);
@@ -43,7 +43,7 @@ class StateHistory {
 
   private:
     struct Step {
-        QString what;  // led to it
+        QString what;  // names the change that led to `state`
         scene::StudyState state;
     };
     void forgetAfter(std::size_t place);
@@ -51,7 +51,7 @@ class StateHistory {
     void count();
 
     std::deque<Step> states_{Step{}};
-    scene::StateBytes bytes_;  // of states_
+    scene::StateBytes bytes_;  // the memory that `states_` takes
     std::size_t place_ = 0;
     bool joining_ = false;  // a push may join the last step
 };

@@ -72,7 +72,7 @@ void StudyEditor::redo() {
     tellOfChange([&] { return history_.redo(), true; });
 }
 
-// A listener may propose a change of its own: what it is told as `before` stays as it is.
+// Copies the state: a listener may change it again, and `before` must stay the same meanwhile.
 void StudyEditor::tellOfChange(const std::function<bool()>& change) {
     const scene::StudyState before = state();
     if (change()) Q_EMIT changed(before);

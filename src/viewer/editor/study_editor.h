@@ -1,4 +1,4 @@
-// The model of all panels: the open study and all choices for it, as one immutable value that each change
+// The model behind all panels: the open study and all choices for it, as one immutable value that each change
 // replaces.
 #pragma once
 
@@ -35,7 +35,7 @@ class StudyEditor : public QObject {
     const study::OpenedStudy& study() const { return study_; }  // its volume is null before the first study
     const scene::StudyState& state() const { return history_.now(); }
 
-    // Whether the study replaced another volume of the same place (study::staysInPlace), so that panes keep
+    // Whether the study replaced another volume on the same grid (study::staysInPlace), so that panes keep
     // their view.
     bool keepsPlace() const { return keepsPlace_; }
 
@@ -50,7 +50,7 @@ class StudyEditor : public QObject {
     // The same during a drag: all edits until `endDrag` or another `what` are one step.
     void drag(const QString& what, const Edit& edit);
     void endDrag();
-    // A change that follows from something else, such as the camera, and makes no step.
+    // A change that follows from something else, such as the camera: it makes no undo step.
     void follow(const Edit& edit);
     // Removes a choice that failed: `edit` takes it out of all steps, and steps left without a change are
     // dropped.
@@ -67,14 +67,14 @@ class StudyEditor : public QObject {
     void studyShown();  // another study, with its state
     // A change of the same study's state. `before` is valid during the signal.
     void changed(const macula::scene::StudyState& before);
-    void presetsChanged();  // in the catalogue
+    void presetsChanged();  // the catalogue has other presets
 
   private:
     void push(const QString& what, const Edit& edit, bool joins);
     void tellOfChange(const std::function<bool()>& change);
 
     scene::Catalogue catalogue_;
-    std::size_t builtInPresets_ = 0;  // this many, first in the catalogue
+    std::size_t builtInPresets_ = 0;  // how many: they come first in the catalogue
     study::OpenedStudy study_;
     bool keepsPlace_ = false;
     StateHistory history_;

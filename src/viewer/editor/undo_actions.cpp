@@ -8,7 +8,7 @@ namespace macula::viewer {
 
 namespace {
 
-// "Undo Preset". In a menu an ampersand would be taken for a mark of its key.
+// "Undo Preset". In a menu an ampersand would mark a shortcut letter.
 void tell(QAction& action, const QString& verb, const QString& tip, const QString& what, bool can) {
     const QString plain = QString(what).replace(QLatin1Char('&'), QStringLiteral("&&"));
     action.setText(can && !what.isEmpty() ? QStringLiteral("%1 %2").arg(verb, plain) : verb);

@@ -23,7 +23,7 @@ HeadsetController::HeadsetController(const WindowContext& context)
     connect(mirror_, &HeadsetMirror::startAsked, this, &HeadsetController::begin);
     connect(mirror_, &HeadsetMirror::stopAsked, show_, &HeadsetShow::stop);
     connectShow();
-    // Another study is no surprise for somebody's eyes.
+    // Never replaces the study in front of a person's eyes: the headset's session ends instead.
     connect(&context_.session, &StudyEditor::studyShown, show_, &HeadsetShow::abandon);
     connect(&context_.shown, &ShownVolume::changed, this, [this] {
         if (!show_->isRunning() || isFromHeadset_) return;
@@ -81,7 +81,7 @@ void HeadsetController::begin() {
     show_->start(std::move(request));
 }
 
-// One step of undo of the window, too. What cannot be kept with the study is seen in the headset alone.
+// One undo step of the window, too. A choice that the study state cannot hold shows in the headset only.
 void HeadsetController::take(const HeadsetSelection& choice) {
     if (!context_.session.hasStudy() || !show_->isRunning()) return;
     const bool isOtherClip = std::exchange(clip_, choice.clip) != choice.clip;
@@ -97,7 +97,7 @@ void HeadsetController::take(const HeadsetSelection& choice) {
         next.preset = choice.transferFunction;
         if (!isOtherClip) return;
         next.clip = clip;
-        next.cuts.eye.reset();  // it is among the planes of the clip now
+        next.cuts.eye.reset();  // the clip includes this plane now
     });
     isFromHeadset_ = false;
 }

@@ -1,4 +1,4 @@
-// The study of the window in a headset: begun, mirrored, and what was chosen there or here.
+// Shows the window's study in a headset, mirrors it in a panel, and passes choices both ways.
 #pragma once
 
 #include <QObject>
@@ -24,12 +24,12 @@ class HeadsetController : public QObject {
     explicit HeadsetController(const WindowContext& context);
 
     HeadsetMirror& mirror() const { return *mirror_; }  // the panel
-    void setDock(QDockWidget& dock);                    // of it
+    void setDock(QDockWidget& dock);                    // the panel's dock
     void addAction(QMenu& view);
     void begin();
 
   Q_SIGNALS:
-    void ended();  // or could not begin
+    void ended();  // the headset's session ended, or could not begin
 
   private:
     void connectShow();

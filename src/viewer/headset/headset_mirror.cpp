@@ -9,7 +9,7 @@
 
 namespace macula::viewer {
 
-// As large as there is room for, in the shape that it has in the headset.
+// As large as fits, with the aspect that it has in the headset.
 class MirrorPicture : public QWidget {
   public:
     explicit MirrorPicture(QWidget* parent) : QWidget(parent) {

@@ -20,7 +20,7 @@ class HeadsetMirror : public QWidget {
   public:
     explicit HeadsetMirror(QWidget* parent = nullptr);
 
-    void setNames(const QString& names);  // of patient and study
+    void setNames(const QString& names);  // the names of patient and study
     void setRunning(bool runs);
     void setPicture(const QImage& leftEye);  // null: no picture
     void setNote(const QString& note);

@@ -17,17 +17,17 @@
 
 namespace macula::viewer {
 
-// What both threads know.
+// Shared by the UI thread and the headset's thread.
 struct HeadsetShow::Shared {
     std::mutex mutex;
-    std::optional<HeadsetSelection> wanted;  // of the window, since the headset has asked last
+    std::optional<HeadsetSelection> wanted;  // the window's last choice that the headset has not taken
 };
 
 #ifdef MACULA_HAS_XR
 
 namespace {
 
-// All that the room tells, told again where `home` lives.
+// Passes on to the thread of `home` all that the room reports.
 struct Told {
     NewestPosted<QImage> mirror;
     NewestPosted<HeadsetSelection> chosen;
@@ -119,7 +119,7 @@ void HeadsetShow::start([[maybe_unused]] HeadsetShowRequest request) {
         return std::exchange(shared->wanted, std::nullopt);
     };
     const xr::RoomWords words = headsetWords(request.presets);
-    // Cancelled by a token of its own: an end that somebody asks for is told when it has come.
+    // Uses its own token, because cancelling job_ would suppress `ended`, which must follow stop().
     job_.start([request = std::move(request), words, told, wanted,
                 token = token_](Progress&) mutable -> Result<Text> {
         Progress progress({}, token);

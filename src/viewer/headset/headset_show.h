@@ -30,8 +30,8 @@ struct HeadsetSelection {
     std::shared_ptr<const Clip> clip = {};  // null: all of the volume is shown
 };
 
-// One session at a time. Any failure - no runtime, no headset, a headset unplugged - is reported by `failed`;
-// the window goes on, and another session can start. Lives on the UI thread.
+// One XR session at a time. Any failure - no runtime, no headset, a headset unplugged - is reported by
+// `failed`; the window keeps working, and another session can start. Lives on the UI thread.
 class HeadsetShow : public QObject {
     Q_OBJECT
 
@@ -42,7 +42,7 @@ class HeadsetShow : public QObject {
     // Does nothing while a session runs.
     void start(HeadsetShowRequest request);
     void stop();     // `ended` follows
-    void abandon();  // stops, and ignores later choices there, which are of another study
+    void abandon();  // stops, and ignores later choices in the headset: they are for another study
     bool isRunning() const { return job_.running(); }
     // Passes the window's choice to the headset.
     void propose(HeadsetSelection choice);

@@ -14,7 +14,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(HeadsetWords)
 };
 
-// Texts of buttons have at most 15 letters, that of "hold" with what is put in; "quality" has 32.
+// Texts of buttons have at most 15 letters, that of "hold" including its argument; "quality" has 32.
 void fillPanel(xr::RoomWords& words) {
     words.shift = Words::tr("Shift").toStdString();
     words.knifeOn = Words::tr("Knife: on").toStdString();
@@ -39,7 +39,7 @@ void fillPanel(xr::RoomWords& words) {
     words.notForDiagnosis = Words::tr("Not for primary diagnosis").toStdString();
 }
 
-// At most 52 letters are seen of a sentence.
+// The panel shows at most 52 letters of a sentence.
 void fillSentences(xr::RoomWords& words) {
     words.isRealSize = Words::tr("Real size 1:1: a millimetre is a millimetre.").toStdString();
     words.isBeforeYou = Words::tr("Before you, at real size 1:1.").toStdString();

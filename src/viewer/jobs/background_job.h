@@ -84,7 +84,7 @@ class BackgroundJob {
             ErrorCode::outOfMemory, Text("There is not enough memory."), {}, Text("Close other programs.")};
     }
 
-    // Libraries' own exceptions are caught by their callers: what arrives here means no memory.
+    // Callers of libraries catch their exceptions, so one that arrives here means out of memory.
     static Result<Value> outcomeOf(const Work& work, Progress& progress) {
         try {
             return work(progress);

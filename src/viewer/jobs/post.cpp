@@ -13,9 +13,9 @@ namespace macula::viewer {
 
 namespace {
 
-// A posted call. Qt's event queue orders what the sender wrote before what the receiver reads, by locks that
-// the thread sanitizer does not see; release and acquire tell it of that order. This file is compiled without
-// the sanitizer, as Qt moves the call between the two.
+// A posted call. Qt's event queue orders the sender's writes before the receiver's reads, by locks that the
+// thread sanitizer does not see; release and acquire make that order visible to it. This file is compiled
+// without the sanitizer, because Qt moves the call between the two.
 struct Handed {
     explicit Handed(std::function<void()> made) : call(std::move(made)) {
 #ifdef MACULA_TELLS_THREAD_SANITIZER

@@ -16,7 +16,7 @@ bool canBeReached(const QWidget& widget, const QWidget& window) {
            widget.isVisibleTo(&window) && widget.isEnabled() && widget.window() == &window;
 }
 
-// The nearest button of the same group that can be used, of those after it first.
+// The nearest usable button of the same group; those after `greyed` come first.
 QWidget* buttonBeside(const QWidget& greyed) {
     const QWidget* group = greyed.parentWidget();
     if (group == nullptr) return nullptr;
@@ -49,7 +49,7 @@ FocusOfGreyed::FocusOfGreyed(QMainWindow& window, std::function<void()> toPictur
     connect(qApp, &QApplication::focusChanged, this, &FocusOfGreyed::onMoved);
 }
 
-// What greys one control greys and ungreys others too: only once all of it is done is it known where the
+// The same change may disable and enable other controls: only after it is complete is it known where the
 // focus can stay.
 void FocusOfGreyed::onMoved(QWidget* from, QWidget* to) {
     const bool isGreyed = from != nullptr && from->window() == &window_ && !from->isEnabled() &&

@@ -1,4 +1,4 @@
-// Moves the keyboard focus where Qt does not, or chooses wrongly.
+// Moves the keyboard focus where Qt does not, or would choose the wrong widget.
 #pragma once
 
 #include <QObject>
@@ -13,8 +13,8 @@ namespace macula::viewer {
 // not go through widgets.
 QWidget* nextInTabOrder(const QWidget& from, bool forward);
 
-// Keeps the focus near a control that is disabled while it has the focus. Qt would pass it to the next
-// widget, such as a list, which then takes the letters meant for pictures.
+// When a control is disabled while it has the focus, moves the focus to a neighbour. Qt would pass it to the
+// next widget, such as a list, which then takes the letters meant for pictures.
 class FocusOfGreyed : public QObject {
     Q_OBJECT
 

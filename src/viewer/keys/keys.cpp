@@ -62,7 +62,7 @@ QString chosenFor(const KeyRow& row) {
         if (!key.isEmpty()) keys << key.toString(QKeySequence::NativeText);
     }
     const QString hand = inWindowsLanguage(Text(row.hand));
-    // Where a row has no sequence, the words are the keys.
+    // In a row without a sequence, `hand` names the keys.
     if (row.sequence[0] == '\0') return isChanged ? keys.join(QStringLiteral(", ")) : hand;
     if (!hand.isEmpty()) keys.prepend(hand);
     return keys.join(QStringLiteral(", "));

@@ -1,4 +1,4 @@
-// Shortcuts that Qt does not find, and letters that are none.
+// Finds shortcuts that Qt misses, and letters that a list needs for itself.
 #pragma once
 
 class QAction;
@@ -12,8 +12,8 @@ namespace macula::viewer {
 // visible. Keys pressed in the native window do not pass through the widgets' shortcuts on every platform.
 QAction* actionFor(const QKeyEvent& keys, const QMainWindow& window, const QToolBar& tools);
 
-// Letters of tools are shortcuts of the window; in a list they look for an entry that begins with them.
-// Returns whether a list that has the focus takes this letter.
+// The letters of the slice tools are shortcuts of the window, but a list jumps to the entry that begins with
+// a letter. Returns whether a list has the focus and should get this key.
 bool isForList(const QKeyEvent& key);
 
 }  // namespace macula::viewer

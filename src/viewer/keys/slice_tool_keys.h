@@ -13,9 +13,9 @@ namespace macula::viewer {
 struct SliceToolRow {
     SliceTool tool;
     Glyph glyph;
-    const char* name;  // of the action: "slice-tool-" and this
+    const char* name;  // the action's object name is "slice-tool-" with this name
     const char* title;
-    const char* key;  // a letter that viewer/keys/keys.h does not have
+    const char* key;  // a letter that viewer/keys/keys.h does not use
     const char* does;
 };
 

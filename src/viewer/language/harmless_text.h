@@ -1,4 +1,4 @@
-// Makes text of files, such as a patient's name, safe to paint.
+// Makes text from files, such as a patient's name, safe to paint.
 #pragma once
 
 #include <QString>

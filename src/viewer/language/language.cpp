@@ -7,7 +7,8 @@
 #include <QTranslator>
 #include <algorithm>
 
-// Files in a static library are not registered by themselves; in no namespace, as Qt has it.
+// Qt does not register resources of a static library automatically. In no namespace, as Q_INIT_RESOURCE
+// demands.
 static void registerTranslations() {
     Q_INIT_RESOURCE(translations);
 }
@@ -16,16 +17,16 @@ namespace macula::viewer {
 
 namespace {
 
-// Of the application, and gone with it.
+// The application owns both, and destroys them.
 QPointer<QTranslator> ofMacula;
 QPointer<QTranslator> ofQt;
 
 void remove(QPointer<QTranslator>& translator) {
-    delete translator;  // which takes itself out of the application
+    delete translator;  // its destructor removes it from the application
     translator.clear();
 }
 
-// The desktop's own numbers, where they are of that language; 12.5 in English, 12,5 in German else.
+// The desktop's number format if it is of that language; otherwise 12.5 in English and 12,5 in German.
 QLocale localeOf(Language language) {
     const QLocale desktop = QLocale::system();
     const QLocale::Language wanted = language == Language::german ? QLocale::German : QLocale::English;
@@ -58,11 +59,11 @@ void useLanguage(Language language) {
     QLocale::setDefault(localeOf(language));
     const QString code = codeOf(language);
     QCoreApplication* application = QCoreApplication::instance();
-    ofMacula = new QTranslator(application);  // of English: what is said of one, "1 picture"
+    ofMacula = new QTranslator(application);  // also for English: it has the singulars, "1 picture"
     if (ofMacula->load(QStringLiteral(":/translations/macula_%1.qm").arg(code)))
         QCoreApplication::installTranslator(ofMacula);
-    if (language == Language::english) return;  // else as the texts are written
-    // Buttons of Qt's own dialogs; without the package that has them they stay in English.
+    if (language == Language::english) return;  // all other texts are English in the code
+    // Translates the buttons of Qt's own dialogs; without Qt's package of translations they stay English.
     ofQt = new QTranslator(application);
     if (ofQt->load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(ofQt);

@@ -12,7 +12,7 @@ enum class Language { english, german };
 struct LanguageRow {
     Language language;
     const char* code;   // ISO 639-1, as options and settings write it
-    const char* title;  // in the language itself, for readers of no other
+    const char* title;  // in that language, for people who read no other
 };
 inline constexpr std::array kLanguages{LanguageRow{Language::english, "en", "English"},
                                        LanguageRow{Language::german, "de", "Deutsch"}};

@@ -11,7 +11,7 @@ namespace macula::viewer {
 
 namespace {
 
-// Of scene::ownCopy: " (edited)", from the second copy on " (edited 2)".
+// Appended by scene::ownCopy: " (edited)", from the second copy on " (edited 2)".
 constexpr std::string_view kMarkOfCopy = " (edited";
 
 std::string said(const Text& text);
@@ -35,7 +35,7 @@ QString titleOf(const std::string& title) {
     return QCoreApplication::translate("titles", title.c_str());
 }
 
-// Where that mark begins; npos in other titles, as a person may have given them.
+// Where that mark begins; npos in titles without it, such as a person's own.
 std::size_t markOfCopy(std::string_view title) {
     const std::size_t at = title.rfind(kMarkOfCopy);
     if (at == std::string_view::npos || at == 0 || !title.ends_with(')')) return std::string_view::npos;

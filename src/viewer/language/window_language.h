@@ -11,9 +11,9 @@
 
 namespace macula::viewer {
 
-// The format of a text is looked up in the context "core" of translations/macula_*.ts, and its arguments are
-// put into what stands there: texts in the language of the window, numbers with its decimal sign, words of
-// files as they are. A format without an entry stays English.
+// Looks up the format of a text in the context "core" of translations/macula_*.ts, and inserts its arguments
+// there: texts in the language of the window, numbers with its decimal sign, words from files unchanged. A
+// format without an entry stays English.
 QString inWindowsLanguage(const Text& text);
 QStringList inWindowsLanguage(const std::vector<Text>& texts);
 

@@ -80,7 +80,7 @@ void LightsController::showChosen() {
     const auto wanted =
         state.lights ? state.lights : scene::defaultLights(context_.session.catalogue(), look);
     const auto& items = context_.session.catalogue().lights;
-    // What comes back from a text is equal to what the list has, and another object.
+    // A rig read from JSON equals the listed one, but is another object.
     const auto found = std::ranges::find_if(
         items, [&](const auto& item) { return item == wanted || (wanted && *item == *wanted); });
     list_->setCurrentIndex(found == items.end() ? -1 : int(found - items.begin()));

@@ -1,4 +1,4 @@
-// Lights: the desk that has them all, and the list of the built-in ones.
+// The lights of the window: the desk that edits them, and the list of built-in rigs.
 #pragma once
 
 #include <QObject>
@@ -21,11 +21,11 @@ class LightsController : public QObject {
     explicit LightsController(const WindowContext& context);
 
     LightsDesk& desk() const { return *desk_; }
-    void setDock(QDockWidget& dock);  // of the desk's panel
+    void setDock(QDockWidget& dock);  // the dock of the desk's panel
     void addList(QToolBar& bar);
 
   private:
-    void showChosen();  // in the list
+    void showChosen();  // selects the session's rig in the list
 
     WindowContext context_;
     LightsDesk* desk_;

@@ -22,10 +22,10 @@ LightsDesk::LightsDesk(StudyEditor& session, LightsHost host, QWidget* window)
       scrolls_(new QScrollArea(window)),
       metering_(this, {.progressed = [](const ProgressUpdate&) {},
                        .ended = [this](const Result<double>& exposure) { useMetered(exposure); }}) {
-    // More than fits on a small screen.
+    // Scrolls, because the panel is too tall for a small screen.
     scrolls_->setObjectName(QStringLiteral("lights-scrolls"));
     scrolls_->setFrameShape(QFrame::NoFrame);
-    scrolls_->setFocusPolicy(Qt::NoFocus);  // what is in it has the focus
+    scrolls_->setFocusPolicy(Qt::NoFocus);  // its contents have the focus
     scrolls_->setWidgetResizable(true);
     scrolls_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scrolls_->setWidget(panel_);
@@ -36,7 +36,7 @@ LightsDesk::LightsDesk(StudyEditor& session, LightsHost host, QWidget* window)
     connect(panel_, &LightsPanel::openAsked, this, &LightsDesk::open);
     connect(panel_, &LightsPanel::meteringAsked, this, &LightsDesk::meter);
     connect(panel_, &LightsPanel::lookedAt, this, [this] { editing_.setCamera(host_.seen().camera); });
-    // An exposure that was found for another picture suits nothing.
+    // An exposure metered for another picture is of no use.
     const auto stop = [this] {
         if (!metering_.running()) return;
         metering_.cancel();

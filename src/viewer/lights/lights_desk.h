@@ -21,7 +21,7 @@ struct LightsHost {
     std::function<pictures::ViewPicture()> seen;  // the current 3D picture, at any size
     std::function<void(QFileDialog*, std::function<void(const QString&)>)> ask;
     std::function<QString()> folder;
-    std::string device = {};  // as in gpu::chooseDevice
+    std::string device = {};  // its name, see gpu::chooseDevice
 };
 
 // Session and window outlive it.
@@ -37,7 +37,7 @@ class LightsDesk : public QObject {
     bool isMetering() const { return metering_.running(); }
 
   Q_SIGNALS:
-    void marksChanged();  // of the handles
+    void marksChanged();  // the handles over the picture
     void told(const QString& sentence);
     void failed(const macula::Error& error);
 

@@ -7,7 +7,7 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr int kWheelPauseMs = 600;  // what is turned until then is one step to undo
+constexpr int kWheelPauseMs = 600;  // turns of the wheel until then are one undo step
 
 Error noLight() {
     return {ErrorCode::usage,

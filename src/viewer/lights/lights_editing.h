@@ -20,7 +20,7 @@ class LightsEditing : public QObject {
   public:
     explicit LightsEditing(StudyEditor& session, QObject* parent = nullptr);
 
-    // A study is open, and its look has lights.
+    // Whether a study is open whose look has lights.
     bool isUsable() const;
     // The rig of the state, or the default rig of its look. Never null.
     std::shared_ptr<const trace::LightRig> rig() const;
@@ -38,18 +38,18 @@ class LightsEditing : public QObject {
 
     // Replaces the chosen light; one undo step until the session's endDrag.
     Result<void> drag(const trace::SoftLight& light);
-    void strengthen(double factor);        // likewise, and the step ends after a pause
-    Result<void> setSky(double radiance);  // likewise; a black sky becomes grey
-    // Back to the rig of the state when the drag began; null: the default lights.
+    void strengthen(double factor);        // an undo step, too, which ends after a pause
+    Result<void> setSky(double radiance);  // an undo step, too; a black sky becomes grey
+    // Returns to the rig that the state had when the drag began; null: the default lights.
     void dragBack(const std::shared_ptr<const trace::LightRig>& lights);
     // One step each.
-    Result<void> add();  // a light from above the viewer's left shoulder, and chooses it
+    Result<void> add();  // adds and chooses a light from above the viewer's left shoulder
     Result<void> remove();
     Result<void> keepTo(trace::LightFrame frame);
     void use(std::shared_ptr<const trace::LightRig> rig);
 
   Q_SIGNALS:
-    void changed();  // what panel and picture show of the lights
+    void changed();  // the rig, the chosen light, or whether handles are shown
 
   private:
     Result<void> propose(Result<trace::LightRig> rig, bool isDrag);

@@ -24,9 +24,9 @@ namespace macula::viewer {
 namespace {
 
 constexpr int kSwatchPx = 16;
-constexpr int kGainDecimals = 6;  // as small as the least exposure
+constexpr int kGainDecimals = 6;  // enough for the smallest exposure
 
-// Scales the colour to the brightest that the screen shows: the field of the strength tells how bright it is.
+// Scales the colour to the brightest that the screen shows: another field has the strength.
 QColor shownColour(const glm::dvec3& linear) {
     const double most = std::max({linear.r, linear.g, linear.b, 1e-6});
     return colourOf(
@@ -70,7 +70,7 @@ QDoubleSpinBox* LightsPanel::makeNumber(const QString& name, const QString& titl
     box->setToolTip(does);
     box->setSuffix(suffix);
     box->setDecimals(suffix.isEmpty() ? 2 : 1);
-    box->setKeyboardTracking(false);  // a number that is half typed moves nothing
+    box->setKeyboardTracking(false);  // a half-typed number changes nothing
     (new WheelGuard(box))->watch(*box);
     connect(box, &QDoubleSpinBox::editingFinished, &session_, &StudyEditor::endDrag);
     return box;
@@ -228,7 +228,7 @@ QWidget* LightsPanel::makeAll() {
 
 void LightsPanel::tryTo(const Result<void>& done) {
     say(*trouble_, done ? QString() : inWindowsLanguage(done.error()));
-    if (!done) showState();  // the controls go back to what there is
+    if (!done) showState();  // the controls return to the session's lights
 }
 
 void LightsPanel::tell(const Error& error) {

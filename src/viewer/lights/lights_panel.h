@@ -23,14 +23,14 @@ class LightsPanel : public QWidget {
     LightsPanel(StudyEditor& session, LightsEditing& editing, QWidget* parent = nullptr);
     ~LightsPanel() override;
 
-    // The exposure can be asked for only while `isMetering` is false.
+    // A person can ask for the exposure only while `isMetering` is false.
     void setMetering(bool isMetering);
-    void tell(const Error& error);  // below the controls
+    void tell(const Error& error);  // shows it below the controls
 
   Q_SIGNALS:
     void saveAsked();
     void openAsked();
-    void meteringAsked();  // an exposure that suits the picture
+    void meteringAsked();  // asks for an exposure that suits the picture
     void lookedAt();       // emitted before an edit that needs the current camera
 
   private:

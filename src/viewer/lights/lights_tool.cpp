@@ -40,7 +40,7 @@ bool LightsTool::press(const PicturePlace& place) {
     if (place.withShift) return false;
     const auto light = lightAt(place);
     if (!light) return false;
-    session_.endDrag();  // of what was dragged before
+    session_.endDrag();  // ends the undo step of an earlier drag
     editing_.choose(*light);
     grabbed_ = place.at - places(place.picture)[*light];
     pressedAt_ = place.at;
@@ -53,17 +53,17 @@ void LightsTool::move(const PicturePlace& place) {
     if (!grabbed_ || light == nullptr || !stand) return;
     const glm::dvec3 direction =
         scene::directionOnDome(place.at - *grabbed_, stand->eye, place.picture.aspect);
-    // What is refused leaves the light where it is.
+    // A refused move leaves the light where it is.
     [[maybe_unused]] const Result<void> moved = editing_.drag(scene::shiningFrom(*light, direction, *stand));
 }
 
-// Who only chooses a light changes nothing.
+// A click that only chooses a light must not move it.
 void LightsTool::release(const PicturePlace& place) {
     if (place.at != pressedAt_) move(place);
     giveUp();
 }
 
-// What was dragged so far stays: it can be undone.
+// Keeps the drag so far: a person can undo it.
 void LightsTool::giveUp() {
     grabbed_.reset();
     session_.endDrag();

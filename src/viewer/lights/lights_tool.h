@@ -29,11 +29,11 @@ class LightsTool : public QObject, public PictureTool {
 
   private:
     std::optional<std::size_t> lightAt(const PicturePlace& place) const;
-    std::vector<glm::dvec2> places(const PictureGeometry& picture) const;  // of all lights
+    std::vector<glm::dvec2> places(const PictureGeometry& picture) const;  // of the handles of all lights
 
     StudyEditor& session_;
     LightsEditing& editing_;
-    std::optional<glm::dvec2> grabbed_;  // the pointer's offset: minus this, the old place
+    std::optional<glm::dvec2> grabbed_;  // from the handle to the pointer, when it was grabbed
     glm::dvec2 pressedAt_{0.0};
 };
 

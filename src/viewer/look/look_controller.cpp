@@ -68,7 +68,7 @@ void LookController::addShading() {
     });
 }
 
-// How values between voxels are found; of looks that show matter.
+// The filters between voxels; for looks that show matter, not for projections.
 void LookController::addFilters() {
     struct Choice {
         trace::Filter filter;
@@ -99,7 +99,7 @@ void LookController::addFilters() {
     });
 }
 
-// How light that is brighter than the screen is shown; a projection shows values as they are.
+// How the screen shows light brighter than white; projections show values unchanged.
 void LookController::addToneMap() {
     QAction* keepsHue = menu_->addAction(tr("Keep &Hues of Highlights"));
     keepsHue->setObjectName(QStringLiteral("keep-hues"));

@@ -1,4 +1,4 @@
-// The Look menu: how the volume is drawn, how values between voxels are found, and what window they have.
+// The Look menu: how the volume is drawn, the filter between voxels, and the display window.
 #pragma once
 
 #include <QObject>
@@ -26,7 +26,7 @@ class LookController : public QObject {
     void addFilters();
     void addToneMap();
     void addWindow();
-    void showChosen();  // in the menu, as the session has it
+    void showChosen();  // checks the session's choices in the menu
     void showUsable();
 
     WindowContext context_;

@@ -1,4 +1,4 @@
-// The view in 3D: its sides, cube and scale, its rays, and what a hand in it does to the transfer function.
+// The 3D view: menu entries for its camera, marks and rays, and drags that edit the transfer function.
 #pragma once
 
 #include <QObject>
@@ -22,7 +22,7 @@ class View3dController : public QObject {
     // `transfer` lives until the window's destructor.
     View3dController(const WindowContext& context, const TransferFunctionEditor& transfer);
 
-    void redraw();                // after another choice, in the same study
+    void redraw();                // after a choice was changed in the same study
     void addCamera(QMenu& view);  // standard views, and "Fit what is visible"
     void addMarks(QMenu& view);
     void addGaze(QMenu& view);

@@ -21,7 +21,7 @@ class ChoiceMenu : public QMenu {
     void choose(int index);  // does not emit changed; -1: none
 
   Q_SIGNALS:
-    void changed(int index);  // by a person
+    void changed(int index);  // only when a person chooses
 
   private:
     QActionGroup group_;

@@ -44,7 +44,7 @@ void ModelExport::cancel() {
     if (job_.cancel() || wasExpected) Q_EMIT ended();
 }
 
-// A study that is closed does not stay in memory for a model that was saved of it.
+// Otherwise a closed study would stay in memory after its model was saved.
 void ModelExport::forgetStudy() {
     request_.volume.reset();
     request_.drawing = {};

@@ -21,7 +21,7 @@ class ModelExport : public QObject {
     struct Request {
         std::filesystem::path path;
         bool displayColours = false;
-        std::shared_ptr<const Volume> volume{};  // volume and drawing when it was asked for
+        std::shared_ptr<const Volume> volume{};  // both as they were when a person asked for the file
         scene::Drawing drawing{};
     };
     // `number` is FrameInput::modelRequests of the request.

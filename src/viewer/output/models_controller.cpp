@@ -17,7 +17,7 @@ namespace macula::viewer {
 
 namespace {
 
-// A kind of file, and whether colours in it are as displayed.
+// A kind of file, and whether it stores display colours.
 struct ModelFilter {
     const char* title;
     const char* suffix;
@@ -80,7 +80,7 @@ void ModelsController::askWhereToSave() {
             [dialog, chosen] { dialog->setDefaultSuffix(QLatin1String(chosen().suffix)); });
     context_.files.ask(dialog, FolderKind::models, [this, chosen](const QString& file) {
         const bool holdsTraining = file.endsWith(QLatin1String(".macula"), Qt::CaseInsensitive);
-        // Of what is drawn now: the model is that of now too.
+        // Takes the drawing of this moment, because the model will be that of this moment, too.
         export_->expect({.path = file.toStdString(),
                          .displayColours = chosen().displayColours && !holdsTraining,
                          .volume = context_.session.study().volume,

@@ -1,4 +1,4 @@
-// The window's peripheral model as a file.
+// Saves the window's peripheral model as a file.
 #pragma once
 
 #include <QObject>

@@ -15,7 +15,7 @@ namespace {
 
 const QString kVideo = QStringLiteral("movie.mp4");
 
-// What is left, from how long the part that is done took.
+// The time left, estimated from the time that the finished part took.
 QString leftText(qint64 elapsedMs, double fraction) {
     if (!(fraction > 0.0)) return {};
     const double leftS = double(elapsedMs) / 1000.0 * (1.0 - fraction) / fraction;

@@ -42,7 +42,7 @@ class MovieExport : public QObject {
     void finish(const QString& aboutVideo);
 
     std::string preferredDevice_;
-    // Of the last request; volume and names are kept by the job only.
+    // These three are from the last request; only the job keeps its volume and names.
     QString folder_;
     double picturesPerS_ = 0.0;
     bool wantsVideo_ = false;

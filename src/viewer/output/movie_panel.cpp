@@ -158,7 +158,7 @@ bool MoviePanel::isClosed() const {
 std::optional<scene::CameraPath> MoviePanel::pathFrom(const Camera& camera) const {
     if (isTurntable()) {
         if (degrees() == 0.0) return scene::CameraPath{{{.atS = 0.0, .camera = camera}}};
-        // The turntable goes to the left; the other way it is the same, looked at backwards.
+        // scene::turntable turns to the left; the other way is the same path backwards.
         scene::CameraPath path = scene::turntable(camera, 360.0 * seconds() / std::abs(degrees()), seconds());
         if (degrees() > 0.0) return path;
         const scene::OrbitCamera from = scene::orbitCameraOf(camera);
@@ -194,7 +194,7 @@ void MoviePanel::addView() {
     list_->setCurrentRow(list_->count() - 1);
 }
 
-// Those behind it come sooner by the time that it took.
+// The views after the removed one move forward by its duration.
 void MoviePanel::removeView() {
     const int row = list_->currentRow();
     if (row < 0 || std::size_t(row) >= views_.stops.size()) return;

@@ -27,21 +27,22 @@ class MoviePanel : public QWidget {
     explicit MoviePanel(std::function<std::optional<Camera>()> camera, QWidget* parent = nullptr);
 
     bool isTurntable() const { return kinds_->currentIndex() == 0; }
-    double degrees() const { return degrees_->value(); }  // of a turntable; below 0: to the patient's right
+    // The turntable's angle; below 0: to the patient's right.
+    double degrees() const { return degrees_->value(); }
     double seconds() const { return seconds_->value(); }
     double picturesPerS() const { return rate_->value(); }
     int frames() const;
     QSize sizePx() const { return {width_->value(), height_->value()}; }
     std::string quality() const;  // by name: pictures::EffortRequest
     bool withLetters() const { return letters_->isChecked(); }
-    bool withNames() const { return names_->isChecked(); }  // of patient and study
+    bool withNames() const { return names_->isChecked(); }  // names of patient and study
     bool wantsVideo() const { return video_->isEnabled() && video_->isChecked(); }
     // Whether the machine can encode a video; if not, the panel says so before drawing.
     void setHasEncoder(bool hasEncoder);
 
     // The chosen path, for a turntable from that camera; nothing for a path without views. Lasts seconds().
     std::optional<scene::CameraPath> pathFrom(const Camera& camera) const;
-    // Whole turns: the picture after the last is the first again.
+    // Whether the turntable makes whole turns, so that the first picture also follows the last.
     bool isClosed() const;
 
     const scene::CameraPath& views() const { return views_; }
@@ -51,8 +52,8 @@ class MoviePanel : public QWidget {
 
   Q_SIGNALS:
     void drawAsked();
-    void openAsked();  // a path from a file
-    void saveAsked();  // to one
+    void openAsked();  // to open a path from a file
+    void saveAsked();  // to save the path to a file
 
   private:
     void addChoices();

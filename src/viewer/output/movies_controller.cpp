@@ -31,7 +31,7 @@ MoviesController::MoviesController(const WindowContext& context)
       })),
       export_(new MovieExport(context.device, this)),
       bar_(new WorkBar) {
-    auto* scrolled = new QScrollArea;  // a low window stays low
+    auto* scrolled = new QScrollArea;  // so that the panel does not force the window to grow
     scrolled->setFocusPolicy(Qt::NoFocus);
     scrolled->setWidgetResizable(true);
     scrolled->setFrameShape(QFrame::NoFrame);
@@ -73,7 +73,7 @@ void MoviesController::cancel() {
     export_->cancel();
 }
 
-// Views of one patient mean nothing for the next.
+// Views of one patient make no sense for the next.
 void MoviesController::onStudyShown() {
     panel_->setViews({});
 }
@@ -85,7 +85,7 @@ void MoviesController::askWhereToDraw() {
     const study::OpenedStudy& study = context_.session.study();
     const auto path = panel_->pathFrom(toCamera(context_.viewport.camera()));
     if (!path) return;
-    // What is on screen now: while a person looks for a folder another study may come.
+    // Takes what is on screen now: while a person looks for a folder, another study may open.
     MovieRequest request;
     request.sequence.picture.volume = study.volume;
     request.sequence.picture.seriesDigest = study.seriesDigest;

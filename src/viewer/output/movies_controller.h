@@ -15,7 +15,7 @@ class MovieExport;
 class MoviePanel;
 class WorkBar;
 
-// A movie is of what is on screen when a person asks for it. Lives on the UI thread.
+// A movie shows what is on screen when a person asks for it. Lives on the UI thread.
 class MoviesController : public QObject {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ class MoviesController : public QObject {
     explicit MoviesController(const WindowContext& context);
 
     QWidget* panel() const { return scrolled_; }
-    void setDock(QDockWidget& dock);  // of the panel
+    void setDock(QDockWidget& dock);  // the panel's dock
     WorkBar* bar() const { return bar_; }
     void addActions(QMenu& file);
 

@@ -24,7 +24,7 @@ QSpinBox* side(QWidget* parent, int px, const QString& name) {
     return box;
 }
 
-// At 0, its least, there is none.
+// The minimum 0 means no effect.
 QDoubleSpinBox* effectMm(QWidget* parent, double most, const QString& name, const QString& does) {
     auto* box = new QDoubleSpinBox(parent);
     box->setRange(0.0, most);
@@ -93,7 +93,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     lens_->setObjectName(QStringLiteral("picture-lens"));
     fog_->setObjectName(QStringLiteral("picture-fog"));
     overlays_->setObjectName(QStringLiteral("picture-overlays"));
-    // A picture that leaves this window without its sides can be taken for its mirror image.
+    // Without its sides, a picture outside this window can be mistaken for its mirror image.
     overlays_->setChecked(true);
     overlays_->setToolTip(tr(
         "From where the patient is seen, and how many mm or cm something is long, over the picture. Pictures "

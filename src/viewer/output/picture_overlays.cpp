@@ -14,7 +14,7 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr double kUsualScreenPx = 720.0;  // the shorter side of a picture whose marks are as on a screen
+constexpr double kUsualScreenPx = 720.0;  // a picture with this shorter side has marks in screen size
 
 scene::EdgeLetters lettersOf(const CameraBasis& axes) {
     return {.left = orientationLetters(-axes.right),
@@ -23,7 +23,7 @@ scene::EdgeLetters lettersOf(const CameraBasis& axes) {
             .bottom = orientationLetters(-axes.up)};
 }
 
-// What of the marks is painted, at its place in the picture.
+// One box of the marks, at its position in the picture.
 pictures::Stamp stampOf(const live::PictureText& marks, std::size_t index) {
     const VkRect2D& box = marks.boxes[index];
     pictures::Stamp stamp{.atPx = {marks.places[index].x, marks.places[index].y},

@@ -22,7 +22,7 @@ namespace macula::viewer {
 
 namespace {
 
-// One of those that the volume was made of.
+// One of the images from which the volume was read.
 std::optional<dicom::SecondaryCapture::Source> imageOf(const study::OpenedStudy& study) {
     if (!study.found) return std::nullopt;
     const auto& frames = study.found->volumes().at(study.volumeIndex).stack->frames;
@@ -69,7 +69,7 @@ void PicturesController::askHowToSave() {
         return;
     context_.viewport.window().endDrag();
     const bool is3dShown = panes_.isShown(Pane::volume);
-    // The window of a picture that is not shown has no size that means anything.
+    // The size of a hidden 3D window means nothing.
     auto* dialog = new PictureDialog(
         is3dShown ? context_.viewport.pictureSize() : panes_.size() * panes_.devicePixelRatioF(),
         &context_.window);
@@ -88,7 +88,7 @@ void PicturesController::askWhereToSave(const PictureDialog& how) {
         QStringLiteral("png"), QStringLiteral("picture"));
     FileDialogs::followFilter(*dialog);
     const study::OpenedStudy& study = context_.session.study();
-    // What is on screen now: while a person looks for a folder another study may come.
+    // Takes what is on screen now: while a person looks for a folder, another study may open.
     pictures::ViewPicture picture{.volume = study.volume,
                                   .seriesDigest = study.seriesDigest,
                                   .drawing = context_.shown.drawing(),

@@ -1,4 +1,4 @@
-// Pictures of the 3D view that are saved.
+// Saves pictures of the 3D view.
 #pragma once
 
 #include <QObject>
@@ -16,7 +16,7 @@ class PictureExport;
 class SettingsController;
 class WorkBar;
 
-// A picture is of what is on screen when a person asks for it. Lives on the UI thread.
+// A picture shows what is on screen when a person asks for it. Lives on the UI thread.
 class PicturesController : public QObject {
     Q_OBJECT
 

@@ -17,7 +17,7 @@ Error tooLarge() {
             Text("Close other programs.")};
 }
 
-// Of a library or a file system, in words that may be those of a path: they are not told.
+// Hides the message of a library or file system, which may contain a path.
 Error notWritten() {
     return {ErrorCode::outputNotWritable,
             Text("The presentation state could not be written."),

@@ -26,14 +26,15 @@ class PresentationFiles : public QObject {
     void save(const std::filesystem::path& path, scene::PresentationRequest request);
     void cancelSaving() { saving_.cancel(); }
     bool saving() const { return saving_.running(); }
-    // Opens one for the open volume of these images (study::imagesOf); `usual` supplies what the file omits.
-    // Its whole view fits a picture of that aspect; 0: not known.
+    // Opens a presentation state of a 3D view. It must refer to `images`, those of the open volume
+    // (study::imagesOf); `usual` supplies what the file omits. The camera is widened so that a picture of
+    // this aspect shows the whole view; 0: unknown.
     void open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
               std::string seriesDigest, std::vector<dicom::ReferencedFrames> images, scene::StudyState usual,
               double aspectWidthOverHeight = 0.0);
-    // Opens one of slices for the open study; `usual` supplies what the file omits.
+    // Opens a presentation state of slices of the open study; `usual` supplies what the file omits.
     void openOnSlices(const std::filesystem::path& path, study::OpenedStudy study, scene::SliceState usual);
-    // Cancels what is being opened, for example when another study is shown; no signal follows.
+    // Cancels an opening, for example when another study is shown; no signal follows.
     void cancelOpening();
 
   Q_SIGNALS:

@@ -76,13 +76,13 @@ void PresentationsController::open(const std::filesystem::path& path) {
     std::vector<dicom::ReferencedFrames> images;
     if (shown.found) images = study::imagesOf(*shown.found->volumes().at(shown.volumeIndex).stack);
     scene::StudyState usual = uses_.states.state();
-    // It is of the 3D view, which may be hidden.
+    // The file describes the 3D view, which may be hidden.
     if (usual.layout != scene::Layout::volume) usual.layout = scene::Layout::fourPanes;
     files_->open(path, shown.volume, shown.seriesDigest, std::move(images), std::move(usual),
                  context_.viewport.aspect());
 }
 
-// Those of the list of studies: their series is opened first, unless it is on screen.
+// Shows presentation states from the study browser: opens their series first, unless it is on screen.
 void PresentationsController::connectList() {
     connect(&uses_.browser, &StudyBrowser::presentationChosen, this,
             [this](const study::StudyRow::Presentation& chosen) {
@@ -122,7 +122,7 @@ void PresentationsController::showListed(const study::StudyRow::Presentation& li
     }
 }
 
-// Zoom and place are of the pane, and no part of what can be undone.
+// Zoom and position belong to the pane, and cannot be undone.
 void PresentationsController::showOnSlices(const scene::SoftcopyOnSlices& shown, const QStringList& notes) {
     context_.session.change(tr("Presentation state"), [&](scene::StudyState& next) {
         next.slices = shown.slices;
@@ -143,7 +143,7 @@ void PresentationsController::askHowToSave() {
         return context_.notifications.refuse(
             tr("A presentation state refers to DICOM images, and none are open."),
             tr("Open a folder with DICOM files, or save the view."));
-    // What is on screen now: while a person answers another study may come.
+    // Takes what is on screen now: while a person answers, another study may open.
     const study::FoundVolume& shown = study().found->volumes().at(study().volumeIndex);
     auto images = scene::presentedImages(*shown.series, *shown.stack);
     if (!images) return context_.notifications.showError(images.error());

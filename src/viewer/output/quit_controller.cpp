@@ -11,7 +11,7 @@
 
 namespace macula::viewer {
 
-// What of it goes wrong is to be read: the window stays.
+// If a file fails, the window stays open, so that a person can read the error.
 QuitController::QuitController(const WindowContext& context) : QObject(&context.window), context_(context) {
     connect(&context_.notifications, &Notifications::failed, this, &QuitController::stay);
 }
@@ -35,12 +35,12 @@ bool QuitController::mayClose() {
         asked->raise();
         return false;
     }
-    context_.viewport.window().endDrag();  // the dialog will see the button go up
+    context_.viewport.window().endDrag();  // the dialog gets the button's release
     askToQuit(
         &window, sentences,
         [this] {
             quitsWhenDone_ = true;
-            if (unfinished().isEmpty()) context_.window.close();  // it was done while the question stood
+            if (unfinished().isEmpty()) context_.window.close();  // it was finished before the answer
         },
         [this] {
             for (const Writing& each : writers_) each.cancel();

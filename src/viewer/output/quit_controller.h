@@ -1,4 +1,4 @@
-// The end of the program: what is being written is finished first, unless a person says otherwise.
+// Quits the program, but finishes the files that are being written first, unless a person says otherwise.
 #pragma once
 
 #include <QObject>
@@ -19,7 +19,7 @@ class QuitController : public QObject {
   public:
     explicit QuitController(const WindowContext& context);
 
-    // Waits for the files of this controller, which outlives the window's last question.
+    // Quitting waits for the files of `writer`, which must outlive the window's last question.
     template <class Writer>
     void waitFor(Writer& writer) {
         writers_.push_back({[&writer] { return writer.unfinished(); }, [&writer] { writer.cancel(); }});
@@ -29,7 +29,8 @@ class QuitController : public QObject {
     }
 
     QStringList unfinished() const;  // sentences: work that quitting would lose
-    // Asks, without blocking, while something is being written: then the window is not to be closed yet.
+    // Whether the window may close now. If something is being written it returns false, and asks without
+    // blocking.
     bool mayClose();
 
   private:

@@ -17,15 +17,15 @@ struct Kind {
     const char* codec;
     std::array<const char*, 2> quality;
 };
-// All of them are MP4. The last is in every build of the encoder.
+// Each writes MP4. Every build of the encoder has the last one.
 constexpr std::array<Kind, 3> kKinds{
     {{"libx264", {"-crf", "18"}}, {"libopenh264", {"-b:v", "12M"}}, {"mpeg4", {"-q:v", "2"}}}};
 
-// As the encoder counts them: frame-%04d.png.
+// The encoder's pattern for file names: frame-%04d.png.
 QString pattern(int frames) {
     const QString last = QString::fromStdString(pictures::frameName(frames - 1, frames));
     const auto digits = last.size() - QStringLiteral("frame-.png").size();
-    // Not by arg(), to which "%0" is a place too.
+    // Not with arg(), which would replace "%0".
     return QStringLiteral("frame-%0") + QString::number(digits) + QStringLiteral("d.png");
 }
 
@@ -41,7 +41,7 @@ QString VideoEncoder::find(const QString& program) {
     return QStandardPaths::findExecutable(program);
 }
 
-// Names are relative to the folder, whose own name may have any letters.
+// Names are relative to the folder, whose own name may contain any characters.
 QStringList VideoEncoder::argumentsFor(const VideoRequest& request, std::size_t kind) {
     if (kind >= kKinds.size() || request.frames < 1) return {};
     const Kind& with = kKinds.at(kind);
@@ -124,7 +124,7 @@ void VideoEncoder::onFinished(bool isDone) {
     }
     QFile::remove(partName());
     ++kind_;
-    startKind();  // another kind, which it may have
+    startKind();  // the encoder may have this one
 }
 
 void VideoEncoder::cancel() {

@@ -15,8 +15,8 @@ struct VideoRequest {
     QString fileName;  // in that folder, .mp4; must not exist
 };
 
-// Tries H.264 and then MPEG-4, until the encoder has one. Runs it as a process without a shell. Lives on the
-// UI thread.
+// Encodes H.264, or MPEG-4 if the encoder has no H.264. Runs the encoder as a process without a shell. Lives
+// on the UI thread.
 class VideoEncoder : public QObject {
     Q_OBJECT
 

@@ -1,4 +1,4 @@
-// Views: all that was chosen, with the camera, saved and opened again.
+// Saves views and opens them again: everything that a person chose, with the camera.
 #pragma once
 
 #include <QObject>

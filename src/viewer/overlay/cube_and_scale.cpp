@@ -21,12 +21,12 @@ constexpr int kMarginPx = 8;
 constexpr int kWidthPx = 124;
 constexpr int kCubePx = 72;  // the square that the cube turns in
 constexpr int kBarRowPx = 26;
-constexpr int kBadgeRowPx = 15;  // that the bar is not calibrated
-constexpr int kAboutPx = 16;     // the sign before its length
+constexpr int kBadgeRowPx = 15;  // the line that says that the bar is not calibrated
+constexpr int kAboutPx = 16;     // the "≈" before the length
 constexpr int kBarPx = 108;      // the longest bar
 constexpr int kTickPx = 5;
 constexpr int kFontPx = 12;
-constexpr double kLeastTimes = 2.5;  // the picture is so many times as wide and as high as the marks
+constexpr double kLeastTimes = 2.5;  // the picture is at least this many times as large as the marks
 
 constexpr double kLetterOfFace = 1.3;  // height of a letter, in halves of an edge
 const QColor kInk(235, 235, 235);
@@ -38,7 +38,7 @@ struct Layout {
     QRect box;  // device pixels, in the picture
 
     int px(double logical) const { return std::max(1, int(std::lround(logical * ratio))); }
-    // Of the cube, from the top left of the box.
+    // The middle of the cube, from the top left of the box.
     QPointF cubeMiddle() const { return {0.5 * box.width(), 0.5 * px(kCubePx)}; }
     double halfEdge() const { return 0.5 * px(kCubePx) / scene::kCubeReach; }
 };
@@ -63,7 +63,7 @@ QPointF pointOf(const glm::dvec2& v) {
     return {v.x, v.y};
 }
 
-// Whose middle is the origin, as high as `height`, with y down.
+// The path of a letter of this height, centred on the origin, with y down.
 QPainterPath letterPath(const QString& letter, const QFont& font, double height) {
     QPainterPath path;
     path.addText({}, font, letter);
@@ -113,7 +113,7 @@ void paintBar(QPainter& painter, const ScaleBar& bar, bool isTrueEverywhere, con
     painter.drawText(row, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextDontClip, text);
 }
 
-// Left and right end of what is painted in rows [top, bottom) of an image; nothing where nothing is.
+// The left and right end of the painted pixels in rows [top, bottom) of an image; nothing if there are none.
 std::optional<std::pair<int, int>> paintedIn(const QImage& image, int top, int bottom) {
     int left = image.width();
     int right = -1;
@@ -129,8 +129,8 @@ std::optional<std::pair<int, int>> paintedIn(const QImage& image, int top, int b
     return std::pair(left, right + 1);
 }
 
-// Of the cube what it covers and no more, row by row: it is convex, so that a row has no gap. Below it, from
-// `barTop`, the bar with its text in one box.
+// Covers the cube exactly, row by row: it is convex, so a row has no gap. Below it, from `barTop`, one box
+// covers the bar and its text.
 std::vector<VkRect2D> boxesOf(const QImage& image, int barTop) {
     std::vector<VkRect2D> boxes;
     const auto add = [&](int top, int bottom) {

@@ -31,8 +31,8 @@ std::optional<ScaleBar> scaleBarOf(const MarkedPicture& picture);
 // QGuiApplication.
 std::shared_ptr<const live::PictureText> paintCubeAndScale(const MarkedPicture& picture);
 
-// The side of the cube at a place in the picture: -1 to 1, right and up are positive. Nothing beside the cube
-// or without a cube.
+// The side of the cube at a place in the picture: -1 to 1, right and up are positive. Nothing outside the
+// cube or without a cube.
 std::optional<ViewDirection> cubeSideAt(const MarkedPicture& picture, QPointF place);
 
 }  // namespace macula::viewer

@@ -12,7 +12,7 @@ namespace {
 
 const QColor kHalo(0, 0, 0, 190);
 constexpr double kHaloPx = 1.5;       // on each side
-constexpr double kMostKeptPx = 2048;  // of a text's width
+constexpr double kMostKeptPx = 2048;  // wider texts are not cached
 
 void paintText(QPainter& painter, const QFont& font, const QPointF& at, const QString& text,
                const QColor& ink) {
@@ -22,7 +22,7 @@ void paintText(QPainter& painter, const QFont& font, const QPointF& at, const QS
     painter.fillPath(path, ink);
 }
 
-// The text with its halo, and where its base line begins in it.
+// The text with its halo, and the start of its base line in the picture.
 struct KeptText {
     QPixmap picture;
     QPointF begin;
@@ -33,7 +33,7 @@ KeptText keptText(const QPainter& on, const QString& text, const QColor& ink, do
     const double edge = std::ceil(kHaloPx) + 1.0;
     KeptText kept{.picture = {},
                   .begin = {edge + std::ceil(-letters.left()), edge + std::ceil(-letters.top())}};
-    // A font of so many points has as many pixels as the screen says, which its own key does not.
+    // How many pixels a size in points has depends on the screen, which font.key() does not contain.
     const QString key = QStringLiteral("macula haloed text|%1|%2|%3|%4|%5")
                             .arg(font.key())
                             .arg(on.device()->logicalDpiY())
@@ -63,15 +63,15 @@ void drawHaloed(QPainter& painter, const QPainterPath& path, const QColor& ink, 
     painter.strokePath(path, QPen(ink, widthPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
-// To outline letters costs more than all else on a slice, and most of them stay as they are from one picture
-// to the next.
+// Caches texts: outlining letters costs more than everything else on a slice, and most texts do not change
+// between pictures.
 void drawHaloedText(QPainter& painter, const QPointF& at, const QString& text, const QColor& ink) {
     const bool isShifted = painter.transform().type() <= QTransform::TxTranslate;
     if (!isShifted || QFontMetricsF(painter.font()).horizontalAdvance(text) > kMostKeptPx)
         return paintText(painter, painter.font(), at, text, ink);
     const double pixelRatio = painter.device()->devicePixelRatioF();
     const KeptText kept = keptText(painter, text, ink, pixelRatio);
-    // On whole pixels of the device: letters stay sharp.
+    // Aligned to device pixels, so that letters stay sharp.
     const auto whole = [&](double px) { return std::round(px * pixelRatio) / pixelRatio; };
     painter.drawPixmap(QPointF(whole(at.x() - kept.begin.x()), whole(at.y() - kept.begin.y())), kept.picture);
 }

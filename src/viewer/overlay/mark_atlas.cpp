@@ -11,7 +11,7 @@ namespace macula::viewer {
 namespace {
 
 const QColor kPaper(12, 12, 12);
-constexpr int kPaintedAlpha = 96;  // the rim of a halo that is fainter is not missed
+constexpr int kPaintedAlpha = 96;  // a fainter rim of a halo is not missed
 
 bool isPainted(const QImage& image, int x, int y) {
     return qAlpha(reinterpret_cast<const QRgb*>(image.constScanLine(y))[x]) >= kPaintedAlpha;

@@ -13,8 +13,8 @@ using slices::Distance;
 using slices::Ellipse;
 using slices::Measurement;
 
-constexpr std::size_t kCentre = 4;  // of the handles of an ellipse
-constexpr int kEllipseSides = 96;   // at a radius of 500 pixels a quarter of a pixel off the curve
+constexpr std::size_t kCentre = 4;  // index of an ellipse's centre handle
+constexpr int kEllipseSides = 96;   // within a quarter of a pixel at a radius of 500
 
 glm::dvec3 pointOf(const Ellipse& ellipse, const glm::dvec2& radii) {
     return ellipse.plane.centreMm + ellipse.plane.right * (radii.x * ellipse.radiiMm.x) +

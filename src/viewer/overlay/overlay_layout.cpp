@@ -15,14 +15,14 @@ namespace {
 constexpr double kMarginPx = 8.0;  // logical, as all below
 constexpr int kFontPx = 13;
 constexpr int kLetterPx = 16;
-constexpr double kAroundTextPx = 2.0;  // that the cross-hair leaves free
+constexpr double kAroundTextPx = 2.0;  // which the cross-hair leaves free
 constexpr double kGapPx = 4.0;
 constexpr double kLongestBarPx = 120.0;
 constexpr double kLongestBarOfPane = 0.3;
 constexpr double kBarTickPx = 5.0;
-constexpr qsizetype kMostLines = 4;           // of one text that must not be cut off
-constexpr double kNamesOfHeight = 0.2;        // of the pane
-constexpr QSizeF kPaneOfUsualFont{200, 160};  // in smaller ones no font is larger than usual
+constexpr qsizetype kMostLines = 4;           // a text wraps to at most this many
+constexpr double kNamesOfHeight = 0.2;        // share of the pane's height
+constexpr QSizeF kPaneOfUsualFont{200, 160};  // smaller panes have no font larger than usual
 const QColor kInk(235, 235, 235);
 
 double widthOf(const QFont& font, const QString& text) {
@@ -52,7 +52,7 @@ QStringList piecesOf(const QString& text, const QFont& font, double roomPx) {
     return widest(font, phrases) <= roomPx ? phrases : splitAfter({});
 }
 
-// Places everything with so many names and facts.
+// One attempt to place all texts, with a given number of names and facts.
 class Attempt {
   public:
     Attempt(const SliceOverlay& overlay, const QSize& size, const QFont& font, double scale)
@@ -63,7 +63,8 @@ class Attempt {
           lineHeight_(QFontMetricsF(font).height()),
           sides_(placeSides(edgeLetters(overlay.frame.plane), size, font, scale)) {}
 
-    // Whether texts from above and from below leave each other, and names the letters, free.
+    // Places the texts. Returns whether those from above and from below do not overlap, and the names do not
+    // reach the letters.
     bool place(qsizetype names, qsizetype facts);
     OverlayLayout take();
 
@@ -100,7 +101,7 @@ Attempt::Row Attempt::roomAt(double top) const {
     return room;
 }
 
-// The top of a row of so long a text that begins at a side: beyond each letter that it would come upon.
+// Where a row of text that begins at a side has its top: moved past each letter that it would overlap.
 double Attempt::clearOfLetters(double top, double textPx, bool down) const {
     const auto pass = [&](const std::optional<PlacedText>& letter, double roomPx) {
         if (!letter || textPx <= roomPx) return;
@@ -120,7 +121,7 @@ double Attempt::clearOfLetters(double top, double textPx, bool down) const {
 }
 
 void Attempt::put(const QString& text, double top, const Row& room, OverlayPart part, bool atRight) {
-    // Of a number or a name the end tells it from others as often as the beginning.
+    // The end of a number or name identifies it as often as the beginning.
     const auto elide = part == OverlayPart::name ? Qt::ElideMiddle : Qt::ElideRight;
     const QFontMetricsF metrics(font_);
     const QString shown = metrics.elidedText(text, elide, std::max(room.right - room.left, 0.0));
@@ -141,7 +142,7 @@ double Attempt::placeFromAbove(const QStringList& lines, OverlayPart part, doubl
     return top;
 }
 
-// The last line stands lowest. Its top is told, of all of them.
+// Places the last line lowest. Returns the top of the block.
 double Attempt::placeFromBelow(const QStringList& lines) {
     double top = height_ - kMarginPx;
     for (auto line = lines.crbegin(); line != lines.crend(); ++line) {
@@ -151,7 +152,7 @@ double Attempt::placeFromBelow(const QStringList& lines) {
     return top;
 }
 
-// Above the facts where they leave no room beside them. It goes where it would come upon another text.
+// Above the facts if they leave no room beside them. Omitted if it would overlap another text.
 void Attempt::placeScale(double factsTop) {
     const double mostPx = std::min(kLongestBarPx, kLongestBarOfPane * width_);
     auto bar = scaleBar(overlay_.frame.mmPerPixel * overlay_.pixelRatio, mostPx, overlay_.isCalibrated);
@@ -192,7 +193,7 @@ bool Attempt::place(qsizetype names, qsizetype facts) {
         if (*letter) layout_.texts.push_back(**letter);
     const double tagsEnd = placeFromAbove(tags, OverlayPart::tag, kMarginPx, false);
     const double namesEnd = placeFromAbove(shownNames, OverlayPart::name, tagsEnd, false);
-    // Below the names where both do not fit beside each other.
+    // Notes go below the names if both do not fit beside each other.
     const double besidePx = std::max(widest(font_, tags), widest(font_, shownNames)) + widest(font_, notes);
     const bool fitsBeside = besidePx + 2.0 * kMarginPx < roomPx();
     const double end =
@@ -204,7 +205,7 @@ bool Attempt::place(qsizetype names, qsizetype facts) {
 }
 
 OverlayLayout Attempt::take() {
-    // Letters lie above all else.
+    // The side letters are drawn last, above everything else.
     std::ranges::stable_partition(layout_.texts,
                                   [](const PlacedText& each) { return each.part != OverlayPart::side; });
     return std::move(layout_);

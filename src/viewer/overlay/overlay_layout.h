@@ -18,8 +18,8 @@ namespace macula::viewer {
 
 inline const QColor kNoteInk(255, 190, 90);  // of notes and warnings, and of what they refer to
 
-// By importance. Notes and tags are always placed, side letters as in placeSides. The scale, names and facts
-// go first for lack of room, in that order.
+// By importance. Notes and tags are always placed, side letters as in placeSides. If room is short, the
+// scale, names and facts are omitted, in that order.
 enum class OverlayPart { side, note, tag, fact, name, scale };
 
 // A line of text, and the start of its base line.
@@ -48,8 +48,8 @@ struct OverlayLayout {
     std::optional<QRectF> scaleBar = {};  // its height is that of the ticks
 };
 
-// Leaves out the texts of measurements, which stay beside them. `scale`: the person's font scale; letters
-// shrink to their usual size before lines are omitted.
+// Does not place the texts of measurements, which are drawn beside their lines. `scale`: the person's font
+// scale; letters shrink to their usual size before lines are omitted.
 OverlayLayout layOut(const SliceOverlay& overlay, const QSize& size, const QFont& font, double scale);
 
 // The font of text lines in a pane of that size.

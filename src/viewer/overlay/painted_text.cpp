@@ -31,13 +31,13 @@ QStringList harmlessOf(const std::vector<std::string>& lines) {
     return shown;
 }
 
-// From the upper left corner on; below the letter in the middle where a line in its height would reach it.
+// Places lines from the upper left corner down; a line that would reach the middle letter goes below it.
 std::vector<PlacedText> place(const LinesOver& lines, const QSize& size) {
     const QFont font = overlayFont(QGuiApplication::font(), size, fontScaleOverPictures());
     const QFontMetricsF metrics(font);
     const double roomPx = size.width() - 2.0 * kMarginPx;
     if (roomPx < kLeastRoomPx) return {};
-    // As wide as letters get: three of them.
+    // The widest label that the top can have: three letters.
     const auto letter = placeSides({.left = "R", .right = "L", .top = "SAR", .bottom = "I"}, size, font,
                                    fontScaleOverPictures())
                             .top;

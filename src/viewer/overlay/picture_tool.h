@@ -35,7 +35,7 @@ class PictureTool {
     virtual void move(const PicturePlace& place) = 0;   // while it holds
     virtual void release(const PicturePlace& place) = 0;
     virtual void giveUp() = 0;
-    // Whether a drag changes the picture, so that frames must be fast.
+    // Whether a drag changes the picture; then frames must be fast.
     virtual bool changesPicture() const = 0;
 
     // The cursor over `place` while no tool holds; nothing: the usual one.

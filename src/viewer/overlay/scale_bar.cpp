@@ -10,7 +10,7 @@ namespace macula::viewer {
 std::optional<ScaleBar> scaleBar(double mmPerPx, double mostPx, bool isCalibrated) {
     const double mostMm = mmPerPx * mostPx;
     if (!(mmPerPx > 0.0) || !(mostMm > 0.0) || !std::isfinite(mostMm)) return std::nullopt;
-    constexpr double kRounding = 1e-9;  // 100 mm must not become 50 for the sake of the last bit
+    constexpr double kRounding = 1e-9;  // or rounding in the last bit could turn 100 mm into 50
     const double power = std::pow(10.0, std::floor(std::log10(mostMm) + kRounding));
     double lengthMm = power;
     for (const double times : {2.0, 5.0})

@@ -16,7 +16,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr double kMarginPx = 8.0;         // logical, as all below
-constexpr double kCrosshairGapPx = 14.0;  // to each side: what lies under the cross is seen
+constexpr double kCrosshairGapPx = 14.0;  // on each side, so that the centre stays visible
 constexpr double kHandlePx = 3.5;
 const QColor kInk(235, 235, 235);
 const QColor kMeasureInk(120, 210, 255);
@@ -26,8 +26,8 @@ QColor inkOf(const ShownMeasurement& shown) {
     return shown.isSelected ? kSelectedInk : kMeasureInk;
 }
 
-// Paints one overlay. Texts are placed first and painted last: the cross-hair leaves them free, so that an I
-// on it is not taken for a part of it.
+// Paints one overlay. Places texts first and paints them last: the cross-hair leaves gaps for them, because
+// an I on its line would look like a part of it.
 class OverlayPainter {
   public:
     OverlayPainter(QPainter& painter, const QSize& size, const SliceOverlay& overlay)
@@ -95,7 +95,7 @@ void OverlayPainter::crosshair() const {
     painter_.restore();
 }
 
-// Dashed, so that nobody takes them for the cross-hair.
+// Dashed, so that nobody mistakes them for the cross-hair.
 void OverlayPainter::interpolatedEdges() const {
     painter_.save();
     painter_.setRenderHint(QPainter::Antialiasing, false);  // most lie along rows
@@ -132,7 +132,7 @@ void OverlayPainter::measurements() const {
     }
 }
 
-// Beside each where there is room, never outside of the pane, nor over another text where it can be helped.
+// Beside each measurement if there is room, never outside the pane, and over other texts only if unavoidable.
 void OverlayPainter::placeMeasurementTexts() {
     const QFontMetricsF metrics(font_);
     const double lineHeight = metrics.height();

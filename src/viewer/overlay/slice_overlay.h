@@ -21,19 +21,19 @@ struct ShownMeasurement {
 
 struct SliceOverlay {
     slices::Orientation orientation = slices::Orientation::axial;
-    slices::SliceFrame frame;  // of the picture below, in device pixels
+    slices::SliceFrame frame;  // of the picture under the overlay
     double pixelRatio = 1.0;   // device pixels to a logical one
     std::optional<glm::dvec3> crosshairMm = {};
     QStringList tags = {};   // upper left: study and date
     QStringList names = {};  // below them, the least important last
     QStringList notes = {};  // upper right
-    QStringList facts = {};  // lower left; likewise
+    QStringList facts = {};  // lower left, the least important last
     std::vector<ShownMeasurement> measurements = {};
-    std::vector<slices::PictureLine> interpolatedEdges = {};  // of slices where no image was taken
+    std::vector<slices::PictureLine> interpolatedEdges = {};  // where voxels come from no image
     bool isCalibrated = true;                                 // Provenance of all that the picture shows
 };
 
-// `size` of the pane in the painter's logical pixels. overlay_layout.h says where each text is, and what a
+// `size` is the pane's, in the painter's logical pixels. overlay_layout.h says where each text is, and what a
 // small pane omits.
 void paintOverlay(QPainter& painter, const QSize& size, const SliceOverlay& overlay);
 

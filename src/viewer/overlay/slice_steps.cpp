@@ -8,15 +8,15 @@ namespace macula::viewer {
 
 namespace {
 
-// Of two unit vectors, to be one direction: 0.05 mm at the edge of a body, far more than what is written in
-// files is rounded.
+// Unit vectors closer than this count as one direction: 0.05 mm at the edge of a body, far above the rounding
+// of numbers in files.
 constexpr double kSameDirection = 1e-4;
 
 bool areParallel(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::length(glm::cross(a, b)) < kSameDirection;
 }
 
-// Turned as the acquired plane is against the plane of the patient that it is nearest to.
+// Turns `plane` by the rotation from the patient's nearest plane to the acquired plane.
 slices::SlicePlane turned(const slices::SlicePlane& plane, const Volume& volume) {
     const slices::SlicePlane to = slices::acquiredPlane(volume, plane.centreMm);
     const slices::SlicePlane from = slices::planeOf(slices::acquiredOrientation(volume), plane.centreMm);
@@ -50,7 +50,7 @@ void SliceSteps::alongVoxels(const Volume& volume) {
         const glm::dvec3 gradient{voxelFromWorld[0][axis], voxelFromWorld[1][axis], voxelFromWorld[2][axis]};
         if (!areParallel(glm::normalize(gradient), normal_)) continue;
         const double indicesPerMm = glm::dot(gradient, normal_);
-        // In the middle of the volume, where planes that are not quite parallel meet best.
+        // Measured in the middle of the volume, where planes that are not quite parallel agree best.
         const double middle = 0.5 * (volume.size()[axis] - 1);
         stepMm_ = 1.0 / indicesPerMm;
         firstMm_ = glm::dot(directions_.centreMm, normal_) - middle * stepMm_;
@@ -72,7 +72,7 @@ void SliceSteps::alongNormal(const Volume& volume) {
         high = std::max(high, along);
     }
     stepMm_ = slices::stepMm(volume, directions_);
-    // A volume of few voxels may be as long as billions of its smallest sides.
+    // A volume with few, very long voxels may be billions of steps long.
     constexpr double kMost = 1e6;
     count_ = int(std::clamp(std::floor((high - low) / stepMm_), 1.0, kMost));
     firstMm_ = 0.5 * (low + high) - 0.5 * (count_ - 1) * stepMm_;

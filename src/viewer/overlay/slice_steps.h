@@ -1,4 +1,4 @@
-// SliceSteps numbers the parallel planes that the wheel goes through in a pane.
+// SliceSteps numbers the parallel planes that the wheel steps through in a pane.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,12 @@ namespace macula::viewer {
 // the normal.
 class SliceSteps {
   public:
-    // `asAcquired` turns the planes with those of the images, so that the three panes stay perpendicular.
+    // `asAcquired` turns the planes parallel to the images, and keeps the three panes perpendicular.
     SliceSteps(const Volume& volume, slices::Orientation orientation, bool asAcquired);
 
     int count() const { return count_; }  // at least 1
-    // From one slice to the next along the normal; negative where voxel indices decrease along it.
+    // The distance from one slice to the next along the normal; negative where voxel indices decrease along
+    // it.
     double stepMm() const { return stepMm_; }
     int nearest(const glm::dvec3& mm) const;
     // The point of that slice that is nearest to `mm`.
@@ -25,7 +26,7 @@ class SliceSteps {
 
     // Whether each slice is a plane of the images, taken or missing: its index is then the voxel index.
     bool areAcquired() const { return areAcquired_; }
-    // Whether they are planes of the patient's axes.
+    // Whether the planes are perpendicular to an axis of the patient.
     bool areStraight() const { return areStraight_; }
 
   private:

@@ -19,7 +19,7 @@ QString letters(const glm::dvec3& direction) {
     return QString::fromStdString(orientationLetters(direction));
 }
 
-// Without an exponent as long as a person can read it so.
+// Avoids an exponent for numbers that are readable without it.
 QString numberText(double value) {
     return QString::number(value, 'g', std::abs(value) < 1e9 && value == std::round(value) ? 10 : 6);
 }

@@ -16,16 +16,16 @@ namespace macula::viewer {
 QString nameOf(slices::Orientation orientation);  // "Axial"
 // The usual colour of its plane's lines in other panes: axial red, sagittal yellow, coronal green.
 QColor colourOf(slices::Orientation orientation);
-// The planes that the vertical and the horizontal line of a cross-hair mark.
+// The orientations of the planes that a cross-hair's vertical and horizontal lines mark.
 slices::Orientation verticalOf(slices::Orientation orientation);
 slices::Orientation horizontalOf(slices::Orientation orientation);
 
 // The patient's sides at the edges of the picture.
 scene::EdgeLetters edgeLetters(const slices::SlicePlane& plane);
 
-// "Axial S 123.4 mm, slice 45 of 95": how far the plane is from the patient's origin, and in which direction;
-// the number where images were taken in such planes. "Axial, oblique" where it is no plane of the patient.
-// With the number of an image: "…, slice 45 of 95, image 51".
+// "Axial S 123.4 mm, slice 45 of 95": how far the plane is from the patient's origin and in which direction,
+// and the slice's number if images were taken in such planes. "Axial, oblique" for a plane that is not
+// perpendicular to the patient's axes. With the number of an image: "…, slice 45 of 95, image 51".
 QString positionText(slices::Orientation orientation, const SliceSteps& steps, int slice,
                      std::optional<int> imageNumber = {});
 // The same without numbers.

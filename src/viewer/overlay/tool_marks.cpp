@@ -19,7 +19,7 @@ const QColor kInk(255, 150, 60);
 const QColor kHeldInk(255, 225, 90);
 const QColor kPaper(12, 12, 12);
 
-// Logical pixels, odd: a mark has a middle.
+// In logical pixels; odd, so that a mark has a middle pixel.
 int sideOf(MarkKind kind) {
     return kind == MarkKind::dot || kind == MarkKind::drawnDot ? 3 : 13;
 }
@@ -28,7 +28,7 @@ int sidePx(MarkKind kind, double pixelRatio) {
     return std::max(1, int(std::lround(sideOf(kind) * pixelRatio)));
 }
 
-// Opaque, as boxes over a picture are.
+// Opaque, like all boxes over a picture.
 QImage paintMark(MarkKind kind, double pixelRatio) {
     const int side = sidePx(kind, pixelRatio);
     QImage image(side, side, QImage::Format_RGBA8888);
@@ -49,7 +49,7 @@ QImage paintMark(MarkKind kind, double pixelRatio) {
     return image;
 }
 
-// Where its upper left corner is, in device pixels.
+// The upper left corner of a mark, in device pixels.
 std::optional<VkOffset2D> cornerOf(const ToolMark& mark, QSize pixels, int side) {
     const double x = 0.5 * (mark.place.x + 1.0) * pixels.width();
     const double y = 0.5 * (1.0 - mark.place.y) * pixels.height();

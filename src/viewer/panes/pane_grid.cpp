@@ -15,7 +15,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr int kGapPx = 2;
-constexpr double kFavoured = 0.62;  // of width and height
+constexpr double kFavoured = 0.62;  // the enlarged pane's share of width and height
 
 std::optional<Pane> onlyPaneOf(scene::Layout layout) {
     for (const Pane pane : kPanes) {
@@ -27,7 +27,7 @@ std::optional<Pane> onlyPaneOf(scene::Layout layout) {
 QSplitter* makeSplitter(Qt::Orientation orientation, QWidget* first, QWidget* second) {
     auto* made = new QSplitter(orientation);
     made->setHandleWidth(kGapPx);
-    made->setChildrenCollapsible(false);  // a pane that is dragged away would not be missed
+    made->setChildrenCollapsible(false);  // nobody would notice that a collapsed pane is missing
     for (QWidget* widget : {first, second}) made->addWidget(widget);
     for (const int index : {0, 1}) made->setStretchFactor(index, 1);
     return made;
@@ -37,7 +37,7 @@ double shareOrMiddle(double share) {
     return std::isnan(share) ? 0.5 : std::clamp(share, 0.0, 1.0);
 }
 
-// Both parts of what the handle leaves.
+// The sizes of both panes, without the handle between them.
 QList<int> partsOf(int totalPx, double share) {
     const int free = std::max(0, totalPx - kGapPx);
     const int first = int(std::lround(share * free));
@@ -51,7 +51,7 @@ std::optional<double> shareOf(const QSplitter& splitter) {
     return double(sizes.value(0)) / both;
 }
 
-// A native window that a widget contains has the focus by itself, and then no widget has it.
+// A native window inside a widget has the focus itself, and then no widget has it.
 bool isInside(const QWindow* window, const QWindow* top) {
     if (window == nullptr || top == nullptr || window == top) return false;
     const QWindow* at = window;
@@ -92,7 +92,7 @@ PaneGrid::PaneGrid(const Widgets& widgets, QWidget* parent) : QWidget(parent) {
     connect(qApp, &QGuiApplication::focusWindowChanged, this, &PaneGrid::updateActive);
 }
 
-// Panes that go lose their focus, of which nothing here wants to hear any more.
+// Panes lose the focus as they are destroyed; this grid must not react to that any more.
 PaneGrid::~PaneGrid() {
     if (qApp != nullptr) disconnect(qApp, nullptr, this, nullptr);
 }
@@ -101,7 +101,7 @@ void PaneGrid::setLayout(scene::Layout layout) {
     const std::optional<Pane> only = onlyPaneOf(layout);
     const std::optional<Pane> hadFocus = focused();
     shown_ = layout;
-    // What is to be seen comes first: a moment without any pane would send the focus elsewhere.
+    // Shows panes before it hides others: if no pane were visible, the focus would move elsewhere.
     for (const bool shows : {true, false}) {
         for (const Pane pane : kPanes) {
             if (isShown(pane) == shows) frame(pane).setVisible(shows);
@@ -125,7 +125,7 @@ void PaneGrid::maximize(Pane pane) {
 
 void PaneGrid::focusPane(Pane pane) {
     if (!isShown(pane)) return;
-    // Keys go on to a native window until its parent is the active one.
+    // A native window keeps getting the keys until its parent is the active window.
     if (pane != Pane::volume && isInside(QGuiApplication::focusWindow(), window()->windowHandle()))
         window()->activateWindow();
     frame(pane).content().setFocus(Qt::OtherFocusReason);
@@ -166,7 +166,7 @@ void PaneGrid::moveRows() {
     cross_.setY(shareOf(*rows_).value_or(cross_.y()));
 }
 
-// A row whose panes cannot be that narrow says so, and the other follows it.
+// A row whose panes cannot be that narrow gets its own sizes, and the other row follows it.
 void PaneGrid::alignColumns(const QList<int>& widthsPx) {
     top_->setSizes(widthsPx);
     bottom_->setSizes(top_->sizes());

@@ -45,7 +45,7 @@ class PaneGrid : public QWidget {
     void maximize(Pane pane);
 
     void focusPane(Pane pane);  // does nothing unless it is shown
-    // The pane with the keyboard focus, in itself or in a window that it contains.
+    // The pane with the keyboard focus, which the pane itself or a window inside it may have.
     std::optional<Pane> activePane() const { return active_; }
 
     // The point where the panes meet, as shares of width and height from the top left; each row and column

@@ -14,7 +14,7 @@ QDockWidget* PanelsController::add(Qt::DockWidgetArea area, QWidget* panel, cons
     auto* dock = new QDockWidget(title, &window_);
     dock->setObjectName(QString::fromLatin1(name));
     dock->setWidget(panel);
-    // Floating ones would hide the volume's native window from its own events on some desktops.
+    // Not floating: on some desktops, a floating panel keeps events from the volume's native window.
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
     window_.addDockWidget(area, dock);
     dock->hide();

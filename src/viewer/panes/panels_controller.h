@@ -18,11 +18,11 @@ class PanelsController : public QObject {
   public:
     explicit PanelsController(QMainWindow& window);
 
-    // A hidden dock for the panel. `name` is its object name; an empty key: none.
+    // Adds a hidden dock for the panel. `name` is its object name; an empty key: none.
     QDockWidget* add(Qt::DockWidgetArea area, QWidget* panel, const QString& title, const char* name,
                      const QKeySequence& key = {});
-    // Two that are seldom wanted at once share a place once both are shown. Not before: the window would make
-    // room for what is hidden.
+    // Two docks that are seldom wanted at once share a place, but only once both are shown: earlier, the
+    // window would make room for the hidden one.
     void sharePlace(QDockWidget* one, QDockWidget* other);
 
     const QList<QAction*>& actions() const { return actions_; }  // each shows and hides a panel

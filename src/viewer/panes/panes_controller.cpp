@@ -94,7 +94,7 @@ void PanesController::changeLayout(scene::Layout layout) {
     context_.session.change(tr("Panes"), [layout](scene::StudyState& next) { next.layout = layout; });
 }
 
-// Of the pane that has the focus; else of the first that is shown.
+// Starts or stops cine in the active slice pane, else in the first visible one.
 void PanesController::setCine(bool plays) {
     const auto active = grid_->activePane();
     SliceView* chosen = nullptr;
@@ -113,7 +113,7 @@ bool PanesController::isVolumeShown() const {
 void PanesController::showLayout() {
     const scene::Layout layout = context_.session.state().layout;
     grid_->setLayout(layout);
-    tools_->setVisible(layout != scene::Layout::volume);  // they are of slices
+    tools_->setVisible(layout != scene::Layout::volume);  // the tools are for slices
     Q_EMIT layoutShown();
 }
 

@@ -32,7 +32,7 @@ class PanesController : public QObject {
     SliceView& slices(slices::Orientation orientation) const { return *slices_.at(std::size_t(orientation)); }
     const std::array<SliceView*, 3>& allSlices() const { return slices_; }  // by slices::Orientation
     SlicePair& pair(slices::Orientation orientation) const { return *pairs_.at(std::size_t(orientation)); }
-    // The same slices, with those of the second volume.
+    // The same views, each paired with a view of the second volume.
     const std::array<SlicePair*, 3>& pairs() const { return pairs_; }
 
     // `folder` keeps a person's own windows between runs; nothing: they are not kept.
@@ -40,9 +40,9 @@ class PanesController : public QObject {
     void addActions(QMenu& view);  // layouts
 
     bool isVolumeShown() const;
-    void showLayout();  // of the state
+    void showLayout();  // the layout of the session's state
     void favour(std::optional<slices::Orientation> orientation);
-    void focusPicture();  // the pane that last had the focus, or a shown one
+    void focusPicture();  // the last focused pane, or a shown one
     void showNames(bool shown);
 
   Q_SIGNALS:
@@ -52,7 +52,7 @@ class PanesController : public QObject {
     void makeSlices();
     void makeTools();
     void changeLayout(scene::Layout layout);
-    void setCine(bool plays);  // for the active slice pane, else for a shown one
+    void setCine(bool plays);  // in the active slice pane, else in a shown one
 
     WindowContext context_;
     std::array<SliceView*, 3> slices_{};

@@ -82,7 +82,7 @@ QAction* ToolBox::add(Glyph glyph, const char* name, const QString& title, const
     action->setObjectName(QLatin1String(name));
     action->setToolTip(tip);
     action->setCheckable(true);
-    // Those of a tool bar are left out otherwise when a person goes from control to control.
+    // Otherwise Tab would skip the buttons of a tool bar.
     if (QWidget* button = widgetForAction(action)) button->setFocusPolicy(Qt::TabFocus);
     return action;
 }
@@ -92,7 +92,7 @@ void ToolBox::addTools() {
         const QByteArray name = QByteArray("slice-tool-") + row.name;
         const QKeySequence key = keyOf(row);
         QAction* action = add(row.glyph, name.constData(), titleOf(row), whatItDoes(row));
-        // With the key that it has now: see KeyBook.
+        // The tool tip has the present key: see KeyBook.
         const auto tellKey = [action, &row] {
             const QString pressed = action->shortcut().toString(QKeySequence::NativeText);
             const QString tip = pressed.isEmpty()
@@ -183,7 +183,7 @@ void ToolBox::addLayouts() {
     }
 }
 
-// The steps of a spin box make it too wide for a vertical bar; wheel and arrow keys do the same.
+// The arrows of a spin box make it too wide for a vertical bar; wheel and arrow keys do the same.
 void ToolBox::fitOrientation() {
     thickness_->setButtonSymbols(orientation() == Qt::Vertical ? QAbstractSpinBox::NoButtons
                                                                : QAbstractSpinBox::UpDownArrows);
@@ -217,10 +217,10 @@ void ToolBox::showState() {
 void ToolBox::showSlab(const slices::Slab& slab) {
     const QSignalBlocker quiet(thickness_);
     const double mm = std::isfinite(slab.thicknessMm) ? slab.thicknessMm : 0.0;
-    // A view that was saved may have a thicker one: it is shown as it is.
+    // A saved view may have a thicker slab, which is shown unchanged.
     thickness_->setMaximum(std::max(kThickestSlabMm, mm));
     const double tenth = std::pow(10.0, -kDecimals);
-    // Set anew, what a person is typing would be gone.
+    // Setting the same value again would overwrite what a person is typing.
     if (std::abs(mm - thickness_->value()) >= 0.5 * tenth) thickness_->setValue(mm);
     for (QAction* action : projections_->actions())
         action->setChecked(action->data().toInt() == int(slab.projection));

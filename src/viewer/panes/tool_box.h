@@ -17,8 +17,8 @@ namespace macula::viewer {
 class StudyEditor;
 enum class Glyph;
 
-// Shows slab, inversion, planes and layout as the session has them, and proposes changes to it. Tool and cine
-// belong to the window. May stand at the left or in any other tool bar area.
+// Shows slab, inversion, planes and layout of the session's state, and proposes changes to them. The window
+// owns tool and cine. May stand in any tool bar area.
 class ToolBox : public QToolBar {
     Q_OBJECT
 
@@ -31,9 +31,9 @@ class ToolBox : public QToolBar {
     void setCine(bool plays);      // emits nothing
 
   Q_SIGNALS:
-    void toolChosen(macula::viewer::SliceTool tool);  // by a person
-    void cineToggled(bool plays);                     // by a person
-    void thicknessEntered();                          // after Enter: return the focus to the pictures
+    void toolChosen(macula::viewer::SliceTool tool);  // a person's choice
+    void cineToggled(bool plays);                     // a person's choice
+    void thicknessEntered();  // a person pressed Enter: the focus should return to the pictures
 
   private:
     void addTools();

@@ -1,4 +1,4 @@
-// What is double-clicked in 3D is where the slices go, and what the camera turns around.
+// A double click in 3D moves the slices to the anatomy there, and makes the camera turn around it.
 #pragma once
 
 #include <QObject>
@@ -15,7 +15,7 @@ class PickController : public QObject {
     Q_OBJECT
 
   public:
-    // The scissors, which take clicks while they are out, outlive it.
+    // `scissors` outlives it, and takes clicks while the scissors are out.
     PickController(const WindowContext& context, const ScissorTool& scissors);
 
     void cancel();

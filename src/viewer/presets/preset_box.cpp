@@ -26,7 +26,7 @@ void PresetBox::add(const LibraryPreset& preset, bool isOffered) {
     const int row = count() - 1;
     setItemData(row, QString::fromStdString(function.name), Qt::ToolTipRole);
     if (isOffered) return;
-    // Keys pass over what cannot be used, too.
+    // Disabled as well as hidden, so that keys skip it, too.
     if (auto* items = qobject_cast<QStandardItemModel*>(model())) items->item(row)->setEnabled(false);
     if (auto* list = qobject_cast<QListView*>(view())) list->setRowHidden(row, true);
 }

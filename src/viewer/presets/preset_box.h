@@ -18,7 +18,7 @@ class PresetBox : public QComboBox {
   public:
     explicit PresetBox(const PresetLibrary& library, QWidget* parent = nullptr);
 
-    void fillAnew();  // from the library; chooses nothing
+    void fillAnew();  // lists the library again; chooses nothing
     // Does not emit chosen. Shows the title of an edited preset, which no entry has.
     void choose(const TransferFunction* function);
 

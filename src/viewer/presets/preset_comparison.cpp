@@ -28,7 +28,7 @@ QImage asImage(const std::vector<std::uint8_t>& rgba, QSize size) {
     return borrowed.copy();
 }
 
-// The largest of that shape within `room`, in its middle.
+// The largest rectangle with the picture's aspect, centred in `room`.
 QRect fitted(QSize picture, const QRect& room) {
     QRect place(QPoint(), picture.scaled(room.size(), Qt::KeepAspectRatio));
     place.moveCenter(room.center());
@@ -44,8 +44,8 @@ QLabel* makeTitle(const QString& text, Qt::Alignment alignment) {
 
 }  // namespace
 
-// Goes on after the dialog, until the thread has noticed that nobody waits: a device takes a second to start,
-// and the window does not stand still for that. Lives on the UI thread.
+// Outlives the dialog until its thread notices the cancellation: a device takes a second to start, and the
+// window must not block for that. Lives on the UI thread.
 class ComparisonJob : public QObject {
   public:
     // `window` owns it; null: the dialog does.
@@ -70,7 +70,7 @@ class ComparisonJob : public QObject {
     }
     bool isRunning() const { return job_.running(); }
     void cancel() { job_.cancel(); }
-    // Nobody is told any more.
+    // Cancels, and reports nothing to the dialog any more.
     void leave() {
         job_.cancel();
         isLeft_ = true;

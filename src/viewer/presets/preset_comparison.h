@@ -32,7 +32,7 @@ class PictureCurtain : public QWidget {
     void setPictures(QImage first, QImage second);
     bool hasPictures() const { return !first_.isNull(); }
     void setBesideEachOther(bool are);
-    void setPart(double part);  // 0 to 1, from the left
+    void setPart(double part);  // where the line is: 0 to 1, from the left
     double part() const { return part_; }
     QSize sizeHint() const override;
 
@@ -45,7 +45,7 @@ class PictureCurtain : public QWidget {
     void mouseMoveEvent(QMouseEvent* event) override;
 
   private:
-    QRect place() const;  // of the picture, when both are over each other
+    QRect place() const;  // where the picture is, while one lies over the other
 
     QImage first_;
     QImage second_;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMarginPx = 5;
 constexpr int kStarPx = 14;
-constexpr int kTitleLines = 2;  // as many titles of those that are built in need
+constexpr int kTitleLines = 2;  // enough for the titles of the built-in presets
 
 QPainterPath star(const QPointF& centre, double radius) {
     QPainterPath path;
@@ -29,7 +29,7 @@ QPainterPath star(const QPointF& centre, double radius) {
     return path;
 }
 
-// At most so many lines of at most that width, broken between words; what does not fit ends in an ellipsis.
+// Breaks the text between words into at most kTitleLines lines of `width`; the rest ends in an ellipsis.
 QStringList wrapped(const QString& text, const QFontMetrics& metrics, int width) {
     QStringList lines;
     QString rest = text.simplified();

@@ -140,7 +140,7 @@ void PresetGallery::makeList() {
     list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     list_->verticalScrollBar()->setSingleStep(24);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    // Headings are as wide as the list: it must not change its width by what is in it.
+    // Headings are as wide as the list, so a scroll bar that comes and goes would move them.
     list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
     list_->setMinimumWidth(2 * pictures::kPresetThumbnailPx + 60);
@@ -193,7 +193,7 @@ std::optional<PresetRow> PresetGallery::currentRow() const {
     return model_->rows().at(std::size_t(index.row()));
 }
 
-// The row that was selected; where it is gone, its heading.
+// Selects the same row again; if it is gone, its heading.
 void PresetGallery::selectAgain(const std::optional<PresetRow>& before) {
     if (!before) return;
     const std::vector<PresetRow>& rows = model_->rows();
@@ -246,7 +246,7 @@ bool PresetGallery::onListKey(int key) {
 
 bool PresetGallery::eventFilter(QObject* watched, QEvent* event) {
     if (watched == list_->viewport()) {
-        // Whatever has brought other rows to sight has them painted.
+        // Rows that come into view are painted, whatever moved them there.
         if (event->type() == QEvent::Paint) picturesAreDue_.start(0);
     } else if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();

@@ -41,7 +41,7 @@ class PresetGallery : public QWidget {
 
   Q_SIGNALS:
     void useAsked(const macula::viewer::LibraryPreset& preset);
-    void compareAsked(const macula::viewer::LibraryPreset& preset);  // with the current preset
+    void compareAsked(const macula::viewer::LibraryPreset& preset);  // compare it with the current preset
     void exportAsked(const macula::viewer::LibraryPreset& preset);
     void importAsked();
     void failed(const macula::Error& error);  // while the gallery is hidden

@@ -18,7 +18,7 @@ namespace macula::viewer {
 
 namespace {
 
-// Letters that are written in two ways are the same name.
+// Normalised, because Unicode may encode the same letter in two ways.
 std::string typed(const QString& title) {
     return title.normalized(QString::NormalizationForm_C).toStdString();
 }
@@ -87,13 +87,13 @@ void PresetLibrary::onStored(const Result<live::StoredPresets>& stored) {
     tellChange();
 }
 
-// What was changed is on screen by now; where it cannot be written it lives as long as the window.
+// The change is on screen already. If it cannot be written, it lasts as long as the window.
 void PresetLibrary::write() {
     std::vector<live::PresetDocument> changes = shelf_.takeChanges();
     const auto keeper = keeper_.lock();
     if (!keeper || changes.empty()) return;
     keeper->withStore([mailbox = mailbox_, changes = std::move(changes)](session::Store* store) {
-        if (store == nullptr) return;  // who reads was told
+        if (store == nullptr) return;  // the error of reading was reported
         std::optional<Error> error;
         for (const live::PresetDocument& change : changes) {
             const auto written = live::writePresetDocument(*store, change);

@@ -60,7 +60,7 @@ class PresetLibrary : public QObject {
     QString freeTitle(const QString& title) const;
     // False unless it is an own preset.
     bool remove(const live::PresetRef& own);
-    QString removedTitle() const;  // of the last one removed; empty: nothing to put back
+    QString removedTitle() const;  // the last removed preset's title; empty: none
     void putBackRemoved();
     void setFavourite(const live::PresetRef& ref, bool isFavourite);
     void noteUsed(const live::PresetRef& ref);

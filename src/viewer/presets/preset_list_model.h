@@ -24,7 +24,7 @@ inline constexpr std::array kPresetGroups{PresetGroup::favourites, PresetGroup::
 struct PresetRow {
     PresetGroup group = PresetGroup::others;
     std::optional<LibraryPreset> preset;  // nothing: the heading of the group
-    std::size_t count = 0;                // of a heading: presets of the group
+    std::size_t count = 0;                // for a heading: how many presets the group has
 };
 
 class PresetListModel : public QAbstractListModel {

@@ -21,7 +21,7 @@ PresetNameDialog::PresetNameDialog(const QString& title, const QString& what, co
     trouble_->setObjectName(QStringLiteral("preset-name-trouble"));
     trouble_->setTextFormat(Qt::PlainText);
     trouble_->setWordWrap(true);
-    // The buttons do not move while somebody types.
+    // So that the buttons do not move while a person types.
     trouble_->setMinimumHeight(2 * trouble_->fontMetrics().lineSpacing());
     trouble_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);

@@ -13,7 +13,8 @@ class QWidget;
 
 namespace macula::viewer {
 
-// What is saved is what is shown now, whatever is shown when a name was found. Dialogs do not block.
+// Saves what was shown when the dialog opened, even if something else is shown once a name is chosen. Dialogs
+// do not block.
 class PresetNaming : public QObject {
     Q_OBJECT
 
@@ -21,7 +22,7 @@ class PresetNaming : public QObject {
     // Returns the current state with its camera.
     using StateNow = std::function<scene::StudyState()>;
 
-    // Dialogs are those of the window of `widget`; that, session and library outlive this.
+    // Dialogs belong to the window of `widget`. `widget`, session and library outlive this.
     PresetNaming(QWidget& widget, const StudyEditor& session, PresetLibrary& library, StateNow stateNow);
 
     void askToSaveCurve();
@@ -30,7 +31,7 @@ class PresetNaming : public QObject {
     void askToRename(const LibraryPreset& preset);
 
   Q_SIGNALS:
-    void named();  // a person gave a name, before what follows from it
+    void named();  // a person gave a name, which is not used yet
     void done();
     void failed(const macula::Error& error);
 

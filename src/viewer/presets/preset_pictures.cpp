@@ -40,7 +40,7 @@ void PresetPictures::draw(const LibraryPreset& preset) {
             }
             const Clip hidden = clip ? clipFor(*clip, *volume) : Clip{};
             const auto made = pictures::presetThumbnail(*drawn.coarse, *function, &hidden, progress.token());
-            if (made) drawn.picture = asImage(*made);  // else it has none
+            if (made) drawn.picture = asImage(*made);  // otherwise the preset has no picture
             return drawn;
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,

@@ -11,14 +11,14 @@
 
 namespace macula::viewer {
 
-// By the host, from a coarse copy of the volume. Lives on the UI thread.
+// Draws on the CPU, from a coarse copy of the volume. Lives on the UI thread.
 class PresetPictures : public QObject {
     Q_OBJECT
 
   public:
     PresetPictures();
 
-    // Begins anew with another volume; null: none. Gives up the picture that is being drawn.
+    // Starts over with another volume; null: none. Cancels the picture that is being drawn.
     void begin(std::shared_ptr<const Volume> volume);
     bool isDrawing() const { return drawing_ != nullptr; }
     bool hasNone() const { return hasNone_; }  // there are no pictures of this volume
@@ -32,7 +32,7 @@ class PresetPictures : public QObject {
 
   private:
     struct Drawn {
-        std::shared_ptr<const pictures::CoarseVolume> coarse;  // for the next pictures
+        std::shared_ptr<const pictures::CoarseVolume> coarse;  // reused for the next pictures
         QImage picture;
     };
     void take(const Result<Drawn>& made);

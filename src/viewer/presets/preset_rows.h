@@ -1,4 +1,4 @@
-// The rows of the gallery: presets in groups, as far as a filter finds them and groups are expanded.
+// The rows of the gallery: presets in groups, without folded groups and presets that the filter rejects.
 #pragma once
 
 #include <QString>
@@ -12,17 +12,17 @@
 
 namespace macula::viewer {
 
-// Needs no window. The words of the filter are searched in title, name and kind of image.
+// Needs no window. Looks for the words of the filter in title, name and kind of image.
 class PresetRows {
   public:
     PresetRows(const StudyEditor& session, const PresetLibrary& library);  // both outlive this
 
     void setFilter(const QString& text);
-    // Folds or expands a group; false: a filter shows all that it finds.
+    // Folds or expands a group. Does nothing and returns false during a filter, which expands all groups.
     bool toggle(PresetGroup group);
 
     std::set<PresetGroup> expanded() const;
-    std::vector<PresetRow> rows() const;  // as they are now; an empty group has none
+    std::vector<PresetRow> rows() const;  // without empty groups
     std::set<live::PresetRef> favourites() const;
 
   private:
@@ -31,7 +31,7 @@ class PresetRows {
 
     const StudyEditor& session_;
     const PresetLibrary& library_;
-    std::vector<std::string> words_;  // of the filter
+    std::vector<std::string> words_;  // the words of the filter
     std::set<PresetGroup> folded_{PresetGroup::others};
 };
 

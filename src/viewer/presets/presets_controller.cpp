@@ -32,13 +32,13 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr int kComparedPx = 720;  // of the longer side: both are there soon
+constexpr int kComparedPx = 720;  // of the longer side; small enough to draw both soon
 
 QString titleOf(const LibraryPreset& preset) {
     return titleOr(preset.function->title, preset.function->name);
 }
 
-// In a menu an ampersand marks a letter.
+// In a menu an ampersand would mark a shortcut letter.
 QString inMenu(QString title) {
     return title.replace(QLatin1Char('&'), QLatin1String("&&"));
 }
@@ -47,7 +47,7 @@ QString inMenu(QString title) {
 void putPreset(const LibraryPreset& preset, const Volume* volume, scene::StudyState& next) {
     if (volume != nullptr && preset.own && preset.own->seen) return live::use(*preset.own, *volume, next);
     next.preset = preset.function;
-    // In projections it is a window, and of those each look has its own.
+    // Projections use the preset as a window, and each projection look has its own.
     if (const trace::Look look = next.settings.look; volume != nullptr && trace::isProjection(look))
         next.windows.at(std::size_t(look)) = presetWindow(*next.preset, *volume);
 }
@@ -69,7 +69,7 @@ PresetsController::PresetsController(const WindowContext& context,
     connectLibrary();
 }
 
-// Of the same study.
+// After a change of the same study's state.
 void PresetsController::onChanged(const scene::StudyState& before) {
     const scene::StudyState& now = context_.session.state();
     if (now.preset == before.preset) return;
@@ -96,7 +96,7 @@ void PresetsController::connectLibrary() {
     connect(&context_.session, &StudyEditor::studyShown, this, offer);
 }
 
-// Made anew whenever it opens: it is of the volume that is open then.
+// Filled whenever it opens, for the volume that is open then.
 void PresetsController::addMenu(QMenuBar& bar) {
     QMenu* menu = bar.addMenu(tr("&Preset"));
     menu->setObjectName(QStringLiteral("preset-choice"));
@@ -116,7 +116,7 @@ void PresetsController::addBox(QToolBar& bar) {
     bar.addWidget(box_);
     connect(box_, &PresetBox::chosen, this, &PresetsController::use);
     followState(context_.session, box_, [this] { showLook(); });
-    // Not sooner: its notes are shown with those of the second volume.
+    // Connected last: it shows all notes, including those of the second volume.
     connect(&context_.session, &StudyEditor::changed, this, &PresetsController::onChanged);
 }
 
@@ -132,7 +132,7 @@ void PresetsController::showLook() {
 
 void PresetsController::fillMenu(QMenu& menu) {
     menu.clear();
-    // Menus within a menu outlive its actions.
+    // clear() does not delete submenus.
     for (QMenu* inner : menu.findChildren<QMenu*>(Qt::FindDirectChildrenOnly)) delete inner;
     const auto& shown = context_.session.state().preset;
     const auto add = [&](QMenu& to, const LibraryPreset& preset) {
@@ -204,8 +204,7 @@ void PresetsController::askWhereToSaveShown() {
     });
 }
 
-// The same view, once as it is and once under the other preset, whose clip and lights count where it has
-// some.
+// Draws the view twice: as it is, and with the other preset, including that preset's clip and lights if any.
 void PresetsController::compare(const LibraryPreset& preset) {
     const auto& volume = context_.session.study().volume;
     if (!volume) return;
@@ -229,7 +228,7 @@ void PresetsController::compare(const LibraryPreset& preset) {
         {titleOf(preset), picture(context_.shown.drawingOf(other))}, context_.device, &context_.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &PresetComparison::secondChosen, this, [this, preset] { use(preset); });
-    // No picture is seen beside another study.
+    // A comparison must not stay open beside another study.
     connect(&context_.session, &StudyEditor::studyShown, dialog, &QDialog::reject);
     dialog->show();
 }

@@ -1,4 +1,4 @@
-// Presets: the library, its gallery, menu and list, and what choosing one of them does.
+// The presets of the window: their library, gallery, menu and list, and the choice of one of them.
 #pragma once
 
 #include <QObject>
@@ -40,7 +40,7 @@ class PresetsController : public QObject {
   private:
     void connectLibrary();
     void onChanged(const scene::StudyState& before);
-    void showChosen();  // in the list, as the session has it
+    void showChosen();  // selects the session's preset in the list
     void showLook();
     void fillMenu(QMenu& menu);
     void use(const LibraryPreset& preset);

@@ -30,8 +30,8 @@ DisplayCheck::DisplayCheck() {
     }
 }
 
-// DISPLAY outlives its server: in a terminal kept open, over a connection that was cut. The library is loaded
-// by name, because Qt brings it along without its headers. Where it is missing, Qt is left to find out.
+// DISPLAY outlives its server in a terminal that stays open, or after a connection broke. Loads the library
+// by name, because Qt ships it without its headers. If it is missing, Qt reports the missing display.
 void DisplayCheck::connectToX() {
     library_ = dlopen("libxcb.so.1", RTLD_NOW | RTLD_LOCAL);
     if (library_ == nullptr) return;

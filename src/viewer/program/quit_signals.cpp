@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array kSignals{SIGTERM, SIGINT, SIGHUP};
 
-// A handler of signals may do little more than write to a pipe, and knows no object.
+// A signal handler may do little more than write to a pipe, and has no access to an object.
 int readEnd = -1;
 int writeEnd = -1;
 std::array<struct sigaction, kSignals.size()> before;
@@ -26,7 +26,7 @@ std::array<struct sigaction, kSignals.size()> before;
 extern "C" void onSignalToQuit(int) {
     const int error = errno;
     const char asked = 1;
-    [[maybe_unused]] const auto written = ::write(writeEnd, &asked, 1);  // a full pipe tells it too
+    [[maybe_unused]] const auto written = ::write(writeEnd, &asked, 1);  // a full pipe tells it, too
     errno = error;
 }
 
@@ -49,7 +49,7 @@ QuitSignals::QuitSignals(QObject* parent) : QObject(parent) {
     action.sa_flags = SA_RESTART | int(SA_RESETHAND);
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
         ::sigaction(kSignals[i], nullptr, &before[i]);
-        // What whoever started the program has it ignore (nohup) goes on being ignored.
+        // A signal that the parent process made the program ignore (nohup) stays ignored.
         if (before[i].sa_handler != SIG_IGN) ::sigaction(kSignals[i], &action, nullptr);
     }
 }

@@ -13,7 +13,7 @@ double secondsOfClock() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Noise falls with the root of the samples.
+// Noise falls with the square root of the number of samples.
 double fractionOf(const live::FrameShown& frame) {
     const double byNoise = frame.noise > 0.0 ? std::pow(ConvergeNow::kNoiseTarget / frame.noise, 2.0) : 0.0;
     const double bySamples = double(frame.samplesPerPixel) / double(ConvergeNow::kSampleLimit);
@@ -54,7 +54,7 @@ void ConvergeNow::end(const QString& told) {
 }
 
 void ConvergeNow::onFrame(const live::FrameShown& frame) {
-    // Frames of before still come for a while.
+    // Frames of the earlier goal still arrive for a while.
     if (!isRunning_ || frame.noiseTarget != kNoiseTarget) return;
     if (frame.picture != live::OnScreen::traced && frame.picture != live::OnScreen::fading) return;
     if (frame.stage == live::Stage::converged) {

@@ -14,8 +14,8 @@ namespace macula::viewer {
 namespace {
 
 constexpr int kPanelWidthPx = 340;
-constexpr double kUsualFrameMs = 60.0;  // what the window does by itself is near the stop of so many
-constexpr double kAsFast = 1.0;         // before the machine is measured
+constexpr double kUsualFrameMs = 60.0;  // automatic quality is near the stop with this frame time
+constexpr double kAsFast = 1.0;         // slowness before the machine is measured
 
 QString millisecondsText(double ms) {
     if (ms >= 1000.0) return QualityControl::tr("%L1 s").arg(ms / 1000.0, 0, 'f', 1);

@@ -26,7 +26,7 @@ class QualityControl : public QToolButton {
     void setSlowness(std::optional<double> slowness);
     std::optional<double> slowness() const { return slowness_; }
     void setView(const live::WindowView& view);
-    void setBounces(int bounces);  // of the current picture; the slider does not change them
+    void setBounces(int bounces);  // the current picture's; the slider does not change them
 
     // Nothing: automatic.
     std::optional<std::size_t> stop() const { return stop_; }

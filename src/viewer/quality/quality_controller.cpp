@@ -22,7 +22,7 @@ namespace {
 
 live::QualityFront knownFront() {
     auto front = live::builtInQualityFront();
-    MACULA_CHECK(front.ok());  // a test reads it
+    MACULA_CHECK(front.ok());  // a test reads the same file
     return *std::move(front);
 }
 
@@ -102,7 +102,7 @@ void QualityController::showCost() {
     control_->setBounces(context_.session.state().settings.bounces);
 }
 
-// Beside the window, on a device of its own.
+// Runs in the background, on its own device.
 void QualityController::calibrate(const std::optional<std::filesystem::path>& folder) {
     calibration_.start([device = context_.device, folder](Progress& progress) -> Result<live::Calibration> {
         try {
@@ -113,7 +113,7 @@ void QualityController::calibrate(const std::optional<std::filesystem::path>& fo
     });
 }
 
-// Without it only errors are told, and no times.
+// Without a measurement, the control shows only errors, and no times.
 void QualityController::onCalibrated(const Result<live::Calibration>& measured) {
     if (!measured)
         return log::warning("This machine could not be measured: {}", measured.error().message.english());

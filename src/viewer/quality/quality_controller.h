@@ -1,4 +1,4 @@
-// Time and error: the quality of frames in motion, and the picture at rest that is traced until it is final.
+// The quality of frames in motion, and the tracing of the picture at rest until it is final.
 #pragma once
 
 #include <QObject>
@@ -34,7 +34,7 @@ class QualityController : public QObject {
     // Measures this machine's speed once, in the background. `folder` keeps the result; nothing: it is not
     // kept.
     void calibrate(const std::optional<std::filesystem::path>& folder);
-    void showCost();  // of frames in motion, in this window
+    void showCost();  // shows the cost of frames in motion in this window
     void onFrame(const live::FrameShown& frame);
 
   private:
@@ -47,7 +47,7 @@ class QualityController : public QObject {
     BackgroundJob<live::Calibration> calibration_;
     ConvergeNow* converge_;
     WorkBar* bar_;
-    QAction* stop_ = nullptr;  // ends it
+    QAction* stop_ = nullptr;  // ends the tracing
 };
 
 }  // namespace macula::viewer

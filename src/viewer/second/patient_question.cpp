@@ -14,7 +14,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(PatientQuestion)
 
   public:
-    // What study::whatDiffers names.
+    // The attributes that study::whatDiffers may return.
     static constexpr std::array kAttributes{
         QT_TRANSLATE_NOOP("PatientQuestion", "ID"), QT_TRANSLATE_NOOP("PatientQuestion", "name"),
         QT_TRANSLATE_NOOP("PatientQuestion", "date of birth"), QT_TRANSLATE_NOOP("PatientQuestion", "sex")};

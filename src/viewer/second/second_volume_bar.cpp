@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kPercent = 100;
 constexpr int kArrowsPx = 40;
-constexpr double kLargest = 1e9;  // of the ends of a window, as in files
+constexpr double kLargest = 1e9;  // limit for the ends of a window, as in files
 
 struct ViewRow {
     scene::SecondVolumePlace view;
@@ -56,7 +56,7 @@ void setItemEnabled(QComboBox& box, int index, bool enabled) {
     if (model != nullptr) model->item(index)->setEnabled(enabled);
 }
 
-// Steps of a window that is so wide.
+// The step of the arrows for a window of this width.
 double stepOf(double width) {
     return std::pow(10.0, std::floor(std::log10(std::max(width, 1e-6))) - 1.0);
 }
@@ -123,7 +123,7 @@ void SecondVolumeBar::addLinks() {
                 secondVolume_.registerNow();
                 break;
         }
-        showState();  // until it is found, it is as before
+        showState();  // shows the old link until registration has finished
     });
     addWidget(links_);
 }
@@ -153,7 +153,7 @@ void SecondVolumeBar::addColours() {
         session_.drag(tr("Opacity"), [percent](scene::StudyState& next) {
             next.secondVolume->opacity = double(percent) / kPercent;
         });
-        // Keys and the wheel let nothing go.
+        // Keys and the wheel emit no sliderReleased, which would end the step.
         if (!opacity_->isSliderDown()) session_.endDrag();
     });
     connect(opacity_, &QSlider::sliderReleased, &session_, &StudyEditor::endDrag);
@@ -167,7 +167,7 @@ void SecondVolumeBar::addWindow() {
         box->setRange(-kLargest, kLargest);
         box->setKeyboardTracking(false);  // "25" is not 2 for a moment
         box->setAccessibleName(text);
-        // Its range would make it wider than any value that is seen.
+        // Otherwise the box would be as wide as its range, which no value needs.
         box->setMaximumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-100,000.00 Bq/mL")) +
                              kArrowsPx);
         connect(box, &QDoubleSpinBox::valueChanged, this, &SecondVolumeBar::proposeWindow);
@@ -188,7 +188,7 @@ void SecondVolumeBar::addLinkedWindow() {
     connect(oneWindow_, &QCheckBox::clicked, this, [this](bool on) {
         if (secondVolume_.state() == nullptr) return;
         session_.change(tr("Window of the second volume"), [&](scene::StudyState& next) {
-            // Nothing jumps when it goes its own way.
+            // Starts from the linked window, so that the picture does not change when the link ends.
             if (!on) next.secondVolume->window = secondWindow();
             next.secondVolume->linksWindow = on;
         });
@@ -197,7 +197,7 @@ void SecondVolumeBar::addLinkedWindow() {
     addWidget(oneWindow_);
 }
 
-// As slices of it are shown.
+// The window with which slices show the second volume.
 DisplayWindow SecondVolumeBar::secondWindow() const {
     const scene::SecondVolumeState& state = *secondVolume_.state();
     if (state.linksWindow) return scene::shownWindow(session_.study(), session_.state().slices);
@@ -235,7 +235,7 @@ void SecondVolumeBar::addIn3d() {
     addWidget(presets_);
 }
 
-// Those that are made for its values, and the one that the state has, wherever that is from.
+// Lists the presets for the volume's unit, and the preset of the state, wherever it comes from.
 void SecondVolumeBar::fillPresets(const scene::SecondVolumeState& state) {
     std::vector<std::shared_ptr<const TransferFunction>> wanted;
     const Unit unit = secondVolume_.second()->study.volume->unit();
@@ -259,7 +259,7 @@ void SecondVolumeBar::proposeWindow() {
     if (isShowing_ || secondVolume_.state() == nullptr) return;
     const double low = black_->value();
     const double high = white_->value();
-    if (!(high > low)) return showState();  // no window: the one before stays
+    if (!(high > low)) return showState();  // not a window: the old one stays
     session_.drag(tr("Window of the second volume"), [&](scene::StudyState& next) {
         (next.secondVolume->linksWindow ? next.slices.window : next.secondVolume->window) = DisplayWindow{
             .center = 0.5 * (low + high), .width = high - low, .explanation = {}, .function = "LINEAR_EXACT"};

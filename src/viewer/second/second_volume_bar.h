@@ -54,7 +54,7 @@ class SecondVolumeBar : public QToolBar {
     QSlider* opacity_ = nullptr;
     QCheckBox* oneWindow_ = nullptr;
     QCheckBox* in3d_ = nullptr;
-    QComboBox* presets_ = nullptr;  // of the second volume in 3D; item 0: its slice colours
+    QComboBox* presets_ = nullptr;  // the presets for 3D; item 0: the colours of slices
     std::vector<std::shared_ptr<const TransferFunction>> listed_;  // the presets of items 1, 2, ...
     QDoubleSpinBox* black_ = nullptr;  // ends of the window, in the unit of the second volume
     QDoubleSpinBox* white_ = nullptr;

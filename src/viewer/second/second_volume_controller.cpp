@@ -55,7 +55,7 @@ void SecondVolumeController::connectLoader() {
     connect(loader_, &SecondVolumeLoader::ended, this, [this] {
         work_->hide();
         if (context_.session.state().secondVolume && loader_->state() == nullptr)
-            context_.notes.show();  // it is still not there
+            context_.notes.show();  // the second volume is still missing
     });
     connect(work_, &WorkBar::cancelClicked, loader_, &SecondVolumeLoader::cancel);
     connect(loader_, &SecondVolumeLoader::failed, this,

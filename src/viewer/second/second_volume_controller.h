@@ -1,4 +1,4 @@
-// A second volume beside the study: how it is opened, and where it is seen.
+// Opens a second volume beside the study, and shows it on slices and in 3D.
 #pragma once
 
 #include <QList>
@@ -24,7 +24,7 @@ class SecondVolumeController : public QObject {
     Q_OBJECT
 
   public:
-    // The browser outlives it. By slices::Orientation.
+    // The browser outlives it. The index into `pairs` is slices::Orientation.
     SecondVolumeController(const WindowContext& context, BrowserController& browser,
                            const std::array<SlicePair*, 3>& pairs);
     ~SecondVolumeController() override;
@@ -32,14 +32,14 @@ class SecondVolumeController : public QObject {
     SecondVolumeLoader& loader() const { return *loader_; }
     void addFileActions(QMenu& file);
     void addViewActions(QMenu& view);
-    // After the other bars: it has a row of its own.
+    // Call it after the other tool bars are there: these get a row of their own.
     void addBars();
 
   private:
     void connectLoader();
     void askAbout();
     void askFor(int mode);  // a QFileDialog::FileMode
-    void show();            // as the state has it
+    void show();            // the second volume, as the state describes it
     QStringList notes() const;
 
     WindowContext context_;
@@ -48,7 +48,7 @@ class SecondVolumeController : public QObject {
     SecondVolumeLoader* loader_;
     SecondVolumeBar* toolBar_ = nullptr;
     WorkBar* work_;
-    QList<QAction*> actions_;  // those that need a second volume
+    QList<QAction*> actions_;  // enabled only with a second volume
 };
 
 }  // namespace macula::viewer

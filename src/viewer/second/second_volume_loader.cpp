@@ -32,7 +32,7 @@ SecondVolumeLoader::SecondVolumeLoader(StudyEditor& session, QObject* parent)
                                },
                            .ended = [this](const auto& found) { onRegistered(found); }}) {
     connect(&session_, &StudyEditor::studyShown, this, &SecondVolumeLoader::onStudyShown);
-    // A view that was opened may name another one, and so may what is undone.
+    // Opening a view, or an undo, may bring back another second volume.
     connect(&session_, &StudyEditor::changed, this, [this](const scene::StudyState& before) {
         const auto& now = session_.state().secondVolume;
         if (now &&
@@ -79,7 +79,7 @@ void SecondVolumeLoader::open(std::shared_ptr<const study::FoundVolumes> found, 
     loader_.open(std::move(found), index);
 }
 
-// Digests of both volumes are made where the second one is read: later they are known.
+// Computes the digests of both volumes on the loading thread, so that they are known later.
 void SecondVolumeLoader::prepareWithStudy() {
     const std::weak_ptr<const Volume> ofStudy = session_.study().volume;  // it may be closed meanwhile
     loader_.setPrepare([digests = digests_, ofStudy](const study::OpenedStudy& second) {
@@ -98,7 +98,7 @@ void SecondVolumeLoader::onStudyShown() {
     openWhatStateNames();
 }
 
-// Where it is in the folder of the study; what is elsewhere is for a person to open.
+// Opens the second volume if it is in the folder of the study; a person must open any other.
 void SecondVolumeLoader::openWhatStateNames() {
     const auto& named = session_.state().secondVolume;
     if (!session_.hasStudy() || !named || state() != nullptr || !session_.study().found) return;
@@ -121,7 +121,7 @@ void SecondVolumeLoader::close() {
 }
 
 void SecondVolumeLoader::cancel() {
-    loader_.cancel();  // tells that it ended
+    loader_.cancel();  // emits `ended` through `cancelled`
     if (registration_.cancel()) Q_EMIT ended();
 }
 
@@ -139,7 +139,7 @@ void SecondVolumeLoader::offer(const study::OpenedStudy& second) {
     const study::OpenedStudy& study = session_.study();
     if (second.volume->size() == study.volume->size() && second.seriesDigest == study.seriesDigest &&
         second.volumeIndex == study.volumeIndex &&
-        digests_->of(second.volume) == digests_->of(study.volume))  // and was not exported anew
+        digests_->of(second.volume) == digests_->of(study.volume))  // and was not exported again
         return Q_EMIT failed({ErrorCode::usage,
                               Text::verbatim(tr("This is the volume that is open already.").toStdString()),
                               {},
@@ -160,7 +160,7 @@ void SecondVolumeLoader::refusePatient() {
     asked_.reset();
 }
 
-// As it was left, when the state is of these voxels and positions: nobody has to register it again.
+// If the state was stored for these voxels and positions, keeps its link, without another registration.
 void SecondVolumeLoader::show(study::OpenedStudy second) {
     if (registration_.cancel()) Q_EMIT ended();
     std::string pair = pairWith(second);
@@ -223,7 +223,7 @@ void SecondVolumeLoader::linkByHand() {
     });
 }
 
-// Nothing is laid over the study where nobody knows where it lies.
+// A volume whose position is unknown is never laid over the study.
 void SecondVolumeLoader::setView(scene::SecondVolumePlace view) {
     if (state() == nullptr || (view == scene::SecondVolumePlace::over && !state()->isLinked())) return;
     change(tr("Second volume"), [view](scene::SecondVolumeState& next) { next.view = view; });

@@ -35,8 +35,8 @@ class SecondVolumeLoader : public QObject {
     void open(std::shared_ptr<const study::FoundVolumes> found, std::size_t index);
     // open() ends with this when it succeeds.
     void offer(const study::OpenedStudy& second);
-    void close();   // and removes it from the state
-    void cancel();  // reading or registering; an open volume stays
+    void close();   // also removes the second volume from the state
+    void cancel();  // cancels reading or registering; an open volume stays
     bool isWorking() const { return loader_.loading() || registration_.running(); }
     bool isRegistering() const { return registration_.running(); }
 
@@ -83,7 +83,7 @@ class SecondVolumeLoader : public QObject {
     std::shared_ptr<const SecondVolumeTexts> second_;
     bool isPlacedAnew_ = false;
     std::shared_ptr<live::PartDigests> digests_ = std::make_shared<live::PartDigests>();  // of both volumes
-    std::optional<study::OpenedStudy> asked_;  // of another patient, awaiting an answer
+    std::optional<study::OpenedStudy> asked_;  // a volume of another patient, awaiting an answer
     scene::SecondVolumePlace before_ = scene::SecondVolumePlace::beside;  // the view before the last flip
 };
 

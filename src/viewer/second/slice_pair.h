@@ -8,7 +8,7 @@
 
 namespace macula::viewer {
 
-// The study is always at the left. Both panes share zoom and position. Lives on the UI thread.
+// The study is always on the left. Both panes share zoom and position. Lives on the UI thread.
 class SlicePair : public QSplitter {
     Q_OBJECT
 

@@ -1,4 +1,4 @@
-// The segments of the study as the session's state shows them, and edits of that by hand.
+// The settings of the study's segments in the session's state, and a person's edits of them.
 #pragma once
 
 #include <QColor>
@@ -13,7 +13,7 @@
 
 namespace macula::viewer {
 
-// A segment, or without a number a segmentation itself. Number 0 is a segment.
+// A segment, or, without a number, a whole segmentation. Number 0 is a segment, too.
 struct SegmentId {
     std::string digest;
     std::optional<std::uint16_t> number = {};
@@ -21,7 +21,7 @@ struct SegmentId {
     bool operator==(const SegmentId&) const = default;
 };
 
-// All but show() are of a segment. Needs no window.
+// Only show() and isShown() accept a whole segmentation; the others need a segment. Needs no window.
 class SegmentEdits {
     Q_DECLARE_TR_FUNCTIONS(SegmentEdits)
 
@@ -29,7 +29,7 @@ class SegmentEdits {
     SegmentEdits(StudyEditor& session, const SegmentationKeeper& keeper);  // both outlive this
 
     scene::SegmentSettings settings(const SegmentId& id) const;
-    bool isShown(const SegmentId& id) const;  // on slices: the check mark of both kinds
+    bool isShown(const SegmentId& id) const;  // on slices: the check mark of a segment or segmentation
     std::optional<Segment> segment(const SegmentId& id) const;
     const study::LoadedSegment* loaded(const SegmentId& id) const;  // null: not loaded yet
     QColor colour(const SegmentId& id) const;
@@ -37,7 +37,7 @@ class SegmentEdits {
     void show(const SegmentId& id, bool isShown);
     void setColour(const SegmentId& id, const QColor& rgb);
     void dragOpacity(const SegmentId& id, double scene::SegmentSettings::*opacity, double to);
-    // A segmentation that is not shown changes nothing: whoever asks for it in 3D wants it shown.
+    // When switched on, also shows the segmentation if it is hidden: it has no effect in 3D while hidden.
     void setIn3d(const SegmentId& id, scene::In3d in3d, bool on);
     void setColoured(const SegmentId& id, bool on);
     void centreOn(const SegmentId& id);  // the cross-hair; does nothing before it is loaded

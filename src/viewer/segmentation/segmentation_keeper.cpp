@@ -93,7 +93,7 @@ void SegmentationKeeper::onFound(const Result<Found>& outcome) {
 
 void SegmentationKeeper::onChanged(const scene::StudyState& before) {
     if (session_.state().segmentations == before.segmentations) return;
-    // What somebody shows again is tried again.
+    // Retries a failed segmentation when a person shows it again.
     for (const SegmentationSettings& choice : session_.state().segmentations) {
         if (choice.isShown && !scene::choiceOf(before.segmentations, choice.digest).isShown)
             troubles_.erase(choice.digest);
@@ -108,7 +108,7 @@ void SegmentationKeeper::onChanged(const scene::StudyState& before) {
     mask();
 }
 
-// The first of those that are shown and not there yet.
+// Loads the first segmentation that is shown but not loaded yet.
 void SegmentationKeeper::loadNext() {
     if (isLoading() || isFinding() || stack() == nullptr) return;
     const auto isWanted = [this](const study::FoundSegmentation& each) {
@@ -179,7 +179,7 @@ void SegmentationKeeper::showOnSlices() {
     Q_EMIT shownChanged();
 }
 
-// Anew only where something else is asked for, or more is there to do it with.
+// Makes a new mask only if the choices changed, or if more segmentations are loaded.
 void SegmentationKeeper::mask() {
     std::vector<scene::In3dOf> wanted = scene::in3dOf(session_.state().segmentations);
     if (wanted == masked_ && (wanted.empty() || maskedOf_ == loaded_.size())) return;
@@ -200,7 +200,8 @@ void SegmentationKeeper::mask() {
     });
 }
 
-// Picture, panel and state say the same, and an undo does not ask for it again.
+// Corrects the state to the old mask: picture and panel agree, and an undo does not request the failed one
+// again.
 void SegmentationKeeper::onRefused(const Error& error) {
     masking_.cancel();
     const std::vector<scene::In3dOf> asked = std::exchange(masked_, made_);

@@ -38,7 +38,7 @@ class SegmentationKeeper : public QObject {
     const scene::LoadedSegmentations& allLoaded() const { return loaded_; }
     QString trouble(std::string_view digest) const;  // why loading failed; empty without error
 
-    // The choices of the last mask that was made.
+    // The choices that the last finished mask was made from.
     const std::vector<scene::In3dOf>& madeIn3d() const { return made_; }
 
     // The segments over slices now; null: none.
@@ -52,7 +52,7 @@ class SegmentationKeeper : public QObject {
   Q_SIGNALS:
     void listChanged();                                      // found(), loaded() or trouble()
     void shownChanged();                                     // shown()
-    void maskMade(const std::optional<macula::Mask>& mask);  // of the voxels shown in 3D; nothing: all
+    void maskMade(const std::optional<macula::Mask>& mask);  // the voxels to show in 3D; nothing: all
     // The wanted mask failed: the old one stays, and the session's state is corrected to it.
     void refused(const macula::Error& error);
     void began();
@@ -72,18 +72,18 @@ class SegmentationKeeper : public QObject {
     void showOnSlices();
     void mask();
     void onRefused(const Error& error);
-    const dicom::Stack* stack() const;  // of the open volume; null if it is of no folder
+    const dicom::Stack* stack() const;  // the open volume's images; null if it is from no folder
 
     StudyEditor& session_;
     Found found_;
     std::vector<Loaded> loaded_;
-    std::map<std::string, QString, std::less<>> troubles_;  // by digest
+    std::map<std::string, QString, std::less<>> troubles_;  // the key is a digest
     std::string isBeingLoaded_;                             // digest
     std::shared_ptr<const slices::ShownSegments> shown_;
     std::vector<scene::In3dOf> masked_;  // the choices wanted for the last mask
-    std::vector<scene::In3dOf> making_;  // of these, the loaded ones
-    std::vector<scene::In3dOf> made_;    // those of the last finished mask
-    std::size_t maskedOf_ = 0;           // loaded segmentations at that time
+    std::vector<scene::In3dOf> making_;  // those of `masked_` that are loaded
+    std::vector<scene::In3dOf> made_;    // the choices behind the last finished mask
+    std::size_t maskedOf_ = 0;           // how many were loaded when `masked_` was set
     BackgroundJob<Found> finding_;
     BackgroundJob<Loaded> loading_;
     BackgroundJob<std::optional<Mask>> masking_;

@@ -41,7 +41,7 @@ QIcon chip(const QColor& colour) {
     return QIcon(pixmap);
 }
 
-// The note below the list says what the sign means.
+// The note below the list explains the sign.
 QString mlText(double ml, bool isCalibrated) {
     const QString text = QLocale().toString(ml, 'f', ml < 1.0 ? 3 : ml < 100.0 ? 2 : 1);
     return isCalibrated ? text : QStringLiteral("≈ ") + text;
@@ -217,7 +217,7 @@ void SegmentationPanel::addSegmentation(const study::FoundSegmentation& found, s
     item->setText(kName, title);
     item->setToolTip(kName, title.toHtmlEscaped());
     if (!found.canBeShown()) {
-        // The reason is a row of its own, so that nobody has to look for it.
+        // The reason is a row below, so that nobody has to look for it.
         auto* why = new QTreeWidgetItem(item);
         const QString reason = harmless(inWindowsLanguage(found.whyNot));
         why->setText(kName, reason);

@@ -16,8 +16,8 @@
 
 namespace macula::viewer {
 
-// Shows the segmentations that the keeper found, as the session's state has them, and proposes other states.
-// Both outlive it.
+// Shows the segmentations that the keeper found, with their settings in the session's state, and proposes
+// changes to these. Both outlive it.
 class SegmentationPanel : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ class SegmentationPanel : public QWidget {
     SegmentationPanel(StudyEditor& session, SegmentationKeeper& keeper, QWidget* parent = nullptr);
 
     void showNames(bool shown);         // a segmentation's texts may name the patient
-    void setColour(const QColor& rgb);  // of the selected segment, if there is one
+    void setColour(const QColor& rgb);  // colours the selected segment, if any
 
   private:
     QWidget* makeControls();
@@ -46,7 +46,7 @@ class SegmentationPanel : public QWidget {
 
     static SegmentId idOf(const QTreeWidgetItem& item);
     std::optional<SegmentId> selected() const;  // a segment that can be shown
-    bool isCalibrated() const;                  // the volume, as in Provenance; also without one
+    bool isCalibrated() const;                  // whether the volume is; true without one
 
     StudyEditor& session_;
     SegmentationKeeper& keeper_;

@@ -33,7 +33,7 @@ class FileDialogs : public QObject {
     void sawStudy(const QString& path);
 
   Q_SIGNALS:
-    void aboutToOpen();  // the dialog will see the button go up
+    void aboutToOpen();  // to end a drag: the dialog gets the button's release
     void foldersChanged(const QMap<QString, QString>& toKeep);
 
   private:

@@ -14,8 +14,8 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr const char* kUsualKeys = "usual-keys";    // of an action: a list, the first is its id
-constexpr const char* kPictureKey = "picture-key";  // the same of one that the viewport handles
+constexpr const char* kUsualKeys = "usual-keys";    // an action's usual keys; the first is its id
+constexpr const char* kPictureKey = "picture-key";  // its usual key, if the viewport handles that
 constexpr const char* kPlainText = "text-without-key";
 
 struct Words {
@@ -30,7 +30,7 @@ QKeySequence fromPortable(const QString& text) {
     return QKeySequence(text, QKeySequence::PortableText);
 }
 
-// Those that it was made with; noted when it is seen first.
+// The keys that the action was made with, noted the first time it is seen.
 QList<QKeySequence> usualKeysOf(QAction& action) {
     const QVariant noted = action.property(kUsualKeys);
     if (noted.isValid()) return noted.value<QList<QKeySequence>>();
@@ -57,13 +57,13 @@ std::optional<KeyEntry> entryOf(QAction& action, const QString& where) {
     } else if (const QList<QKeySequence> keys = usualKeysOf(action); !keys.isEmpty()) {
         entry.usual = keys.front();
     }
-    if (entry.usual == QKeySequence(Qt::Key_Escape)) return std::nullopt;  // stops things in every program
+    if (entry.usual == QKeySequence(Qt::Key_Escape)) return std::nullopt;  // cancels things in every program
     if (!entry.usual.isEmpty()) {
         entry.id = portable(entry.usual);
     } else if (!action.objectName().isEmpty()) {
         entry.id = QLatin1Char('#') + action.objectName();
     } else {
-        return std::nullopt;  // nothing would find it again
+        return std::nullopt;  // nothing could identify it in the next run
     }
     return entry;
 }
@@ -79,7 +79,7 @@ void forEachIn(const QMenu& menu, const QString& where, const auto& visit) {
     }
 }
 
-// Of a tool bar only what has a key: the rest stands in a menu too, or is a control.
+// Visits only the actions of a tool bar that have a key: others are in a menu too, or are controls.
 void forEachAction(const QMainWindow& window, const auto& visit) {
     QSet<const QAction*> seen;
     const auto once = [&](QAction& action, const QString& where) {
@@ -103,7 +103,7 @@ void writeBeside(QAction& action, const QKeySequence& key) {
                                  : plain + QLatin1Char('\t') + key.toString(QKeySequence::NativeText));
 }
 
-// Keys that panes, lists and fields have for themselves.
+// Keys that panes, lists and fields use themselves.
 bool isTakenByPanes(const QKeyCombination& key) {
     constexpr std::array kTaken{Qt::Key_Left,   Qt::Key_Right, Qt::Key_Up,      Qt::Key_Down,
                                 Qt::Key_Home,   Qt::Key_End,   Qt::Key_PageUp,  Qt::Key_PageDown,

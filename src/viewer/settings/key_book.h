@@ -21,24 +21,24 @@ struct KeyEntry {
     bool isOfPicture = false;  // works while a picture has the focus: one key, no modifiers
 };
 
-// Code gives actions their usual keys; the book identifies the actions of a window by them, and replaces each
-// by the chosen key. So a new menu action is configurable without being listed. One book for the program; on
-// the UI thread.
+// Code gives actions their usual keys. The book identifies the actions of a window by these keys, and
+// replaces each with the chosen key, so that a new menu action is configurable without being listed. One book
+// for the program; on the UI thread.
 class KeyBook : public QObject {
     Q_OBJECT
 
   public:
     static KeyBook& ofProgram();
 
-    // From KeyEntry::id to the portable text of a key, empty for no key. Invalid texts are left out.
+    // Maps KeyEntry::id to the portable text of a key, empty for no key. Invalid texts are left out.
     void setOwn(const QMap<QString, QString>& own);
     const QMap<QString, QString>& own() const { return own_; }
 
     QKeySequence chosen(const QKeySequence& usual) const;
     QKeySequence chosen(const KeyEntry& entry) const;
 
-    // Writes `usual`, or the key that a person chose for it, beside the text of the action. The viewport
-    // handles the key: it is no shortcut of the action.
+    // Writes `usual`, or the key that a person chose instead, beside the text of the action. The viewport
+    // handles the key: it is not the action's shortcut.
     static void showPictureKey(QAction& action, const QKeySequence& usual);
 
     // All configurable entries, in the order of menus, then of tool bars. `usual` of an action not seen

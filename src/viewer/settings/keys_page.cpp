@@ -113,7 +113,7 @@ void KeysPage::search(const QString& words) {
         for (const QString& word : wanted) isFound = isFound && text.contains(word, Qt::CaseInsensitive);
         item->setHidden(!isFound);
     }
-    // What a key is taken for is always seen.
+    // The entry that gets the key must be visible.
     if (list_->currentItem() != nullptr && !list_->currentItem()->isHidden()) return;
     QTreeWidgetItem* first = nullptr;
     for (int index = 0; index < list_->topLevelItemCount() && first == nullptr; ++index) {

@@ -23,7 +23,7 @@ class KeysPage : public QWidget {
     KeysPage(QList<KeyEntry> entries, QMap<QString, QString> own, QWidget* parent = nullptr);
 
     const QMap<QString, QString>& own() const { return own_; }
-    QString trouble() const { return trouble_->text(); }  // with the last key tried; empty: none
+    QString trouble() const { return trouble_->text(); }  // why the last key was refused; else empty
 
   private:
     void makeList();

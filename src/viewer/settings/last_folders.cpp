@@ -68,7 +68,8 @@ void LastFolders::sawStudy(const QString& path) {
         QDir::cleanPath(opened.isDir() ? opened.absoluteFilePath() : opened.absolutePath());
     if (!studies_.contains(folder)) studies_ << folder;
     kept_[nameOf(FolderKind::studies)] = above(folder);
-    // What was saved into it before it was known to hold a study.
+    // Also replaces kept folders inside the new study: a person may have saved there before it was known to
+    // hold one.
     for (QString& each : kept_) each = beside(each);
 }
 

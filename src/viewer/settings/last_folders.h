@@ -11,7 +11,7 @@ namespace macula::viewer {
 // The kind of files of a dialog.
 enum class FolderKind { studies, pictures, movies, models, views, presets, measurements, presentations };
 
-// Remembers the last folder of each kind. The folder of a study may be named for its patient, so its parent
+// Remembers the last folder of each kind. The folder of a study may be named after its patient, so its parent
 // folder is kept between runs instead.
 class LastFolders {
   public:

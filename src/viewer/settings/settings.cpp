@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostBytes = 1u << 20;
 constexpr int kVersion = 1;
 
-// Takes members out of the object: those that nobody has asked for are left.
+// Takes members out of the object; the unknown ones are left.
 class Members {
   public:
     explicit Members(QJsonObject object) : object_(std::move(object)) {}
@@ -155,7 +155,7 @@ Result<void> writeSettings(const Settings& settings, const fs::path& file) {
                      file.parent_path().string(), Text("Check free space and permissions.")};
     if (!readSettings(file)) fs::rename(file, fs::path(file).concat(".damaged"), error);
     MACULA_TRY_VOID(writeTextAtomically(file, toJson(settings)));
-    // Folders are nobody else's business.
+    // Names of folders are private.
     fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, error);
     return {};
 }

@@ -30,7 +30,7 @@ struct Settings {
     QMap<QString, QString> keys = {};     // chosen keys: see KeyBook
     QMap<QString, QString> folders = {};  // see LastFolders
     QString windowPlace = {};             // see WindowPlace; empty: the default
-    QJsonObject others = {};              // of a later version: written back unchanged
+    QJsonObject others = {};              // from a later version: written back unchanged
 
     bool operator==(const Settings&) const = default;
 };
@@ -43,7 +43,7 @@ Result<Settings> settingsFromJson(const std::string& text);
 std::string toJson(const Settings& settings);
 
 // `stored` with the changes from `before` to `after`, because another window may have changed the rest. Each
-// entry of `keys` and `folders` counts by itself.
+// entry of `keys` and `folders` counts separately.
 Settings withChanges(Settings stored, const Settings& before, const Settings& after);
 
 // The default settings if there is no file.

@@ -1,4 +1,4 @@
-// What a person wants of the program: asked for, used, and kept.
+// Asks for the settings of the program, applies and stores them.
 #pragma once
 
 #include <QObject>
@@ -30,12 +30,12 @@ class SettingsController : public QObject {
     void keepWindowPlace(const QString& place);
 
     QAction* addAction(QMenu& edit);
-    // Gives the actions of the window the keys that a person chose. Call it once, after all actions are there
-    // with the keys that they come with.
+    // Gives the actions of the window the keys that a person chose. Call it once, when all actions exist and
+    // have their usual keys.
     void useKeys();
 
   Q_SIGNALS:
-    void aboutToAsk();  // the dialog will see the button go up
+    void aboutToAsk();  // to end a drag: the dialog gets the button's release
     void namesToggled(bool shown);
 
   private:

@@ -181,7 +181,7 @@ Settings SettingsDialog::settings() const {
     now.showsNames = showsNames_->isChecked();
     if (qualities_->currentIndex() >= 0) now.quality = qualities_->currentData().toString();
     now.deidentifies = deidentifies_->isChecked();
-    // Wherever the program is started from the next time.
+    // Absolute, because the next run may start in another folder.
     const QString folder = folder_->text().trimmed();
     now.storeFolder = folder.isEmpty() ? QString() : QDir(folder).absolutePath();
     now.keepDays = keepDays_->value() > 0 ? std::optional(keepDays_->value()) : std::nullopt;

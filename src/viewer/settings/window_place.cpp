@@ -11,7 +11,7 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr qsizetype kShortestPlace = 40;  // bytes, as of QWidget::saveGeometry
+constexpr qsizetype kShortestPlace = 40;  // bytes, as QWidget::saveGeometry writes them
 
 }  // namespace
 
@@ -29,7 +29,7 @@ bool WindowPlace::eventFilter(QObject* watched, QEvent* event) {
 bool placeWindow(QWidget& window, const QString& place) {
     const auto bytes =
         QByteArray::fromBase64Encoding(place.toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
-    // Qt reads what is cut off as zeros.
+    // Qt would read missing bytes as zeros.
     if (!bytes || bytes.decoded.size() < kShortestPlace || !window.restoreGeometry(bytes.decoded))
         return false;
     if (window.isMaximized() || window.isFullScreen()) return true;  // the desktop knows how large that is

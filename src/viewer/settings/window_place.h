@@ -24,8 +24,8 @@ class WindowPlace : public QObject {
     std::function<void(const QString&)> keep_;
 };
 
-// Places a window before it is shown: on an existing screen, and no larger than that. False for an invalid
-// text.
+// Places a window before it is shown: on an existing screen, and no larger than this screen. False for an
+// invalid text.
 bool placeWindow(QWidget& window, const QString& place);
 
 }  // namespace macula::viewer

@@ -17,7 +17,7 @@ const QColor kDim(0, 0, 0, 150);
 const QColor kClipInk(255, 150, 60);
 const QColor kHeldInk(255, 225, 90);
 
-// From device pixels to those of the painter.
+// Converts device pixels to logical pixels of the painter.
 class Places {
   public:
     explicit Places(double pixelRatio) : ratio_(pixelRatio) {}
@@ -40,10 +40,10 @@ QImage imageOf(const QSize& size, double pixelRatio) {
     return image;
 }
 
-// Dims all of the picture but what the path encloses.
+// Dims the whole picture except what the path encloses.
 void dimAround(QPainter& painter, const QSize& size, double pixelRatio, const QPainterPath& path) {
     QImage around = imageOf(size, pixelRatio);
-    if (around.isNull()) return;  // no memory for it: the outline is drawn all the same
+    if (around.isNull()) return;  // no memory for the image: the outline is still drawn
     around.fill(kDim);
     QPainter cut(&around);
     cut.setRenderHint(QPainter::Antialiasing);

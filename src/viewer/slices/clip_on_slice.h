@@ -1,4 +1,4 @@
-// A clip on a slice: what it removes is dimmed, its borders are lines, and handles move them.
+// Draws a clip on a slice: dims the part that it removes, and adds lines for its borders and handles to drag.
 #pragma once
 
 #include <QCursor>
@@ -27,12 +27,12 @@ struct ClipOnSlice {
     std::vector<Scissors> scissors;
     std::vector<scene::Contour> lines;
     std::vector<scene::PlacedHandle> handles;
-    std::optional<scene::ClipHandle> held;  // or pointed at
+    std::optional<scene::ClipHandle> held;  // the handle that is held or pointed at
 
     bool isNothing() const { return removed.empty() && scissors.empty() && lines.empty() && handles.empty(); }
 };
 
-// From the state's clip and cuts; has handles only `withHandles`.
+// Made from the state's clip and cuts; has handles only if `withHandles`.
 ClipOnSlice clipOnSlice(const scene::StudyState& state, const Volume& volume, const slices::SliceFrame& frame,
                         bool withHandles);
 
@@ -51,7 +51,7 @@ class ClipDimming {
     QImage image_;
 };
 
-// `size` of the pane in the painter's logical pixels.
+// `size` is the pane's, in the painter's logical pixels.
 void paintClip(QPainter& painter, const QSize& size, const ClipOnSlice& clip, const slices::SliceFrame& frame,
                double pixelRatio, ClipDimming& dimming);
 

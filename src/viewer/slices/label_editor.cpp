@@ -31,7 +31,7 @@ LabelEditor::LabelEditor(QWidget* pane, QPoint place, const QString& text)
     setFocus();
 }
 
-// All keys are its own: letters of tools and digits of windows are words here.
+// Takes all keys: letters of tools and digits of windows are text here.
 void LabelEditor::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return finish(true);
     if (event->key() == Qt::Key_Escape) return finish(false);
@@ -41,7 +41,7 @@ void LabelEditor::keyPressEvent(QKeyEvent* event) {
 
 void LabelEditor::focusOutEvent(QFocusEvent* event) {
     QLineEdit::focusOutEvent(event);
-    if (event->reason() != Qt::PopupFocusReason) finish(true);  // its own menu is no other place
+    if (event->reason() != Qt::PopupFocusReason) finish(true);  // its own context menu does not count
 }
 
 void LabelEditor::finish(bool isAccepted) {

@@ -34,7 +34,7 @@ std::optional<slices::Measurement> MeasurementDrawing::soFar() const {
     return measured(slices::Distance{.endsMm = {pointsMm_[0], last}});
 }
 
-// In the rectangle of which two opposite corners were shown.
+// The ellipse in the rectangle between two opposite corners.
 std::optional<slices::Measurement> MeasurementDrawing::ellipse(const glm::dvec3& to) const {
     const glm::dvec3 diagonal = to - pointsMm_.front();
     slices::Ellipse ellipse{.plane = plane_,

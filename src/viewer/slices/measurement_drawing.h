@@ -10,9 +10,9 @@
 
 namespace macula::viewer {
 
-// A distance and an ellipse have two points, ends and opposite corners; an angle has three. A press of the
-// button sets a point; a release after a drag also sets the second. All points lie in `plane`, patient LPS
-// mm.
+// A distance has two points, its ends; an ellipse two opposite corners of its box; an angle three points. A
+// press of the button sets a point; a release after a drag also sets the second. All points lie in `plane`,
+// patient LPS mm.
 class MeasurementDrawing {
   public:
     // `tool` must measure. Points within `leastMm` of each other count as one.

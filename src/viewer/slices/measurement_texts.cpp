@@ -14,7 +14,8 @@ namespace macula::viewer {
 
 namespace {
 
-// No image was taken there: values are of what lies beside it, and ends were seen in it.
+// No image was taken there: values come from neighbouring images, and a person saw the ends in interpolated
+// slices.
 QString interpolated(const QString& text, const slices::Measurement& measurement, double share) {
     if (!std::holds_alternative<slices::Ellipse>(measurement.shape))
         return QCoreApplication::translate("Slices", "%1, ends in interpolated slices").arg(text);
@@ -28,7 +29,7 @@ QString interpolated(const QString& text, const slices::Measurement& measurement
 QString MeasurementTexts::of(const slices::Measurement& measurement, const Volume& volume) {
     const auto found = std::ranges::find(known_, measurement, &Known::measurement);
     if (found != known_.end()) return found->text;
-    constexpr std::size_t kMost = 2048;  // more than a state has; each step of a moved one is one
+    constexpr std::size_t kMost = 2048;  // more than a state has; each step of a drag adds one
     if (known_.size() == kMost) known_.erase(known_.begin());
     QString text = withLocalNumbers(QString::fromStdString(slices::textOf(measurement, volume)));
     if (!volume.provenance().isCalibrated && slices::hasSize(measurement)) text = notCalibrated(text);

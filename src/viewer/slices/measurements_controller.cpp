@@ -38,7 +38,7 @@ void MeasurementsController::askWhereToSave() {
                                          tr("Table (*.csv);;JSON (*.json)"), QStringLiteral("csv"),
                                          QStringLiteral("measurements"));
     FileDialogs::followFilter(*dialog);
-    // Those of now: while a person looks for a folder another study may come.
+    // Takes the present measurements: while a person looks for a folder, another study may open.
     context_.files.ask(
         dialog, FolderKind::measurements,
         [this, measurements = session.state().measurements, volume = session.study().measured(),

@@ -1,4 +1,4 @@
-// Measurements of the open study as a file, and their removal.
+// Saves the measurements of the open study to a file, and removes them.
 #pragma once
 
 #include <QObject>

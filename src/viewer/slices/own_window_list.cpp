@@ -46,12 +46,12 @@ OwnWindowList::OwnWindowList(std::optional<std::filesystem::path> folder, QObjec
 }
 
 OwnWindowList::~OwnWindowList() {
-    // The threads end first: nobody else writes then.
+    // The threads end first, so that nobody else writes then.
     reading_.reset();
     writing_.reset();
     if (!folder_ || toKeep_.empty()) return;
     try {
-        // Nobody knows what became of those that were being written; to keep them twice changes nothing.
+        // A running write may have failed; storing its edits twice changes nothing.
         keeping_.insert(keeping_.end(), toKeep_.begin(), toKeep_.end());
         if (const auto kept = keepIn(*folder_, keeping_); !kept)
             log::warning("Windows could not be kept: {}", kept.error().message.english());
@@ -74,7 +74,7 @@ OwnWindowList::Kept OwnWindowList::edited(std::vector<scene::OwnWindow> windows,
     return kept;
 }
 
-// On the thread of the job, or when there is none any more.
+// Runs on the thread of the job, or in the destructor.
 Result<OwnWindowList::Kept> OwnWindowList::keepIn(const std::filesystem::path& folder, const Edits& edits) {
     try {
         MACULA_TRY(const std::optional<std::string> json, live::machineDocument(folder, documentId()));
@@ -82,7 +82,7 @@ Result<OwnWindowList::Kept> OwnWindowList::keepIn(const std::filesystem::path& f
         if (json) {
             if (auto read = scene::ownWindowsFromJson(*json)) {
                 stored = *std::move(read);
-            } else {  // for the version that wrote them
+            } else {  // keeps a copy for the version that wrote it
                 MACULA_TRY_VOID(live::keepMachineDocument(
                     folder, documentId("windows of slices not understood"), kVersion, *json));
             }
@@ -110,7 +110,7 @@ void OwnWindowList::onRead(const Result<std::string>& json) {
                  Text::verbatim(tr("The next one that you keep takes their place.").toStdString())});
         }
     }
-    // What was changed before they came stays.
+    // Changes made before the windows arrived stay.
     windows_ = edited(std::move(read), toKeep_).windows;
     Q_EMIT changed();
     keep();
@@ -119,13 +119,13 @@ void OwnWindowList::onRead(const Result<std::string>& json) {
 void OwnWindowList::onKept(const Result<Kept>& kept) {
     const Edits done = std::exchange(keeping_, {});
     if (!kept) {
-        // They are kept with the next one, or at the end.
+        // The next write, or the destructor, tries them again.
         toKeep_.insert(toKeep_.begin(), done.begin(), done.end());
         Q_EMIT failed(kept.error());
         return;
     }
     std::vector<scene::OwnWindow> now = edited(kept->windows, toKeep_).windows;
-    const bool isOther = now != windows_;  // another window of the program has kept some
+    const bool isOther = now != windows_;  // another program window has stored some
     windows_ = std::move(now);
     if (isOther) Q_EMIT changed();
     if (kept->leftOut) Q_EMIT failed(*kept->leftOut);
@@ -139,7 +139,7 @@ Result<void> OwnWindowList::add(scene::OwnWindow window) {
 }
 
 void OwnWindowList::remove(const scene::OwnWindow& window) {
-    const scene::OwnWindow removed = window;  // it may be one of the list
+    const scene::OwnWindow removed = window;  // copied: it may refer into the list
     if (std::erase(windows_, removed) == 0) return;
     edit({.window = removed, .isRemoved = true});
 }

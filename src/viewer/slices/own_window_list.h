@@ -27,13 +27,13 @@ class OwnWindowList : public QObject {
     std::vector<scene::OwnWindow> fitting(const Volume& volume) const {
         return scene::ownWindowsFor(windows_, volume);
     }
-    // As scene::withOwnWindow.
+    // Fails as scene::withOwnWindow does.
     Result<void> add(scene::OwnWindow window);
     void remove(const scene::OwnWindow& window);
 
   Q_SIGNALS:
     void changed();
-    void failed(const macula::Error& error);  // they could not be read or kept
+    void failed(const macula::Error& error);  // the windows could not be read or stored
 
   private:
     struct Edit {
@@ -55,7 +55,7 @@ class OwnWindowList : public QObject {
 
     std::optional<std::filesystem::path> folder_;
     std::vector<scene::OwnWindow> windows_;
-    Edits toKeep_;   // to write after the running read or write
+    Edits toKeep_;   // edits to write after the running read or write
     Edits keeping_;  // being written
     std::optional<BackgroundJob<std::string>> reading_;
     std::optional<BackgroundJob<Kept>> writing_;

@@ -14,22 +14,22 @@
 
 namespace macula::viewer {
 
-// Proposes changes of the session's clip, which is of the study alone. `shown` is the request of the picture
-// on screen; places are logical pixels of the pane.
+// Proposes changes of the session's clip, which clips the study and never the second volume. `shown` is the
+// request of the picture on screen; places are logical pixels of the pane.
 class PaneClip {
     Q_DECLARE_TR_FUNCTIONS(PaneClip)
 
   public:
     explicit PaneClip(StudyEditor& session) : session_(session) {}  // outlives this
 
-    // Returns whether that was a change.
+    // Returns whether anything changed.
     bool show(bool shown, bool withHandles);
     bool hasHandles() const { return hasHandles_; }
     std::optional<scene::PlacedHandle> handleAt(const QPointF& place, const SliceRequest& shown) const;
 
     void hold(const scene::ClipHandle& handle) { held_ = handle; }
     void letGo() { held_.reset(); }
-    // Moves the held handle. What the clip refuses leaves it where it is.
+    // Moves the held handle. It stays where it is if the clip refuses the move.
     void dragTo(const QPointF& place, const SliceRequest& shown);
 
     // `pointedAt`: the place of the pointer; nothing: outside of the pane.

@@ -71,7 +71,7 @@ DisplayWindow PaneContent::wantedWindow() const {
     return wantsSecond() ? secondWindow() : studyWindow();
 }
 
-// The second one may reach farther than the study.
+// The second volume may extend beyond the study.
 std::vector<PlacedGrid> PaneContent::placedVolumes() const {
     std::vector<PlacedGrid> placed{{volume().worldFromVoxel(), volume().size()}};
     if (const scene::SecondVolumeState* now = secondState())

@@ -17,8 +17,8 @@ namespace macula::viewer {
 // Whether a pane shows the second volume when it is beside the study.
 enum class PaneRole { study, second };
 
-// Answers from the state of the session, which outlives it; knows nothing of what is on screen. All but
-// hasStudy(), the second volume and the two fixed attributes need a study.
+// Reads the session's state, and knows nothing of the picture on screen. The session outlives it. Only
+// hasStudy(), the second volume, orientation() and role() can be read without a study.
 class PaneContent {
   public:
     PaneContent(const StudyEditor& session, slices::Orientation orientation, PaneRole role);
@@ -27,8 +27,8 @@ class PaneContent {
     PaneRole role() const { return role_; }
 
     void clear() { steps_.reset(); }  // no study until takeStudy()
-    void takeStudy();                 // the one of the session
-    void turnPlanes();                // as the state has them now
+    void takeStudy();                 // takes over the session's study
+    void turnPlanes();                // straight or as acquired, as the state says
     bool hasStudy() const { return steps_.has_value(); }
     const study::OpenedStudy& study() const { return session_.study(); }
     const scene::StudyState& state() const { return session_.state(); }
@@ -45,13 +45,13 @@ class PaneContent {
     // Null: no second volume.
     void setSecond(std::shared_ptr<const SecondVolumeTexts> second);
     const SecondVolumeTexts* second() const { return second_.get(); }
-    // Null unless the second volume that is there is the one of the state. Those below need it.
+    // Null unless the state describes this second volume. secondWindow() needs it.
     const scene::SecondVolumeState* secondState() const;
     DisplayWindow secondWindow() const;
-    // Whether the pane shows it instead of the study; false without one.
+    // Whether the pane shows the second volume instead of the study; false without one.
     bool wantsSecond() const;
 
-    const Volume& wantedVolume() const;  // that of the two which the pane is to show
+    const Volume& wantedVolume() const;  // study or second volume, as wantsSecond() says
     DisplayWindow wantedWindow() const;
     std::vector<PlacedGrid> placedVolumes() const;  // both, in the space of the pane
 
@@ -59,7 +59,7 @@ class PaneContent {
     const StudyEditor& session_;
     slices::Orientation orientation_;
     PaneRole role_;
-    DisplayWindow usualWindow_;  // of the study: seriesWindow
+    DisplayWindow usualWindow_;  // the study's seriesWindow
     std::optional<SliceSteps> steps_;
     std::shared_ptr<const SecondVolumeTexts> second_;
 };

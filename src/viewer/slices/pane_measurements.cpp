@@ -24,7 +24,7 @@ void PaneMeasurements::forget() {
     texts_.forget();
 }
 
-// Whatever came before it in the list or went; one that was only moved stays in its place.
+// Finds it even if earlier ones were added or removed; if it was only moved, it has the same index.
 bool PaneMeasurements::follow(const scene::StudyState& before) {
     const auto& now = session_.state().measurements;
     if (!selected_ || now == before.measurements) return false;
@@ -127,7 +127,7 @@ std::vector<ShownMeasurement> PaneMeasurements::seenOn(const SliceRequest& shown
     return seen;
 }
 
-// Values are of the plane, whatever is projected onto it.
+// Values come from the plane alone, whatever the slab projects onto it.
 QString PaneMeasurements::textOf(const slices::Measurement& measurement, const SliceRequest& shown) {
     const QString text = texts_.of(measurement, content_.volume());
     const bool isOfPlane =
@@ -135,7 +135,7 @@ QString PaneMeasurements::textOf(const slices::Measurement& measurement, const S
     return isOfPlane ? tr("Plane alone: %1").arg(text) : text;
 }
 
-// Values are counted once the hand lets go: that takes too long for each of its steps.
+// Shows only the size: counting values takes too long for each step of the drag.
 QString PaneMeasurements::textWhileDrawn(const slices::Measurement& measurement) {
     const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape);
     if (ellipse == nullptr) return texts_.of(measurement, content_.volume());

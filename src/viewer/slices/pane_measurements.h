@@ -1,4 +1,4 @@
-// The measurements on a pane of slices: which are seen, which is selected, and the one that is being drawn.
+// The measurements on a pane of slices: the visible ones, the selected one, and the one being drawn.
 #pragma once
 
 #include <QCoreApplication>
@@ -27,29 +27,29 @@ class PaneMeasurements {
   public:
     PaneMeasurements(StudyEditor& session, const PaneContent& content);  // both outlive this
 
-    void forget();  // another study: selection and texts
-    // The same one stays selected after a change of the state; returns whether it is gone.
+    void forget();  // drops selection and texts, for another study
+    // Keeps the same measurement selected after a change of the state. Returns whether it is gone.
     bool follow(const scene::StudyState& before);
 
     std::optional<std::size_t> selected() const { return selected_; }
     void deselect() { selected_.reset(); }
-    // Selects the one that is seen at `place`; nothing there: leaves the selection.
+    // Selects the measurement that is visible at `place`; if there is none, keeps the selection.
     std::optional<Hit> selectAt(const QPointF& place, const SliceRequest& shown);
-    void moveHandle(std::size_t handle, const glm::dvec3& mm);  // of the selected one, as a drag
+    void moveHandle(std::size_t handle, const glm::dvec3& mm);  // of the selected measurement, in a drag
     void removeSelected();
 
     bool isDrawing() const { return drawing_.has_value(); }
     bool isBeyondFirstPoint() const { return drawing_ && drawing_->pointsSet() > 1; }
-    // Whether the picture that is drawn on is `shown`, or one of the same plane.
+    // Whether drawing can continue on `shown`: it shows the study, in the plane of the drawing.
     bool goesOnOver(const SliceRequest& shown) const;
     void beginDrawing(SliceTool tool, const QPointF& place, const SliceRequest& shown);
     void moveDrawing(const glm::dvec3& mm);
-    // The button went down or up there. The last point puts the measurement into the state, and selects it.
+    // The button went down or up at `mm`. The last point adds the measurement to the state and selects it.
     void pressDrawing(const glm::dvec3& mm);
     void releaseDrawing(const glm::dvec3& mm);
     void dropDrawing() { drawing_.reset(); }
 
-    // Those to draw over the picture.
+    // The measurements to draw over the picture.
     std::vector<ShownMeasurement> seenOn(const SliceRequest& shown);
 
   private:

@@ -16,7 +16,7 @@ bool samePixels(const SliceRequest& a, SliceRequest b) {
 
 }  // namespace
 
-// What comes after this is gone is dropped by Qt.
+// Qt drops pictures that arrive after this object is destroyed.
 PanePicture::PanePicture()
     : sampler_(std::make_unique<SliceSampler>([this](SlicePicture picture) {
           post(this, [this, picture = std::move(picture)] { take(picture); });

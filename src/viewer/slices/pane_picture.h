@@ -1,4 +1,4 @@
-// The picture of a slice that a pane has on screen, and the one it has asked for.
+// The picture of a slice that a pane shows, and the one that it has requested.
 #pragma once
 
 #include <QObject>
@@ -18,20 +18,21 @@ class PanePicture : public QObject {
     PanePicture();
     ~PanePicture() override;
 
-    // Takes the picture away and keeps no volume; what was asked for before no longer arrives.
+    // Removes the picture and releases its volume; pictures requested before no longer arrive.
     void forget();
-    // Makes no picture twice that differs in its cross-hair alone, which lies over it. Sets `study` itself.
+    // Requests a picture, and sets its `study`. If only the cross-hair differs from the last request, makes
+    // no new picture: the cross-hair is drawn over it.
     void ask(SliceRequest request);
 
     // The picture on screen; null: none.
     const SlicePicture* shown() const { return shown_ ? &*shown_ : nullptr; }
-    // The request of that picture; likewise.
+    // The request of that picture; null: none.
     const SliceRequest* shownRequest() const { return shown_ ? &shown_->of : nullptr; }
     const SliceRequest* wanted() const { return wanted_ ? &*wanted_ : nullptr; }
     bool isUpToDate() const;
 
   Q_SIGNALS:
-    void arrived();  // shown() is another one
+    void arrived();  // shown() is a new picture
 
   private:
     void take(SlicePicture picture);

@@ -17,10 +17,10 @@ struct PaneRequest {
     Q_DECLARE_TR_FUNCTIONS(PaneRequest)
 };
 
-// The slice of another volume that a plane of the study lies in; nothing where they are not parallel.
+// The index of the other volume's slice in that plane; nothing if its slices are not parallel to it.
 std::optional<int> sliceIn(const Volume& volume, const slices::SlicePlane& plane,
                            const glm::dmat4& volumeFromStudy) {
-    constexpr double kSameDirection = 1e-4;  // as of SliceSteps
+    constexpr double kSameDirection = 1e-4;  // as in SliceSteps
     const glm::dmat4 voxelFromStudy = glm::inverse(volume.worldFromVoxel()) * volumeFromStudy;
     const glm::dvec3 gradient{voxelFromStudy[0][2], voxelFromStudy[1][2], voxelFromStudy[2][2]};
     if (glm::length(glm::cross(glm::normalize(gradient), plane.normal())) > kSameDirection) return {};
@@ -28,7 +28,7 @@ std::optional<int> sliceIn(const Volume& volume, const slices::SlicePlane& plane
     return at >= 0.0 && at < volume.size().z ? std::optional(int(at)) : std::nullopt;
 }
 
-// With the numbers of its own slice where the pane is one of these: those of the study are of other images.
+// Has the second volume's own slice number, if the pane lies in one: the study's numbers count other images.
 QString secondPositionText(const PaneContent& content, const scene::SecondVolumeState& state,
                            SliceRequest& request) {
     request.isInterpolated = false;
@@ -50,7 +50,7 @@ void showSecond(const PaneContent& content, const scene::SecondVolumeState& stat
     request.window = content.secondWindow();
     request.isInverted = content.state().slices.isInverted != second.study.isLowBright;
     request.isLowBright = second.study.isLowBright;
-    request.segments.reset();  // they are of the study's voxels
+    request.segments.reset();  // segments belong to the study's voxels
     request.positionText = secondPositionText(content, state, request);
     request.tags = {second.tag};
     request.names = second.lines;
@@ -67,7 +67,7 @@ void showSecondOver(const PaneContent& content, const scene::SecondVolumeState& 
     request.over = SliceOver{.volume = second.study.measured(),
                              .volumeFromPane = state.secondFromStudy,
                              .window = content.secondWindow(),
-                             // Colours are no custom of films.
+                             // Low values shown bright is a custom of films, not of colours.
                              .isInverted = second.study.isLowBright && !isActivity(*second.study.volume),
                              .colours = state.colours,
                              .opacity = state.opacity};
@@ -79,7 +79,7 @@ void showSecondOver(const PaneContent& content, const scene::SecondVolumeState& 
         request.secondNotes.push_back(PaneRequest::tr("In colours: the size of pixels is not calibrated"));
 }
 
-// Completes the request, which is of the study so far.
+// Adds the second volume to a request for the study.
 void addSecond(const PaneContent& content, SliceRequest& request) {
     const scene::SecondVolumeState* state = content.secondState();
     if (state == nullptr) return;

@@ -9,8 +9,8 @@
 
 namespace macula::viewer {
 
-// Needs a study. With a second volume in its place or over it, as the state has it. `segments` are of the
-// study; null: none. `sizePx` in logical pixels, `pixelRatio` device pixels to each.
+// Needs a study. The request has the second volume instead of the study or over it, if the state says so.
+// `segments` belong to the study; null: none. `sizePx` in logical pixels, `pixelRatio` device pixels to each.
 SliceRequest requestFor(const PaneContent& content, const PaneView& view,
                         std::shared_ptr<const slices::ShownSegments> segments, const glm::ivec2& sizePx,
                         double pixelRatio);

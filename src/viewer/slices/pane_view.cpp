@@ -15,8 +15,8 @@ constexpr double kClosest = 1.0 / 64.0;
 constexpr int kMostSteps = 64;
 constexpr double kInsideVoxels = 1e-3;
 
-// The point of the plane in the volume that is near to `from`, found by alternating projections (von Neumann)
-// between both; nothing where they do not meet.
+// A point near `from` that lies in both plane and volume, found by alternating projections (von Neumann);
+// nothing if they do not meet.
 std::optional<glm::dvec3> placeInVolume(const PlacedGrid& volume, const slices::SlicePlane& plane,
                                         const glm::dvec3& from) {
     const glm::dmat4 voxelFromPane = glm::inverse(volume.paneFromVoxel);

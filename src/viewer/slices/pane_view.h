@@ -10,7 +10,7 @@
 namespace macula::viewer {
 
 struct PaneView {
-    glm::dvec3 centreMm{0.0};  // in the middle of the pane, or off its plane along the normal
+    glm::dvec3 centreMm{0.0};  // in the middle of the pane; may be off the plane along the normal
     double mmPerPx = 1.0;      // logical pixels, as below
 
     bool operator==(const PaneView&) const = default;
@@ -30,11 +30,11 @@ struct PlacedGrid {
 PaneView withinReach(const PaneView& view, const slices::SlicePlane& plane,
                      std::span<const PlacedGrid> volumes);
 
-// Moves the picture by so many logical pixels.
+// Moves the picture by `byPx` logical pixels.
 PaneView panned(const PaneView& view, const slices::SlicePlane& plane, const glm::dvec2& byPx);
 
-// Magnifies by `factor`, with the point `fromMiddlePx` off the middle of the pane fixed. Limits the scale to
-// 1/4 to 64 times that of `fittedMmPerPx`.
+// Magnifies by `factor`. The point `fromMiddlePx` off the middle of the pane stays fixed. Limits the
+// magnification to 1/4 to 64 times that of `fittedMmPerPx`.
 PaneView zoomed(const PaneView& view, const slices::SlicePlane& plane, const glm::dvec2& fromMiddlePx,
                 double factor, double fittedMmPerPx);
 

@@ -52,7 +52,7 @@ void PaneZoom::look(const PaneView& view) {
 
 void PaneZoom::settle(const glm::ivec2& sizePx) {
     if (isFitted_) view_ = fittedView(content_.volume(), content_.steps(), sizePx);
-    // A pane that follows another has nothing to tell before it was told.
+    // A pane that follows another emits nothing before it has received a view.
     if (told_ == view_ || (!told_ && content_.role() != PaneRole::study)) return;
     told_ = view_;
     Q_EMIT settled(view_);

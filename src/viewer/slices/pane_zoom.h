@@ -25,15 +25,16 @@ class PaneZoom : public QObject {
     // The plane of the current slice, with the middle of the pane as its centre.
     slices::SlicePlane plane() const;
 
-    // Begins another study: fits it, or waits to be told a view.
+    // Begins another study: fits it, or waits for a view from follow() or showArea().
     void begin(bool isFitted) { isFitted_ = isFitted; }
     void fit();
-    void follow(const PaneView& view);  // as in the pane beside it
+    void follow(const PaneView& view);  // shows the view of the pane beside it
     void showArea(const scene::SliceArea& area, const glm::ivec2& sizePx);
     void zoomAt(const QPointF& place, double factor, const glm::ivec2& sizePx);
     void panBy(const glm::dvec2& px);
 
-    // Call before a picture of this size is made. Refits a fitted view, and emits settled() if it is new.
+    // Call it before a picture of this size is made. Refits a fitted view, and emits settled() if the view is
+    // new.
     void settle(const glm::ivec2& sizePx);
 
   Q_SIGNALS:
@@ -41,7 +42,7 @@ class PaneZoom : public QObject {
     void settled(const macula::viewer::PaneView& view);  // for the pane beside it
 
   private:
-    void look(const PaneView& view);  // by a person: limited by withinReach
+    void look(const PaneView& view);  // applies a person's view, limited by withinReach
 
     const PaneContent& content_;
     PaneView view_;

@@ -15,13 +15,13 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr std::size_t kMostRangesMarked = 8;  // lines of more would hide the picture
+constexpr std::size_t kMostRangesMarked = 8;  // more lines would hide the picture
 
 struct PictureTexts {
     Q_DECLARE_TR_FUNCTIONS(PictureTexts)
 };
 
-// Of the study; of a second volume it is said in words only.
+// For the study only: a note in words covers the second volume.
 std::vector<SliceRange> interpolatedRanges(const SliceRequest& shown) {
     if (!shown.showsStudy()) return {};
     return slices::interpolatedIn(*shown.volume, shown.frame, shown.slab);
@@ -42,7 +42,7 @@ QString invertedNote(const SliceRequest& shown) {
                                             : PictureTexts::tr("Low values are white, as in the images");
 }
 
-// Their lines are not where somebody drew them.
+// Warns that the lines of segments may not be where somebody drew them.
 QStringList segmentNotes(const SlicePicture& shown) {
     QStringList notes;
     if (shown.segments.isNull() || !shown.of.segments) return notes;
@@ -53,7 +53,7 @@ QStringList segmentNotes(const SlicePicture& shown) {
     return notes;
 }
 
-// "Liver, Tumour": of those that are on screen.
+// "Liver, Tumour": the segments at that point, of those on screen.
 QString segmentText(const SliceRequest& shown, const glm::dvec3& mm) {
     QStringList labels;
     if (!shown.segments) return {};

@@ -1,4 +1,4 @@
-// What is written over the picture of a slice: notes, the value under the pointer, and facts.
+// The texts over the picture of a slice: notes, the value under the pointer, and facts.
 #pragma once
 
 #include <QPointF>
@@ -13,13 +13,13 @@
 
 namespace macula::viewer {
 
-// Warnings: slab, inverted, interpolated. `areAcquired` as SliceSteps has it, of the study; `isMeasuring`:
-// the tool does.
+// Warnings: slab, inverted, interpolated. `areAcquired`: SliceSteps::areAcquired of the study; `isMeasuring`:
+// a measuring tool is chosen.
 QStringList notesOf(const SlicePicture& shown, bool areAcquired, bool isMeasuring);
 
 // The value at a place in the pane, in logical pixels, with the segments that are shown there.
 QString probedText(const SliceRequest& shown, const QPointF& place);
-// The same, of a second volume in colours; empty where nothing lies over the picture.
+// The same for a second volume in colours; empty where none lies over the picture.
 QString overProbedText(const SliceRequest& shown, const QPointF& place);
 
 // The overlay of the picture, with the values at `pointedAt` if the pointer is in the pane. Its notes, names

@@ -13,7 +13,7 @@ namespace macula::viewer {
 
 // Immutable; made once for a study and a second volume.
 struct SecondVolumeTexts {
-    study::OpenedStudy study;   // the second
+    study::OpenedStudy study;   // the study of the second volume
     DisplayWindow usualWindow;  // seriesWindow
     QString tag;                // "Prior: CT, 2020-03-04, series 3"; without names
     QString studyTag;           // "Current: …", of the open study
@@ -24,7 +24,7 @@ struct SecondVolumeTexts {
 
 SecondVolumeTexts secondSeries(const study::OpenedStudy& study, study::OpenedStudy second, std::string pair);
 
-// The state of the link as a note over its pictures.
+// How the second volume is linked, as a note over its pictures.
 QString linkText(const scene::SecondVolumeState& state);
 
 // "0 to 6.1 SUV, 75 % of the highest" for activity, else as scene::windowText.

@@ -26,7 +26,7 @@ void SliceCine::stop() {
     if (!isOn()) return;
     timer_.stop();
     if (session_.undoText() == tr("Cine"))
-        session_.endDrag();  // by now another hand may be at something else
+        session_.endDrag();  // a person may be dragging something else by now
     Q_EMIT changed(false);
 }
 

@@ -1,4 +1,4 @@
-// Cine on a pane of slices: runs through them to and fro.
+// Cine on a pane of slices: steps through them back and forth.
 #pragma once
 
 #include <QObject>
@@ -15,7 +15,8 @@ class SliceCine : public QObject {
     Q_OBJECT
 
   public:
-    // `isSeen`: whether the slice of the state is on screen. A slow machine shows all slices, more slowly.
+    // `isSeen`: whether the current slice is on screen. Cine waits for it, so a slow machine shows all
+    // slices, more slowly.
     SliceCine(StudyEditor& session, const PaneContent& content, std::function<bool()> isSeen);
 
     bool isOn() const { return timer_.isActive(); }

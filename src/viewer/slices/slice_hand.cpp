@@ -9,7 +9,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr double kClickPx = 3.0;            // a right click moves no farther
-constexpr double kDragZoomPerHeight = 6.0;  // times closer for a drag up over the height of the pane
+constexpr double kDragZoomPerHeight = 6.0;  // magnification by a drag up over the pane's height
 
 }  // namespace
 
@@ -17,7 +17,7 @@ bool SliceHand::isUndoStep(Drag drag) {
     return drag == Drag::crosshair || drag == Drag::window || drag == Drag::handle || drag == Drag::clip;
 }
 
-// Not for those tools that act on the picture as a whole.
+// False for tools that act on the whole picture.
 bool SliceHand::takesHold() const {
     return tool_ != SliceTool::window && tool_ != SliceTool::zoom && tool_ != SliceTool::pan;
 }
@@ -51,7 +51,7 @@ void SliceHand::pressLeft(const QPointF& place, const SliceRequest& shown) {
     if (takeClip(place, shown) || takeMeasurement(place, shown)) return;
     measurements.deselect();
     if (measures(tool_)) {
-        if (!shown.showsStudy()) return;  // what is measured is kept with the study
+        if (!shown.showsStudy()) return;  // measurements are stored with the study
         measurements.beginDrawing(tool_, place, shown);
     }
     drag_ = dragOfTool();
@@ -83,7 +83,7 @@ bool SliceHand::takeClip(const QPointF& place, const SliceRequest& shown) {
     if (!clip) return false;
     parts_.clip.hold(clip->handle);
     drag_ = Drag::clip;
-    parts_.session.endDrag();  // of what was dragged before
+    parts_.session.endDrag();  // ends the undo step of an earlier drag
     return true;
 }
 
@@ -113,7 +113,7 @@ std::optional<Qt::CursorShape> SliceHand::cursorAt(const QPointF& place, const S
 
 void SliceHand::move(const QPointF& place, Qt::MouseButtons buttons, const SliceRequest& shown,
                      const glm::ivec2& sizePx) {
-    // A button that went up elsewhere: nobody told.
+    // The button went up elsewhere, without an event here.
     if (isHolding() && !buttons.testFlag(button_)) {
         drag_ = Drag::none;
         parts_.clip.letGo();
@@ -149,7 +149,7 @@ void SliceHand::dragTo(const QPointF& place, const SliceRequest& shown, const gl
     }
 }
 
-// A hand that clicks moves a little.
+// The pointer moves a little during a click.
 bool SliceHand::isStillClick(const QPointF& place) const {
     return button_ == Qt::RightButton && drag_ == Drag::window && !hasDragged_ &&
            (place - pressedAt_).manhattanLength() <= kClickPx;

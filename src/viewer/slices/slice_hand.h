@@ -1,4 +1,4 @@
-// The hand on a pane of slices: what the mouse takes hold of, drags and lets go.
+// The mouse on a pane of slices: what it takes hold of, drags and lets go.
 #pragma once
 
 #include <QCursor>
@@ -18,8 +18,8 @@
 
 namespace macula::viewer {
 
-// Hands the drags of a mouse to the parts of the pane, which outlive it. `shown` is the request of the
-// picture on screen; places are logical pixels of the pane.
+// Passes drags of the mouse to the parts of the pane, which outlive it. `shown` is the request of the picture
+// on screen; places are logical pixels of the pane.
 class SliceHand {
   public:
     struct Parts {
@@ -41,17 +41,17 @@ class SliceHand {
     bool press(Qt::MouseButton button, const QPointF& place, const SliceRequest& shown);
     void move(const QPointF& place, Qt::MouseButtons buttons, const SliceRequest& shown,
               const glm::ivec2& sizePx);
-    // Null: no picture is on screen any more. True: it was a click with the right button.
+    // `shown` null: no picture is on screen any more. Returns true for a click with the right button.
     bool release(Qt::MouseButton button, const QPointF& place, const SliceRequest* shown);
 
     void end();                          // gives up what is held or drawn, and ends its undo step
-    void drop() { drag_ = Drag::none; }  // lets go without an end
+    void drop() { drag_ = Drag::none; }  // lets go, and ends no undo step
     void loseHandle();                   // the measurement whose handle may be held is gone
     // Selects the measurement there, but does not hold it; false: none, or the tool acts on the picture.
     bool selectAt(const QPointF& place, const SliceRequest& shown);
 
     Qt::CursorShape usualCursor() const;
-    // Over that place; nothing: the cursor stays as it is.
+    // The cursor over that place; nothing: the cursor stays as it is.
     std::optional<Qt::CursorShape> cursorAt(const QPointF& place, const SliceRequest& shown) const;
 
   private:

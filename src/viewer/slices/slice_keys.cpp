@@ -45,7 +45,7 @@ bool SliceKeys::pressPlain(int key, bool withShift, const Pane& pane) {
             });
             return true;
         case Qt::Key_Space:
-            if (parts_.content.role() == PaneRole::second) return false;  // it follows the study
+            if (parts_.content.role() == PaneRole::second) return false;  // this pane follows the study's
             if (parts_.cine.isOn()) return parts_.cine.stop(), true;
             if (pane.isVisible) parts_.cine.start();
             return true;

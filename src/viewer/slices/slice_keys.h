@@ -19,7 +19,7 @@ class QKeyEvent;
 
 namespace macula::viewer {
 
-// Hands keys to the parts of the pane, which outlive it.
+// Passes keys to the parts of the pane, which outlive it.
 class SliceKeys {
     Q_DECLARE_TR_FUNCTIONS(SliceKeys)
 
@@ -43,7 +43,7 @@ class SliceKeys {
         bool isVisible = true;                  // cine runs only then
         std::optional<QPointF> pointedAt = {};  // the pointer, while it is in the pane
     };
-    // Returns whether it was one of its keys; none is without a study.
+    // Returns whether it handled the key; without a study it handles none.
     bool press(const QKeyEvent& event, const Pane& pane);
 
   private:

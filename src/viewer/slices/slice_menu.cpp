@@ -20,7 +20,7 @@ struct SliceMenuWords {
     Q_DECLARE_TR_FUNCTIONS(SliceMenu)
 };
 
-// Ampersands are letters of names, and no keys of menus.
+// Escapes ampersands, which would mark shortcut letters.
 QString asTitle(const QString& name) {
     return harmless(name).replace(QLatin1Char('&'), QLatin1String("&&"));
 }

@@ -13,7 +13,7 @@ struct SliceMenuOf {
     StudyEditor* session = nullptr;   // with an open study
     OwnWindowList* own = nullptr;     // null: no own windows
     DisplayWindow window = {};        // the current window
-    std::function<void()> editLabel;  // of the measurement there; empty: none
+    std::function<void()> editLabel;  // edits the label of the measurement there; empty: no entry
     std::function<void()> fit = {};   // fits the pane that was clicked; empty: no entry
 };
 

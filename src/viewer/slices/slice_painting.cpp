@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kFocusPx = 2;
 constexpr int kSecondPx = 2;
-const QColor kSecondInk(255, 190, 90);  // of notes over slices
+const QColor kSecondInk(255, 190, 90);  // as notes over slices
 const QColor kQuietInk(150, 150, 150);
 
 void paintEdge(QPainter& painter, const QRect& pane, const QColor& ink, int widthPx, int insetPx) {
@@ -47,7 +47,7 @@ void SlicePainting::paint(QPainter& painter, const QRect& pane, const QStringLis
     if (!shown.colours.isNull()) painter.drawImage(whole, shown.colours);
     parts_.clip.paint(painter, pane.size(), shown.of, pointedAt);
     paintOverlay(painter, pane.size(), overlay(notes, pointedAt));
-    // Nobody may take the second volume for the study, at a glance either.
+    // Marks the second volume, so that nobody mistakes it for the study at a glance.
     if (!shown.of.showsStudy()) paintEdge(painter, pane, kSecondInk, kSecondPx, kFocusPx + kSecondPx / 2);
 }
 
@@ -61,7 +61,7 @@ SliceOverlay SlicePainting::overlay(const QStringList& notes, const std::optiona
     overlay.notes = notes;
     overlay.measurements = parts_.measurements.seenOn(shown);
     if (namesShown_) overlay.names = shown.showsStudy() ? lines_ : shown.names;
-    // The cross-hair of the session, unless it may be in a slice that is still on its way.
+    // Shows the session's cross-hair, unless its slice may not be on screen yet.
     const SliceRequest* wanted = parts_.picture.wanted();
     if (wanted != nullptr && wanted->frame == shown.frame) overlay.crosshairMm = parts_.content.crosshairMm();
     if (shown.shows == SliceShows::secondByHand) overlay.crosshairMm.reset();

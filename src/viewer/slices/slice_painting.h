@@ -1,4 +1,4 @@
-// What is painted on a pane of slices.
+// Paints a pane of slices.
 #pragma once
 
 #include <QCoreApplication>
@@ -16,7 +16,7 @@
 
 namespace macula::viewer {
 
-// The picture on screen with clip and overlay, whose texts may name the patient.
+// Paints the picture on screen with clip and overlay, whose texts may name the patient.
 class SlicePainting {
     Q_DECLARE_TR_FUNCTIONS(SlicePainting)
 

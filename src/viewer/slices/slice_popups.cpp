@@ -31,7 +31,7 @@ void SlicePopups::openMenu(const QPointF& place) {
     pane_.update();
 }
 
-// The second click of a double one with the right button meets the menu that the first has opened.
+// The second click of a right double-click reaches the menu that the first click opened.
 bool SlicePopups::eventFilter(QObject* watched, QEvent* event) {
     auto* menu = qobject_cast<QMenu*>(watched);
     const bool isDouble = event->type() == QEvent::MouseButtonDblClick &&

@@ -1,4 +1,4 @@
-// What opens over a pane of slices: its context menu, and the editor of a measurement's label.
+// The popups of a pane of slices: its context menu, and the editor of a measurement's label.
 #pragma once
 
 #include <QObject>
@@ -17,7 +17,7 @@ class QWidget;
 
 namespace macula::viewer {
 
-// Both are of the picture on screen; without one, nothing opens. Lives on the UI thread.
+// Both refer to the picture on screen; without one, nothing opens. Lives on the UI thread.
 class SlicePopups : public QObject {
     Q_OBJECT
 
@@ -31,17 +31,17 @@ class SlicePopups : public QObject {
         PaneMeasurements& measurements;
         SliceHand& hand;
     };
-    // Opens them over `pane`; that and the parts outlive this.
+    // Opens both over `pane`. `pane` and the parts outlive this.
     SlicePopups(QWidget& pane, const Parts& parts) : pane_(pane), parts_(parts) {}
 
-    // At a place in the pane, in logical pixels. Selects the measurement there, whose label it offers to
-    // edit. None over the second volume, which has its own bar, nor while a measurement is drawn.
+    // Opens at a place in the pane, in logical pixels. Selects the measurement there, and offers to edit its
+    // label. Opens no menu over the second volume, which has its own bar, or while a measurement is drawn.
     void openMenu(const QPointF& place);
-    void editLabel(std::size_t measurement);  // an index into the state's
-    void closeLabel();                        // without keeping it
+    void editLabel(std::size_t measurement);  // an index into the state's measurements
+    void closeLabel();                        // drops the edited text
 
   protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;  // of the menu
+    bool eventFilter(QObject* watched, QEvent* event) override;  // watches the menu
 
   private:
     QWidget& pane_;

@@ -35,7 +35,7 @@ QImage imageOf(const std::vector<std::uint32_t>& colours, const glm::ivec2& size
 }
 
 slices::SliceFrame transformed(const slices::SliceFrame& frame, const glm::dmat4& toFromFrame) {
-    if (toFromFrame == glm::dmat4(1.0)) return frame;  // to the bit
+    if (toFromFrame == glm::dmat4(1.0)) return frame;  // exactly the same frame
     slices::SliceFrame to = frame;
     to.plane.centreMm = transformPoint(toFromFrame, frame.plane.centreMm);
     to.plane.right = glm::normalize(transformVector(toFromFrame, frame.plane.right));
@@ -70,7 +70,7 @@ void SliceSampler::run() {
             continue;
         }
         SlicePicture picture = make(*request);
-        // Given up on the way: what was sampled is not whole.
+        // Cancelled on the way, so the samples are incomplete.
         if (ends_ || study_ != request->study) continue;
         made_(std::move(picture));
     }
@@ -100,7 +100,7 @@ SlicePicture SliceSampler::make(const SliceRequest& request) {
         last_.reset();
         lastOver_.reset();
         painted_ = {};
-        picture.grey = {};  // a part of it must not be taken for the whole
+        picture.grey = {};  // a partial picture must not pass for a whole one
         log::error("No memory for a slice of {} x {} pixels", request.frame.sizePx.x, request.frame.sizePx.y);
     }
     return picture;
@@ -123,7 +123,7 @@ void SliceSampler::paintSegments(const SliceRequest& request) {
     painted_ = request;
 }
 
-// Null when it was given up.
+// Null if the request was cancelled.
 const slices::SampledSlice* SliceSampler::sampled(std::optional<Sampled>& kept,
                                                   const std::shared_ptr<const Volume>& volume,
                                                   const slices::SliceFrame& frame,

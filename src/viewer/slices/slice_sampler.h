@@ -59,11 +59,11 @@ struct SliceRequest {
     SliceShows shows = SliceShows::study;
     std::optional<SliceOver> over = {};
     QStringList tags = {};         // identify the picture; never hidden
-    QStringList names = {};        // of a second volume, with names
+    QStringList names = {};        // lines that identify a second volume's patient
     QStringList secondNotes = {};  // notes about the second volume
 
     bool showsStudy() const { return shows == SliceShows::study; }
-    // A place in the pane, in logical pixels: in pixels of the frame, and in the world of the study.
+    // Convert a place in the pane, in logical pixels, to pixels of the frame and to the world of the study.
     glm::dvec2 frameFromPane(const QPointF& place) const {
         return glm::dvec2(place.x(), place.y()) * pixelRatio;
     }
@@ -77,21 +77,21 @@ struct SliceRequest {
 struct SlicePicture {
     SliceRequest of;
     QImage grey;           // of the frame's size; null when there was no memory for it
-    QImage segments = {};  // over it; null without segments
-    QImage colours = {};   // of a second volume, over both; null without one
+    QImage segments = {};  // over `grey`; null without segments
+    QImage colours = {};   // a second volume in colours, over both; null without one
 };
 
-// Makes one request at a time; of those that come meanwhile only the newest is next. Samples again only for
-// another volume, frame or slab: a new window only changes the greys.
+// Makes one picture at a time; of the requests that arrive meanwhile, only the newest is made next. Samples
+// again only for another volume, frame or slab: a new window only changes the greys.
 class SliceSampler {
   public:
-    // Calls `made` on its thread, once for each request that is not replaced or given up.
+    // Calls `made` on its thread, once for each request that is neither replaced nor cancelled.
     explicit SliceSampler(std::function<void(SlicePicture)> made);
     SliceSampler(const SliceSampler&) = delete;
     SliceSampler& operator=(const SliceSampler&) = delete;
-    ~SliceSampler();  // gives up the current request
+    ~SliceSampler();  // cancels the current request
 
-    // Gives up requests of other studies. Without a volume it only releases the old one.
+    // Cancels requests for other studies. Without a volume it only releases the old one.
     void publish(SliceRequest request);
 
   private:
@@ -115,8 +115,8 @@ class SliceSampler {
     live::Latest<SliceRequest> requests_;
     std::atomic<std::uint64_t> study_{0};
     std::atomic<bool> ends_{false};
-    std::optional<Sampled> last_;      // used by the thread, as those below
-    std::optional<Sampled> lastOver_;  // the same, of the volume over it
+    std::optional<Sampled> last_;      // only the thread uses this and the next three
+    std::optional<Sampled> lastOver_;  // for the second volume over it
     SliceRequest painted_;             // the request of `segments_`
     QImage segments_;
     std::jthread thread_;  // last member: the thread uses the others

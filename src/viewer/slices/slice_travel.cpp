@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kPauseMs = 600;
 
-// The point of the same plane that is nearest to `mm` and not beside the volume. Beside it there are no
-// slices: other panes would show their last one, with a cross-hair that is somewhere else.
+// The point of the plane nearest to `mm` that is not beside the volume. There are no slices beside it: other
+// panes would show their last one, with a cross-hair that is elsewhere.
 glm::dvec3 placeBesideNoVolume(const Volume& volume, const slices::SlicePlane& plane, const glm::dvec3& mm) {
     const auto corners = cornersOf(volume.worldBox());
     glm::dvec3 place = mm;
@@ -53,7 +53,7 @@ void SliceTravel::goTo(int slice) {
     stepsEnd_.start();
 }
 
-// Along the normal of the pane: a slice of another volume for the one that the study shows.
+// Moves the second volume along the pane's normal, by its own slices.
 void SliceTravel::moveSecond(int slices) {
     const slices::SlicePlane shown = zoom_.plane();
     const Volume& second = *content_.second()->study.measured();
@@ -63,7 +63,7 @@ void SliceTravel::moveSecond(int slices) {
                                    .down = transformVector(from, shown.down)};
     const double byMm = slices * slices::stepMm(second, there);
     const slices::DepthRange depths = slices::depthsMm(second, there);
-    if (byMm > depths.highMm || byMm < depths.lowMm) return;  // nothing of it would be seen
+    if (byMm > depths.highMm || byMm < depths.lowMm) return;  // the volume would leave the plane
     const glm::dvec3 by = byMm * there.normal();
     session_.drag(tr("Second volume moved"), [&](scene::StudyState& next) {
         next.secondVolume->secondFromStudy[3] += glm::dvec4(by, 0.0);
@@ -79,13 +79,13 @@ void SliceTravel::turnWheel(int eighths, bool fast) {
 }
 
 void SliceTravel::pointAt(const glm::dvec3& mm, SliceShows shows) {
-    if (shows == SliceShows::secondByHand) return;  // it is no place in the study
+    if (shows == SliceShows::secondByHand) return;  // the point has no known position in the study
     const glm::dvec3 to =
         shows == SliceShows::study ? placeBesideNoVolume(content_.volume(), zoom_.plane(), mm) : mm;
     session_.drag(tr("Cross-hair"), [&](scene::StudyState& next) { next.slices.crosshairMm = to; });
 }
 
-// By the time the timer ends a step, another hand may be at something else.
+// By the time the timer ends a step, a person may be dragging something else.
 void SliceTravel::endOwnDrag(const QString& what) {
     if (session_.undoText() == what) session_.endDrag();
 }

@@ -1,4 +1,4 @@
-// Where a pane of slices goes in the volume: slice by slice, or with the cross-hair to a point.
+// Moves a pane of slices through the volume: slice by slice, or with the cross-hair to a point.
 #pragma once
 
 #include <QObject>
@@ -12,24 +12,24 @@
 
 namespace macula::viewer {
 
-// Proposes changes of the session's cross-hair, or of the place of a second volume that is not linked. Steps
-// soon after each other are one undo step.
+// Proposes changes of the session's cross-hair, or of the position of a second volume that is not linked.
+// Steps in quick succession are one undo step.
 class SliceTravel : public QObject {
     Q_OBJECT
 
   public:
     SliceTravel(StudyEditor& session, const PaneContent& content, const PaneZoom& zoom);  // all outlive this
 
-    void moveBy(int slices);  // along the normal: for axial slices to the head
+    void moveBy(int slices);  // along the normal: for axial slices, towards the head
     void goToFirst() { goTo(0); }
     void goToLast() { goTo(content_.steps().count() - 1); }
     // By the wheel: eighths of a degree, as QWheelEvent has them; `fast`: several slices for a notch.
     void turnWheel(int eighths, bool fast);
-    // The cross-hair to a point on a picture that shows `shows`, as a drag.
+    // Moves the cross-hair to a point, in a drag on a picture that shows `shows`.
     void pointAt(const glm::dvec3& mm, SliceShows shows);
 
     static constexpr int kNotch = 120;     // eighths of a degree
-    static constexpr int kManySlices = 5;  // with Shift, or by pages
+    static constexpr int kManySlices = 5;  // steps with Shift, or with the page keys
 
   private:
     void goTo(int slice);

@@ -80,7 +80,7 @@ void SliceView::setSegments(std::shared_ptr<const slices::ShownSegments> segment
 
 void SliceView::setSecond(std::shared_ptr<const SecondVolumeTexts> second) {
     content_.setSecond(std::move(second));
-    // It keeps no volume that is gone.
+    // Releases the picture, which would keep a closed volume in memory.
     if (content_.second() == nullptr && (content_.role() == PaneRole::second || !isVisible()))
         picture_.forget();
     request();
@@ -101,14 +101,15 @@ void SliceView::setCine(bool on) {
 
 void SliceView::onStudyShown() {
     cine_.stop();
-    popups_.closeLabel();  // of a measurement that is gone
+    popups_.closeLabel();  // its measurement is gone
     endGesture();
     measurements_.forget();
-    segments_.reset();  // they are of the voxels of the study before
+    segments_.reset();  // segments belong to the earlier study's voxels
     content_.clear();
-    // Another phase is seen where the one before was. The second volume's pane follows the study's.
+    // Another phase keeps the zoom and position of the one before. The second volume's pane follows the
+    // study's.
     if (!session_.keepsPlace()) zoom_.begin(content_.role() == PaneRole::study);
-    picture_.forget();  // a pane that is hidden keeps no volume
+    picture_.forget();  // a hidden pane must not keep the volume in memory
     QStringList lines;
     for (const std::string& line : linesToShow(session_.study().identity))
         if (session_.hasStudy()) lines << QString::fromStdString(line);
@@ -136,7 +137,7 @@ void SliceView::request() {
 }
 
 void SliceView::onPicture() {
-    // What was begun on one slice does not go on over another.
+    // A drawing that was begun on one slice must not continue on another.
     if (measurements_.isDrawing() && !measurements_.goesOnOver(*picture_.shownRequest())) endGesture();
     setAccessibleDescription(positionText());
     update();
@@ -178,7 +179,7 @@ QString SliceView::overProbedText() const {
 
 void SliceView::paintEvent(QPaintEvent*) {
     const SliceRequest* wanted = picture_.wanted();
-    if (wanted != nullptr && wanted->pixelRatio != devicePixelRatioF()) request();  // on another screen now
+    if (wanted != nullptr && wanted->pixelRatio != devicePixelRatioF()) request();  // on another screen
     QPainter painter(this);
     painting_.paint(painter, rect(), notes(), hoverAt_);
     if (hasFocus()) SlicePainting::paintFocus(painter, rect(), palette().color(QPalette::Highlight));

@@ -56,32 +56,32 @@ class SliceView : public QWidget {
 
     // Null: no second volume. The session says how to show it (scene::SecondVolumeState).
     void setSecond(std::shared_ptr<const SecondVolumeTexts> second);
-    void setPaneView(const PaneView& view) { zoom_.follow(view); }  // as in the pane beside it
+    void setPaneView(const PaneView& view) { zoom_.follow(view); }  // follows the pane beside it
 
     // Shows that whole area as large as the pane allows, until a person zooms or pans. Does nothing without a
     // study, for another orientation, or for an unusable area.
     void showArea(const scene::SliceArea& area);
     void fit() { zoom_.fit(); }  // fits the volume, until a person zooms or pans
-    // Of scene::windowPresets; an unknown one does nothing.
+    // Applies one of scene::windowPresets; does nothing for a digit without one.
     void applyWindow(int digit) { windowing_.applyPreset(digit); }
     // The own windows; null: none. The list outlives it.
     void setOwnWindows(OwnWindowList* own) { windowing_.setOwn(own); }
-    void applyOwnWindow(int number) { windowing_.applyOwn(number); }  // from 1; likewise
+    void applyOwnWindow(int number) { windowing_.applyOwn(number); }  // from 1; does nothing without it
     void editLabel(std::size_t index);                   // an index into the state's measurements, shown here
-    void moveBy(int slices) { travel_.moveBy(slices); }  // along the normal: for axial slices to the head
-    void setCine(bool on);                               // runs to and fro, one undo step; ends when hidden
+    void moveBy(int slices) { travel_.moveBy(slices); }  // along the normal: axial slices towards the head
+    void setCine(bool on);  // steps back and forth, as one undo step; ends when hidden
     bool isCineOn() const { return cine_.isOn(); }
 
     // The frame of the picture on screen; nothing before the first.
     std::optional<slices::SliceFrame> shownFrame() const;
-    QString positionText() const;    // as positionText
+    QString positionText() const;    // see slice_texts.h
     QStringList tags() const;        // identify the volume beside another; without names
     QStringList notes() const;       // warnings: slab, inverted, interpolated
     QString probedText() const;      // the value under the pointer; empty outside the pane
     QString overProbedText() const;  // the same, of a second volume in colours
     // Whether the picture on screen shows the current state.
     bool isUpToDate() const { return picture_.isUpToDate(); }
-    // Of the measurements of the state.
+    // The selected one of the state's measurements.
     std::optional<std::size_t> selected() const { return measurements_.selected(); }
 
     QSize sizeHint() const override { return {360, 360}; }

@@ -1,4 +1,4 @@
-// The events of a pane of slices, handed to its parts.
+// The events of a pane of slices, passed to its parts.
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -8,10 +8,10 @@
 
 namespace macula::viewer {
 
-// Its tool tip is for screen readers: on screen it would lie over the picture wherever the pointer rests.
+// The tool tip is for screen readers only: on screen it would cover the picture wherever the pointer rests.
 bool SliceView::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip) return QWidget::event(event);
-    event->accept();  // nor one of what it lies in
+    event->accept();  // nor the tool tip of a parent
     return true;
 }
 
@@ -65,10 +65,10 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     if (asksForMenu) popups_.openMenu(event->position());
 }
 
-// Its first click has begun a measurement: that was not meant. In the middle of one it is a click like any
-// other.
+// Drops the measurement that the first click began, which was not intended. During a drawing, a double-click
+// is a click like any other.
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::RightButton) {  // where the first click opened no menu
+    if (event->button() == Qt::RightButton) {  // the first click opened no menu here
         hand_.drop();
         return fit();
     }

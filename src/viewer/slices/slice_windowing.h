@@ -22,9 +22,9 @@ class SliceWindowing {
     // The own windows; null: none. The list outlives this.
     void setOwn(OwnWindowList* own) { own_ = own; }
     OwnWindowList* own() const { return own_; }
-    void applyPreset(int digit);      // of scene::windowPresets; an unknown one does nothing
-    void applyOwn(int number);        // from 1; likewise
-    void drag(glm::dvec2 byHeights);  // as scene::dragged
+    void applyPreset(int digit);      // one of scene::windowPresets; does nothing without it
+    void applyOwn(int number);        // from 1; does nothing without it
+    void drag(glm::dvec2 byHeights);  // see scene::dragged
 
   private:
     void propose(const std::optional<DisplayWindow>& window, bool isDrag);

@@ -1,4 +1,4 @@
-// What the window tells in its message bar, by whichever feature.
+// The window's message bar, which all features share.
 #pragma once
 
 #include <QObject>
@@ -25,19 +25,19 @@ class Notifications : public QObject {
     void showNote(const QString& text);
     void hide();
     void fail(const Error& error) { fail(error, error); }
-    void fail(const Error& error, const Error& shown);  // emits `failed` with the first
-    void failUnlessCancelled(const Error& error);       // of work that a person may cancel in silence
-    // What was done: `told`, and how it differs from what was asked for.
+    void fail(const Error& error, const Error& shown);  // emits `failed` with `error`, shows `shown`
+    void failUnlessCancelled(const Error& error);       // shows nothing if a person cancelled
+    // Shows the sentence `told` about finished work, and how the result differs from the request.
     void showDone(const QString& told, const QStringList& notes);
     void showNotesOf(const QStringList& notes);  // no notes: hides the bar
     void showOutcome(const Result<void>& written, const QString& told);
     void showOutcome(const Result<void>& done);  // hides the bar after success
     void refuse(const QString& why, const QString& hint);
-    // What a person asked for needs an open study: says so without one, and returns whether there is one.
+    // For an action that needs an open study: without one, shows `whyNot`. Returns `isOpen`.
     bool refuseUnless(bool isOpen, const QString& whyNot);
 
   Q_SIGNALS:
-    void failed(const macula::Error& error);  // of work: scripts and tests listen
+    void failed(const macula::Error& error);  // work has failed: scripts and tests listen
 
   private:
     MessageBar* bar_;

@@ -12,7 +12,7 @@ namespace macula::viewer {
 
 namespace {
 
-// What a status line says has no class of its own to be translated in.
+// The translation context of the status line, whose texts belong to no class.
 struct FidelityWords {
     Q_DECLARE_TR_FUNCTIONS(Fidelity)
 };

@@ -52,7 +52,7 @@ void ElidingLabel::keepLongest() {
     updateGeometry();
 }
 
-// Never all that its parent has: that could then not be made narrower any more.
+// Never the parent's whole width: the parent could then not be made narrower any more.
 int ElidingLabel::roomPx() const {
     const QWidget* row = parentWidget();
     if (row == nullptr) return 0;
@@ -168,7 +168,7 @@ WorkBar::WorkBar(QWidget* parent)
 
 void WorkBar::begin(const QString& stage) {
     stage_->setText(stage);
-    bar_->setRange(0, 0);  // busy: nobody knows yet how much there is
+    bar_->setRange(0, 0);  // busy, until the amount of work is known
     setVisible(true);
 }
 

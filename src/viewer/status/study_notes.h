@@ -11,7 +11,7 @@ namespace macula::viewer {
 
 class MessageBar;
 
-// What a note is about, in the order in which notes stand in the bar.
+// The subject of a note, in the order of notes in the bar.
 enum class NoteOn {
     visibility,  // why nothing is seen
     session,     // how the study was restored
@@ -19,13 +19,13 @@ enum class NoteOn {
     preset,
     study,
     table,
-    second,  // volume
+    second,  // the second volume
     segments,
     picture,  // what the device shows of the study
     device,
 };
 
-// They stay while another study loads, and if that fails. Lives on the UI thread.
+// Notes stay while another study loads, and if that fails. Lives on the UI thread.
 class StudyNotes : public QObject {
     Q_OBJECT
 
@@ -35,12 +35,12 @@ class StudyNotes : public QObject {
     MessageBar& bar() const { return *bar_; }  // it belongs to the widget that shows it
     QString text() const;                      // empty without notes, or after they were dismissed
 
-    // Takes effect with the next show(). Returns whether the notes are other ones.
+    // Takes effect with the next show(). Returns whether the notes changed.
     bool set(NoteOn what, const QStringList& notes);
     bool set(NoteOn what, const QString& note);  // empty: none
     // Asks for notes at each show(), instead of those that were set.
     void setSource(NoteOn what, std::function<QStringList()> source);
-    void show();  // also what was dismissed; without notes hides the bar
+    void show();  // also dismissed notes; hides the bar if there are none
     void showIfOther(NoteOn what, const QString& note);
 
   private:

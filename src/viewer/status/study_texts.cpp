@@ -18,7 +18,7 @@ const QString kProgram = QStringLiteral("Macula");
 
 QString titleText(const study::OpenedStudy& study) {
     QString title = inWindowsLanguage(titleOf(study.identity)).simplified();
-    title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));  // Qt's mark for what is not saved
+    title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));  // escapes Qt's mark for unsaved documents
     return title.isEmpty() ? kProgram : title + QStringLiteral(" \u2013 ") + kProgram;
 }
 

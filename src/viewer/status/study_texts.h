@@ -10,9 +10,9 @@
 namespace macula::viewer {
 
 struct StudyTexts {
-    QString title;              // of the window and the task bar
+    QString title;              // in the title bar and the task bar
     QString voxels;             // in the status line
-    QString description;        // of the series, in the tool bar
+    QString description;        // the series, in the tool bar
     QString whyThisOne;         // why this volume was opened
     bool listsVolumes = false;  // whether the list of volumes, which may name patients, is shown
 

@@ -18,10 +18,11 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(Visibility)
 };
 
-// Between two of its points the curve runs one way: what it reaches, it reaches at a point or at an end.
+// The curve is monotonic between points, so its largest value in a range is at a point or at an end of the
+// range.
 bool showsAnyOf(const TransferFunction& preset, const ValueRange& values) {
-    if (preset.fitToVolume) return true;      // its curve is laid over the values there are
-    if (preset.opacity.empty()) return true;  // no curve: that is an error of its own
+    if (preset.fitToVolume) return true;      // its curve is fitted to the volume's values
+    if (preset.opacity.empty()) return true;  // no curve: reported as another error
     if (usesSteepCurves(preset)) {
         TransferFunction steep = withCurvesSwapped(preset);
         steep.steep = {};

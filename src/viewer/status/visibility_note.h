@@ -9,8 +9,8 @@
 
 namespace macula::viewer {
 
-// Says why the drawing shows nothing of the volume, or no difference in it: which values it has, and which
-// presets would show something. Empty if something is visible; ignores the clip.
+// Says why the drawing shows nothing of the volume, or why a projection is all black or white: which values
+// the volume has, and which presets would show something. Empty if something is visible; ignores the clip.
 QString visibilityNote(const scene::Drawing& drawing, const Volume& volume,
                        const scene::Catalogue& catalogue);
 

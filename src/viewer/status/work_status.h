@@ -9,9 +9,9 @@
 
 namespace macula::viewer {
 
-// Connects work that emits began, progressed (not all work does), ended and failed to its bar, whose button
-// cancels it. A message from before the work goes when it begins. `stage` is told until the work tells its
-// own.
+// Shows work that emits began, progressed (not all work does), ended and failed in its bar, whose button
+// cancels the work. Earlier messages are hidden when it begins. The bar shows `stage` until the work reports
+// a stage of its own.
 template <class Work>
 void showWork(Work& work, WorkBar& bar, const QString& stage, Notifications& notifications) {
     QObject::connect(&work, &Work::began, &bar, [&bar, &notifications, stage] {

@@ -45,7 +45,7 @@ void drawCrosshair(QPainter& painter) {
     painter.drawLine(QPointF(15, 12), QPointF(22, 12));
 }
 
-// Dark and bright, as contrast is drawn everywhere.
+// A circle half dark and half bright, the usual sign for contrast.
 void drawWindow(QPainter& painter) {
     const QRectF circle(3, 3, 18, 18);
     painter.drawEllipse(circle);
@@ -94,7 +94,7 @@ void drawProbe(QPainter& painter) {
     painter.drawRect(QRectF(12, 4, 9, 8));
 }
 
-// Values across a slab, and what is taken of them.
+// The values across a slab, and the one that the projection takes.
 void drawSlab(QPainter& painter, double takenAtY, double fromX, double toX) {
     QPainterPath curve;
     curve.moveTo(3, 13);
@@ -109,7 +109,7 @@ void drawInvert(QPainter& painter) {
     fillShape(painter, {{3, 3}, {21, 3}, {3, 21}});
 }
 
-// Slices that lie as the scanner made them.
+// Oblique slices, as the scanner acquired them.
 void drawAcquired(QPainter& painter) {
     for (const double y : {6.0, 12.0, 18.0}) painter.drawLine(QPointF(4, y + 2), QPointF(20, y - 3));
 }
@@ -208,7 +208,7 @@ class GlyphEngine : public QIconEngine {
         painter->restore();
     }
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap drawn(size);  // in pixels of the device
+        QPixmap drawn(size);  // in device pixels
         drawn.fill(Qt::transparent);
         QPainter painter(&drawn);
         paint(&painter, QRect(QPoint(0, 0), size), mode, state);

@@ -17,7 +17,7 @@ namespace {
 const ThemeColours* applied = &kDarkColours;
 double appliedFontScale = 1.0;
 
-// Of the desktop, whatever was applied before.
+// Scales the desktop's font, not the one applied before.
 QFont scaledFont(double scale) {
     QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
     if (font.pointSizeF() > 0.0)
@@ -54,7 +54,7 @@ QPalette paletteOf(const ThemeColours& colours) {
     set(QPalette::HighlightedText, colours.selectionText);
     set(QPalette::Link, colours.link);
     set(QPalette::LinkVisited, colours.link);
-    // Edges that look raised.
+    // For edges that look raised.
     palette.setColor(QPalette::Light, QColor(colours.button).lighter(130));
     palette.setColor(QPalette::Midlight, QColor(colours.button).lighter(115));
     palette.setColor(QPalette::Mid, QColor(colours.line).darker(150));
@@ -77,7 +77,7 @@ void applyTheme(QApplication&, ThemeOptions choice) {
     applied = choice.highContrast ? &kHighContrastColours : &kDarkColours;
     appliedFontScale = choice.fontScale;
     const QPalette palette = paletteOf(*applied);
-    QApplication::setStyle(new ThemeStyle(*applied, choice.fontScale));  // which the application owns
+    QApplication::setStyle(new ThemeStyle(*applied, choice.fontScale));  // the application owns it
     QApplication::setPalette(palette);
     QApplication::setFont(scaledFont(choice.fontScale));
     QToolTip::setPalette(palette);

@@ -26,8 +26,8 @@ ThemeOptions usable(ThemeOptions choice);
 // inherit palettes and fonts. May be called again: scales do not add up.
 void applyTheme(QApplication& application, ThemeOptions choice);
 
-// The factor for letters over pictures: names, measurements and sides have a size of their own, which never
-// gets smaller. From the last applied theme; 1 before.
+// The factor for letters over pictures: names, measurements and side letters have their own size, which a
+// small font scale does not reduce. From the last applied theme; 1 before.
 double fontScaleOverPictures();
 
 // The colours of the last applied theme (dark before), for uses without a palette role. On the UI thread. A

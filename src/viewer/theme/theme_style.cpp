@@ -35,19 +35,19 @@ bool is(const QStyleOption& option, QStyle::StateFlag flag) {
     return option.state.testFlag(flag);
 }
 
-// Buttons show it only to who came by the keyboard.
+// Buttons show the focus only if it came by the keyboard.
 bool hasKeyboardFocus(const QStyleOption& option) {
     return is(option, QStyle::State_HasFocus) && is(option, QStyle::State_KeyboardFocusChange);
 }
 
-// The largest square in the middle; its lines lie in the middle of pixels.
+// The largest square in the middle of `rect`; its lines lie on pixel centres.
 QRectF squareIn(const QRect& rect) {
     const int side = std::min(rect.width(), rect.height());
     return QRectF(rect.x() + (rect.width() - side) / 2, rect.y() + (rect.height() - side) / 2, side, side)
         .adjusted(0.5, 0.5, -0.5, -0.5);
 }
 
-// Two arrows, to the right or downwards: more is hidden there.
+// Two arrows, to the right or downwards: the sign for hidden entries.
 QIcon moreIcon(bool isDown, const QColor& ink, double scale) {
     constexpr double kSidePx = 16.0;
     constexpr double kRatio = 2.0;  // for displays with two device pixels to a logical one
@@ -114,7 +114,7 @@ void ThemeStyle::drawCheckBox(QPainter& painter, const QStyleOption& option) con
 void ThemeStyle::drawRadioButton(QPainter& painter, const QStyleOption& option) const {
     const Painting painting(painter);
     const bool isSet = is(option, State_On);
-    // A line of one pixel is too faint where it is not along the pixels.
+    // A curve one pixel wide would be too faint.
     const QRectF circle = squareIn(option.rect).adjusted(0.25, 0.25, -0.25, -0.25);
     const QRgb edge = is(option, State_Enabled)
                           ? (isSet || hasKeyboardFocus(option) ? colours_.accent : colours_.line)
@@ -166,7 +166,7 @@ void ThemeStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         case PE_IndicatorToolBarSeparator:
             return drawToolBarSeparator(*painter, *option);
         case PE_FrameFocusRect:
-            // These have the frame around them.
+            // Buttons and combo boxes draw the focus as a frame of their own.
             if (qobject_cast<const QPushButton*>(widget) != nullptr ||
                 qobject_cast<const QComboBox*>(widget) != nullptr)
                 return;

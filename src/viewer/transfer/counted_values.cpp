@@ -15,7 +15,7 @@ bool isFittedToForeground(const TransferFunction& function) {
     return function.fitToVolume && function.fitToVolume->to == Fit::To::foreground;
 }
 
-// The volume's part is the same for all presets that are fitted so.
+// The volume's foreground is the same for all presets that are fitted to it.
 ValueRange foregroundOf(std::shared_ptr<const Volume> volume) {
     const TransferFunction any{.fitToVolume = Fit{.low = 0.0, .high = 1.0, .to = Fit::To::foreground}};
     return fitOf(any, *in16Bits(std::move(volume)))->volume;

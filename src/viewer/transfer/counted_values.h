@@ -1,4 +1,4 @@
-// What a transfer function needs to know of the volume's values, counted in the background.
+// Counts a volume's values for its transfer function, in the background.
 #pragma once
 
 #include <QObject>
@@ -13,7 +13,7 @@
 
 namespace macula::viewer {
 
-// The histogram, and the foreground that some presets are fitted to, for which every voxel is looked at.
+// The histogram, and the foreground that some presets are fitted to, which needs a pass over every voxel.
 // Lives on the UI thread.
 class CountedValues : public QObject {
     Q_OBJECT
@@ -21,8 +21,8 @@ class CountedValues : public QObject {
   public:
     CountedValues();
 
-    void begin(std::shared_ptr<const Volume> volume);  // forgets the one before; null: none
-    // Replaces a count that runs; what was found stays.
+    void begin(std::shared_ptr<const Volume> volume);  // drops all counts; null: no volume
+    // Replaces a count that is running; earlier results stay.
     void count(bool withForeground);
     bool isCounting() const { return job_.running(); }
 

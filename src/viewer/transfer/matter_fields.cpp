@@ -15,7 +15,7 @@ namespace {
 constexpr int kDecimals = 3;
 constexpr double kStep = 0.05;
 
-// In the unit of the values.
+// Whether the parameter has the unit of the values, per mm.
 bool isGradient(const scene::MatterParameter& parameter) {
     return parameter.unit == "per mm";
 }
@@ -48,9 +48,9 @@ void MatterFields::addRow(const scene::MatterParameter& parameter) {
                        QString::fromUtf8(parameter.id.data(), int(parameter.id.size())));
     box->setAccessibleName(labelOf(parameter));
     box->setToolTip(doesOf(parameter));
-    box->setKeyboardTracking(false);  // a number that is half typed changes nothing
+    box->setKeyboardTracking(false);  // a half-typed number changes nothing
     if (isGradient(parameter)) {
-        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);  // some are of 0.01, some of 1000
+        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);  // some are about 0.01, some 1000
     } else {
         box->setDecimals(kDecimals);
         box->setSingleStep(kStep);
@@ -71,9 +71,9 @@ void MatterFields::setUnit(const QString& unit, int decimals, const scene::Value
     map_ = map;
     for (const Row& row : rows_) {
         if (!isGradient(*row.parameter)) continue;
-        const QSignalBlocker quiet(row.box);  // fewer decimals round the number
+        const QSignalBlocker quiet(row.box);  // fewer decimals would round the value
         row.box->setDecimals(decimals);
-        // The least that can be shown is not 0, which no gradient is.
+        // The smallest number that the box can show; 0 is not a valid gradient.
         row.box->setRange(std::max(std::pow(10.0, -decimals), row.parameter->low * map.scale),
                           row.parameter->high * map.scale);
         row.box->setSuffix(unit.isEmpty() ? tr(" per mm") : tr(" %1/mm").arg(unit));

@@ -29,7 +29,7 @@ PointFields::PointFields(QWidget* parent)
     value_->setObjectName(QStringLiteral("transfer-value"));
     value_->setAccessibleName(tr("Value of the selected point"));
     value_->setRange(-presets::kLargestValue, presets::kLargestValue);
-    value_->setKeyboardTracking(false);  // a number that is half typed moves nothing
+    value_->setKeyboardTracking(false);  // a half-typed number changes nothing
     opacity_->setObjectName(QStringLiteral("transfer-opacity"));
     opacity_->setAccessibleName(tr("Opacity of the selected point, 0 to 1"));
     opacity_->setRange(0.0, 1.0);
@@ -63,7 +63,7 @@ PointFields::PointFields(QWidget* parent)
 }
 
 void PointFields::setUnit(const QString& unit, int decimals) {
-    const QSignalBlocker quiet(value_);  // fewer decimals round the number
+    const QSignalBlocker quiet(value_);  // fewer decimals would round the value
     value_->setDecimals(decimals);
     value_->setSuffix(unit.isEmpty() ? QString() : QStringLiteral(" ") + unit);
     value_->setToolTip(unit.isEmpty() ? tr("Value of the selected point, in the scanner's own numbers")
@@ -113,10 +113,10 @@ void PointFields::askColour() {
     connect(dialog_, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
         if (colour.isValid()) Q_EMIT colourChanged(encodedFrom(colour));
     });
-    // To the bit as it was: a dialog has colours of 16 bits.
+    // Restores the exact colour: the dialog has only 16 bits.
     connect(dialog_, &QDialog::rejected, this, [this, before] { Q_EMIT colourChanged(before); });
     connect(dialog_, &QDialog::finished, this, [this] {
-        dialog_ = nullptr;  // it lives a little longer
+        dialog_ = nullptr;  // it is deleted a little later
         Q_EMIT ended();
     });
     dialog_->open();

@@ -23,12 +23,12 @@ class PointFields : public QWidget {
     // The unit of the volume's values, shown behind the number; may be empty.
     void setUnit(const QString& unit, int decimals);
     void setUnitDistance(double mm);  // thickness for which the opacity holds
-    void setStep(double units);       // of the arrows beside the value
+    void setStep(double units);       // the step of the arrows beside the value
 
     struct Point {
-        double value = 0.0;                     // of the volume
-        std::optional<double> opacity = {};     // of a point of the opacity
-        std::optional<glm::dvec3> colour = {};  // of a colour point, sRGB-encoded
+        double value = 0.0;                     // a value of the volume
+        std::optional<double> opacity = {};     // for an opacity point
+        std::optional<glm::dvec3> colour = {};  // for a colour point, sRGB-encoded
     };
     void showPoint(const std::optional<Point>& point);  // nothing: no point is selected
 

@@ -34,7 +34,7 @@ PresetCopies::Chosen PresetCopies::chosenFor(const Preset& preset) const {
         return known->second;
     if (const Preset offered = inCatalogue(preset->name); offered && scene::isSame(*offered, *preset))
         return itself;
-    // A copy of another session.
+    // A copy from another run.
     if (const Preset original = inCatalogue(scene::copiedFrom(*preset)))
         return {.inState = original, .function = original};
     return itself;
@@ -47,7 +47,7 @@ PresetCopies::Preset PresetCopies::inCatalogue(const std::string& name) const {
     return found == presets.end() ? nullptr : *found;
 }
 
-// Two presets of the same title have copies of different names: else one would be reset to the other.
+// Two presets of the same title get copies of different names; otherwise one could be reset to the other.
 std::set<std::string> PresetCopies::takenNames(const Preset& original) const {
     std::set<std::string> taken;
     for (const Preset& preset : session_.catalogue().presets) taken.insert(preset->name);

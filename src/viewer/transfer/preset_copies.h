@@ -1,4 +1,4 @@
-// Which preset is edited: the copy of the one that was chosen.
+// Finds the preset to edit: the copy of the chosen one.
 #pragma once
 
 #include <map>
@@ -24,13 +24,13 @@ class PresetCopies {
     struct Edited {
         Chosen chosen;
         TransferFunction function;  // the copy, perhaps not changed yet
-        bool isInState = false;     // the copy is
+        bool isInState = false;     // whether the state has the copy
     };
 
     explicit PresetCopies(const StudyEditor& session) : session_(session) {}  // outlives this
 
-    void forget();  // another study
-    // Of the session's state, which needs a study.
+    void forget();  // call it for another study
+    // The edited preset of the session's state. Needs a study.
     Edited edited();
 
   private:

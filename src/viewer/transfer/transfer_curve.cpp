@@ -147,7 +147,7 @@ bool TransferCurve::focusNextPrevChild(bool next) {
     return edits_.selectNext(next) || QWidget::focusNextPrevChild(next);
 }
 
-// For who does not see the picture.
+// For people who cannot see the picture.
 void TransferCurve::describe() {
     const TransferFunction& function = plot_.function();
     const std::optional<PointId> selected = edits_.selected();

@@ -59,7 +59,7 @@ class TransferCurve : public QWidget {
     void dragged(const macula::TransferFunction& function);  // during a drag
     void dragEnded();                                        // the drag ended
     void selectionChanged();
-    void colourAsked();  // for the selected colour point
+    void colourAsked();  // a person wants to edit the selected point's colour
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kOctavesPerHeight = 2.0;
 constexpr double kMostOctaves = 40.0;
-constexpr double kWidthOfAStep = 100.0;  // in values of the preset: of a curve that has no width
+constexpr double kWidthOfAStep = 100.0;  // in preset values, for a curve without a width
 
-// From where the opacity begins to change to where it ends; of one that does not, all of the curve.
+// From where the opacity begins to change to where it ends; for constant opacity, the whole curve.
 ValueRange slopeOf(const TransferFunction& function) {
     const auto& points = function.opacity;
     ValueRange all{points.front().value, points.back().value};
@@ -28,7 +28,7 @@ ValueRange slopeOf(const TransferFunction& function) {
 }
 
 QString textOf(double shift, double factor, const QString& unit) {
-    // A thousandth is less than what a hand can do.
+    // A hand cannot move by less than a thousandth.
     const double shown = std::abs(shift) < 1e-3 ? 0.0 : shift;
     const QString by = QLocale().toString(std::abs(shown), 'f', std::abs(shown) >= 10.0 ? 0 : 2);
     return TransferDrag::tr("Transfer function: shifted by %1%2, %3 times as wide")

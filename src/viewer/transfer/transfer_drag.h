@@ -30,7 +30,7 @@ class TransferDrag : public QObject {
   private:
     StudyEditor& session_;
     const TransferFunctionEditor& editor_;
-    std::optional<TransferFunctionEditor::Edited> base_;  // at the start of the drag
+    std::optional<TransferFunctionEditor::Edited> base_;  // the copy and its map when the drag began
     QPointF moved_;                                       // since then
     bool isRefused_ = false;
 };

@@ -17,7 +17,7 @@ void TransferEdits::deselectIfGone() {
 
 bool TransferEdits::selectNext(bool forwards) {
     const std::size_t opacities = plot_.countOf(PointId::Curve::opacity);
-    std::optional<std::size_t> place;  // those of opacity, then those of colour
+    std::optional<std::size_t> place;  // opacity points first, then colour points
     if (!selected_) {
         place = forwards ? 0 : plot_.pointCount() - 1;
     } else {
@@ -52,10 +52,10 @@ void TransferEdits::removeSelected() {
     const bool isColour = point.curve == PointId::Curve::colour;
     const TransferFunction left = isColour ? scene::withoutColourPoint(plot_.function(), point.index)
                                            : scene::withoutOpacityPoint(plot_.function(), point.index);
-    if (left == plot_.function()) return;  // the last of its curve
+    if (left == plot_.function()) return;  // the last point of a curve cannot be removed
     propose(left, false);
     if (!(plot_.function() == left)) return;
-    // The one that has taken its place, so that several can be removed in a row.
+    // Selects the point that took its place, so that several can be removed in a row.
     const std::size_t count = isColour ? left.colour.size() : left.opacity.size();
     selected_.reset();
     select(PointId{point.curve, std::min(point.index, count - 1)});
@@ -81,7 +81,7 @@ void TransferEdits::addBesideSelected() {
 std::optional<PointId> TransferEdits::add(PointId::Curve curve, const scene::Added& added, bool isDrag) {
     if (!added.index) return std::nullopt;
     propose(added.function, isDrag);
-    if (!(plot_.function() == added.function)) return std::nullopt;  // nobody wanted it
+    if (!(plot_.function() == added.function)) return std::nullopt;  // no listener accepted it
     const PointId point{curve, *added.index};
     select(point);
     return point;

@@ -1,4 +1,4 @@
-// The selected point of a transfer function, and the edits that a hand proposes.
+// The selected point of a transfer function, and the edits that mouse and keys propose.
 #pragma once
 
 #include <QObject>
@@ -21,7 +21,8 @@ class TransferEdits : public QObject {
     std::optional<PointId> selected() const { return selected_; }
     void select(std::optional<PointId> point);
     void deselectIfGone();
-    // The next or previous point, those of opacity before those of colour; beyond the last: none, and false.
+    // Selects the next or previous point; points of opacity come before those of colour. Beyond the last,
+    // selects none and returns false.
     bool selectNext(bool forwards);
 
     void propose(const TransferFunction& function, bool isDrag);
@@ -40,7 +41,7 @@ class TransferEdits : public QObject {
     void dragged(const macula::TransferFunction& function);  // during a drag
     void dragEnded();
     void selectionChanged();
-    void colourAsked();  // for the selected colour point
+    void colourAsked();  // a person wants to edit the selected point's colour
 
   private:
     TransferPlot& plot_;

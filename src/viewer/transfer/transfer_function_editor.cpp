@@ -35,7 +35,7 @@ TransferFunctionEditor::TransferFunctionEditor(StudyEditor& session, QWidget* pa
     line_->setTextFormat(Qt::PlainText);
     line_->setWordWrap(true);
     line_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    // The curve does not move under a hand whose first change makes the line longer.
+    // Room for two lines, so that the curve does not move during the first drag, which makes the text longer.
     line_->setMinimumHeight(2 * line_->fontMetrics().lineSpacing());
     line_->setAccessibleName(tr("Which preset is edited"));
     makeButtons();
@@ -47,7 +47,8 @@ TransferFunctionEditor::TransferFunctionEditor(StudyEditor& session, QWidget* pa
     buttons->addStretch(1);
     buttons->addWidget(reset_);
     buttons->addWidget(save_);
-    // The curve makes room for the numbers of the matter, so the button that shows them stays where it is.
+    // Below the curve, which gives the room for the matter's numbers, so the button that shows them does not
+    // move.
     auto* column = new QVBoxLayout(this);
     column->addWidget(line_);
     column->addWidget(curve_, 1);
@@ -105,7 +106,7 @@ void TransferFunctionEditor::listen() {
     connect(&session_, &StudyEditor::changed, this, &TransferFunctionEditor::onChanged);
 }
 
-// A field that loses the focus with its life still tells.
+// A field that is destroyed while it has the focus still emits signals.
 TransferFunctionEditor::~TransferFunctionEditor() {
     fields_->disconnect(this);
     matter_->disconnect(this);
@@ -128,7 +129,7 @@ void TransferFunctionEditor::onStudyShown() {
 void TransferFunctionEditor::onChanged(const scene::StudyState& before) {
     if (!session_.hasStudy() || session_.state().preset == before.preset) return;
     if (isProposing_) return showState();
-    // Somebody else has changed it: what a hand holds here is gone.
+    // The change came from elsewhere: a running drag or dialog here ends.
     curve_->cancelDrag();
     fields_->dropDialog();
     const PresetCopies::Preset chosenBefore = chosen_ ? chosen_->function : nullptr;
@@ -219,7 +220,7 @@ void TransferFunctionEditor::changeSelected(std::optional<double> value, std::op
         edited = scene::movedColourPoint(std::move(edited), index, map.presetFrom(*value));
     }
     if (!(edited == before)) propose(edits(edited), true);
-    showFields();  // what was typed may lie beyond the next point
+    showFields();  // the typed value may lie beyond the next point
 }
 
 TransferFunction TransferFunctionEditor::edits(const TransferFunction& function) const {

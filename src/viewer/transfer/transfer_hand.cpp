@@ -10,8 +10,8 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr double kOctavePx = 100.0;     // a drag up by so much makes twice as wide
-constexpr double kAngleOfHalf = 240.0;  // of a wheel, in eighths of a degree: two steps halve the range
+constexpr double kOctavePx = 100.0;     // a drag up by this length doubles the width
+constexpr double kAngleOfHalf = 240.0;  // eighths of a degree of the wheel: two notches halve the range
 
 }  // namespace
 
@@ -100,7 +100,7 @@ void TransferHand::doubleClick(const QMouseEvent& event) {
     }
 }
 
-// It stays under the hand until the button is let go: all of it is one step.
+// The drag goes on with the new point until the button is released: all of it is one step.
 void TransferHand::addAt(const QMouseEvent& event) {
     const QPointF at = event.position();
     const TransferFunction& function = plot_.function();

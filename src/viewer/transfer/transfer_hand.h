@@ -20,7 +20,7 @@ class TransferHand {
     bool isDragging() const { return drag_.has_value(); }
     void cancel() { drag_.reset(); }
 
-    void press(QMouseEvent& event);  // not while it drags, as the two below
+    void press(QMouseEvent& event);  // not during a drag, like the next two
     void doubleClick(const QMouseEvent& event);
     void turnWheel(const QWheelEvent& event);
     void move(const QMouseEvent& event);

@@ -82,7 +82,7 @@ bool TransferKeys::nudge(int key, Qt::KeyboardModifiers modifiers) {
 
 void TransferKeys::nudgePoint(const PointId& point, double right, double up) {
     const TransferFunction& function = plot_.function();
-    // Without a step sideways, to the bit where it was.
+    // Without a step sideways, exactly the same value.
     const auto moved = [&](double value) {
         return right == 0.0 ? value : value + right * plot_.keyStep() / plot_.map().scale;
     };

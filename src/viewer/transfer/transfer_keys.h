@@ -13,11 +13,11 @@ class TransferKeys {
   public:
     TransferKeys(TransferPlot& plot, TransferEdits& edits) : plot_(plot), edits_(edits) {}  // outlive this
 
-    // Whether the key is for the points, though a window may have a shortcut for it.
+    // Whether the key edits points, even if the window has a shortcut for it.
     static bool isTaken(const QKeyEvent& event);
-    bool press(const QKeyEvent& event);  // needs a function; whether it was one of its keys
+    bool press(const QKeyEvent& event);  // needs a function; returns whether it handled the key
     void release(const QKeyEvent& event);
-    void end();  // of the drag, if there is one
+    void end();  // ends the drag, if any
     void cancel() { isNudging_ = false; }
 
   private:

@@ -21,7 +21,7 @@ constexpr double kTickPx = 4.0;
 constexpr float kHistogramAlpha = 0.25F;
 
 QString numberText(double value, double step) {
-    // Zero that was rounded reads -1e-17.
+    // Otherwise a rounded zero could read -1e-17.
     return QLocale().toString(std::abs(value) < 1e-6 * step ? 0.0 : value, 'g', 7);
 }
 
@@ -99,7 +99,7 @@ void TransferPainting::paintScales(QPainter& painter, const Look& look) const {
         painter.drawLine(QPointF(x, axis.top()), QPointF(x, axis.top() + kTickPx));
         const QString text = numberText(value, step);
         const double half = 0.5 * look.metrics.horizontalAdvance(text);
-        // A number that would run into the unit or out of the picture is left out; its tick stays.
+        // Leaves out a number that would overlap the unit or leave the picture; its tick stays.
         if (x - half < 0.0 || x + half > unitRect.left()) continue;
         painter.drawText(QRectF(x - half, axis.top() + kTickPx, 2.0 * half + 1.0, axis.height() - kTickPx),
                          Qt::AlignLeft | Qt::AlignBottom, text);
@@ -125,7 +125,7 @@ void TransferPainting::paintCurve(QPainter& painter, const Look& look) const {
     const auto place = [&](double px, double opacity) {
         return QPointF(px, plot.bottom() - opacity * plot.height());
     };
-    // Each pixel, and each point besides: a peak may be narrower than a pixel.
+    // At each pixel, and at each point as well: a peak may be narrower than a pixel.
     QPolygonF line;
     std::size_t next = 0;
     for (int column = 0; column <= int(plot.width()); ++column) {
@@ -152,7 +152,7 @@ void TransferPainting::paintPoints(QPainter& painter, const Look& look,
     const auto paint = [&](const PointId& point, const QColor& fill) {
         const QPointF at = plot_.placeOf(point);
         const bool isChosen = selected == point;
-        const bool isCovered = !isChosen && QLineF(last, at).length() < 1.0;  // tables have hundreds
+        const bool isCovered = !isChosen && QLineF(last, at).length() < 1.0;  // as in large tables
         if (isCovered || !QRectF(QRect(QPoint(0, 0), look.size)).contains(at)) return;
         last = at;
         const double radius = isChosen ? kSelectedHandlePx : kHandlePx;
@@ -165,7 +165,7 @@ void TransferPainting::paintPoints(QPainter& painter, const Look& look,
         paint({PointId::Curve::opacity, i}, paper);
     for (std::size_t i = 0; i < plot_.function().colour.size(); ++i)
         paint({PointId::Curve::colour, i}, colourOf(plot_.function().colour[i].colour));
-    // What is selected is seen, whatever lies over it.
+    // Paints the selected point last, above all others.
     if (!selected) return;
     const bool isColour = selected->curve == PointId::Curve::colour;
     paint(*selected, isColour ? colourOf(plot_.function().colour[selected->index].colour) : paper);

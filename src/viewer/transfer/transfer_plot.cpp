@@ -16,7 +16,7 @@ constexpr double kGapPx = 8.0;  // between plot and strip
 constexpr double kHitPx = 8.0;
 
 constexpr double kKeysPerTick = 50.0;
-constexpr double kRare = 0.001;  // of the values, at either end of the axis
+constexpr double kRare = 0.001;  // share of the values at either end that the axis leaves out
 
 }  // namespace
 
@@ -61,7 +61,7 @@ QPointF TransferPlot::placeOf(const PointId& point) const {
     return {x, now.plot.bottom() - function_.opacity.at(point.index).opacity * now.plot.height()};
 }
 
-// The last of several at one place can be pulled off to the right.
+// Of several points at one place the last, because it can be pulled off to the right.
 std::optional<PointId> TransferPlot::pointAt(const QPointF& at) const {
     std::optional<PointId> nearest;
     double distance = kHitPx;

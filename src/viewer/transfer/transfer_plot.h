@@ -33,7 +33,7 @@ class TransferPlot : public QObject {
     Q_OBJECT
 
   public:
-    static constexpr double kTicksApartPx = 80.0;  // at least
+    static constexpr double kTicksApartPx = 80.0;  // least distance of ticks
 
     // `layout` returns the present one.
     explicit TransferPlot(std::function<TransferLayout()> layout);
@@ -48,21 +48,21 @@ class TransferPlot : public QObject {
 
     std::size_t countOf(PointId::Curve curve) const;
     std::size_t pointCount() const { return function_.opacity.size() + function_.colour.size(); }
-    double valueOf(const PointId& point) const;  // of the volume
+    double valueOf(const PointId& point) const;  // a value of the volume
 
     TransferLayout layout() const { return layout_(); }
     QPointF placeOf(const PointId& point) const;  // outside of the plot if the axis does not reach it
-    // The nearest within reach of a pointer; of several at one place the last.
+    // The nearest point within reach of a pointer; of several at one place, the last.
     std::optional<PointId> pointAt(const QPointF& at) const;
     double presetValueAt(double x) const;
     double opacityAt(double y) const;
 
     const scene::ValueAxis& axis() const { return axis_; }
     bool isAxisFitted() const { return isAxisFitted_; }  // not zoomed since fitAxis
-    void fitAxis();                                      // all points, and all values that are not rare
-    void setAxis(const scene::ValueAxis& axis);          // by a person
+    void fitAxis();                                      // shows all points, and all values that are not rare
+    void setAxis(const scene::ValueAxis& axis);          // for a person's zoom or pan
     void reveal(const PointId& point);
-    void takeLength();       // of the layout, which has changed
+    void takeLength();       // takes over the width of the changed layout
     double keyStep() const;  // units of the volume that an arrow key moves by
 
   Q_SIGNALS:

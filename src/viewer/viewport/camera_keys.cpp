@@ -15,7 +15,7 @@ constexpr double kOrbitStepDeg = 5.0;
 constexpr double kPanStepOfHeight = 0.05;
 constexpr double kRollStepDeg = 5.0;
 
-// Steps to the right and down.
+// The direction of an arrow key; right and down are positive.
 std::optional<QPointF> arrowOfKey(int key) {
     switch (key) {
         case Qt::Key_Left:
@@ -39,7 +39,7 @@ CameraKeys::CameraKeys(PictureCamera& camera, std::function<void()> nudge)
 bool CameraKeys::roll(const QKeyEvent& event) {
     const bool control = event.modifiers().testFlag(Qt::ControlModifier);
     const auto is = [&](Qt::Key bracket, Qt::Key arrow) {
-        // Many keyboards have brackets with AltGr only, which some platforms tell as Ctrl and Alt.
+        // Many keyboards need AltGr for brackets, which some platforms report as Ctrl and Alt.
         return event.key() == bracket || (control && event.key() == arrow);
     };
     const bool clockwise = is(Qt::Key_BracketRight, Qt::Key_Right);
@@ -57,7 +57,7 @@ bool CameraKeys::move(const QKeyEvent& event) {
         camera_.set(scene::pannedByDrag(camera_.now(), arrow->x() * kPanStepOfHeight,
                                         arrow->y() * kPanStepOfHeight, 1));
     } else {
-        // The eye goes where the arrow points.
+        // The eye moves in the direction of the arrow.
         camera_.set(orbited(camera_.now(), arrow->x() * kOrbitStepDeg, -arrow->y() * kOrbitStepDeg));
     }
     return true;

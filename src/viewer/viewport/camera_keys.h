@@ -14,8 +14,8 @@ class CameraKeys {
     // The camera outlives this. `nudge` is called before a step of a key that may be held down.
     CameraKeys(PictureCamera& camera, std::function<void()> nudge);
 
-    // Each returns whether it was one of its keys: [, ] and Ctrl with arrows, which roll; arrows; standard
-    // views, fit, parallel, + and -. The last two only without modifiers but Shift.
+    // Each returns whether it handled the key. roll(): [, ] and Ctrl with arrows. move(): arrows. look():
+    // standard views, fit, parallel, + and -. Call move() and look() only without modifiers other than Shift.
     bool roll(const QKeyEvent& event);
     bool move(const QKeyEvent& event);
     bool look(const QKeyEvent& event);

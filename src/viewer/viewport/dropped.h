@@ -9,7 +9,7 @@ class QMimeData;
 namespace macula::viewer {
 
 struct Dropped {
-    QString path;   // of the single folder or file; else empty
+    QString path;   // the only folder or file; empty if there are more
     int count = 0;  // files and folders; only one can be opened
 };
 

@@ -10,7 +10,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr double kVerticalFovDeg = 30.0;
-constexpr double kFlyOfDiagonal = 0.03;  // for each notch
+constexpr double kFlyOfDiagonal = 0.03;  // per notch of the wheel
 constexpr double kNoSceneMm = 1000.0;
 
 }  // namespace
@@ -85,7 +85,7 @@ void PictureCamera::zoomBy(double magnification) {
     set(zoomed(camera_, magnification, sceneDiagonalMm()));
 }
 
-// With parallel rays nothing comes nearer: what is seen gets larger instead.
+// With parallel rays flying would change nothing: it magnifies instead.
 void PictureCamera::flyBy(double notches) {
     if (camera_.isParallel) return zoomBy(std::pow(kZoomPerNotch, notches));
     set(flown(camera_, notches * kFlyOfDiagonal * sceneDiagonalMm(), volume_->worldBox()));
@@ -95,7 +95,7 @@ double PictureCamera::sceneDiagonalMm() const {
     return volume_ ? volume_->worldBox().diagonal() : kNoSceneMm;
 }
 
-// Until the outline is found, and in projections, all of the volume.
+// Until the outline is known, and in projections, the whole volume.
 std::vector<glm::dvec3> PictureCamera::fittedPointsMm() const {
     if (outline_ && !outline_->empty() && !isProjection_) return *outline_;
     const auto corners = cornersOf(volume_->worldBox());

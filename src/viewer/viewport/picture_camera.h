@@ -1,4 +1,4 @@
-// The camera of the 3D picture, and which side of the study it was fitted to.
+// The camera of the 3D picture, and the side of the study that it was fitted from.
 #pragma once
 
 #include <QObject>
@@ -30,11 +30,11 @@ class PictureCamera : public QObject {
 
     // Begins another study, or none if it is null. Its visible part is not known yet.
     void setVolume(std::shared_ptr<const Volume> volume);
-    void setProjection(bool isProjection) { isProjection_ = isProjection; }  // which shows all of the volume
-    // The visible part. The first one of a study moves a camera that nobody has touched. Later ones, of other
-    // presets, do not: what is compared stays where it is.
+    void setProjection(bool isProjection) { isProjection_ = isProjection; }  // shows the whole volume
+    // Sets points around the visible part. The first ones of a study move a camera that nobody has touched.
+    // Later ones, from other presets, do not: pictures to compare keep their view.
     void takeOutline(std::shared_ptr<const std::vector<glm::dvec3>> pointsMm);
-    void refit();  // to another aspect, unless it was moved; without a signal
+    void refit();  // for another aspect, unless it was moved; emits nothing
 
     // The first five do nothing without a volume. showFirst uses the usual view if `from` is nothing.
     void showFirst(std::optional<ViewDirection> from);
@@ -43,7 +43,7 @@ class PictureCamera : public QObject {
     void centreOn(const glm::dvec3& mm);
     void fit();
     void set(const scene::OrbitCamera& camera);
-    void setParallel(bool isParallel);  // keeps what it was fitted to
+    void setParallel(bool isParallel);  // an untouched camera stays untouched
 
     void zoomBy(double magnification);
     void flyBy(double notches);  // needs a volume; with parallel rays it zooms
@@ -53,7 +53,7 @@ class PictureCamera : public QObject {
   Q_SIGNALS:
     void changed();
     void parallelChanged(bool isParallel);
-    void moved();  // after these
+    void moved();  // after the other two
 
   private:
     double sceneDiagonalMm() const;
@@ -66,7 +66,7 @@ class PictureCamera : public QObject {
     ViewDirection firstFrom_ = ViewDirection::anterior;
     ViewDirection framedFrom_ = ViewDirection::anterior;
     bool untouched_ = true;                                   // not moved since it was framed
-    std::shared_ptr<const std::vector<glm::dvec3>> outline_;  // null before the first of the study
+    std::shared_ptr<const std::vector<glm::dvec3>> outline_;  // null until the study's first
 };
 
 }  // namespace macula::viewer

@@ -47,7 +47,7 @@ PicturePlace PictureHand::placeAt(QPointF place, bool withShift) const {
 bool PictureHand::grab(QPointF place, bool withShift) {
     if (!picture_.hasStudy()) return false;
     const PicturePlace at = placeAt(place, withShift);
-    // Of a picture that will be gone in a moment no tool takes hold, and the button does nothing.
+    // The picture on screen is about to be replaced: no tool takes hold, and the button does nothing.
     if (!picture_.isOnScreen()) return parts_.tools.wouldHold(at);
     if (!parts_.tools.press(at)) return false;
     isDragging_ = parts_.tools.changesPicture();
@@ -57,7 +57,7 @@ bool PictureHand::grab(QPointF place, bool withShift) {
 void PictureHand::drag(VulkanWindow::Drag drag, QPointF byPixels) {
     const double height = parts_.window.height();
     switch (drag) {
-        case VulkanWindow::Drag::tool:  // is told as toolMoved
+        case VulkanWindow::Drag::tool:  // arrives as toolMoved
             return;
         case VulkanWindow::Drag::orbit:
             return parts_.camera.set(
@@ -84,7 +84,7 @@ void PictureHand::drag(VulkanWindow::Drag drag, QPointF byPixels) {
     }
 }
 
-// What is pointed at is what is looked at; while it is dragged it goes with the pointer.
+// The person looks where the pointer is. During a drag the point moves with the pointer.
 void PictureHand::point(QPointF place) {
     pointedAt_ = {place.x(), place.y()};
     if (!picture_.hasStudy() || parts_.tools.isHolding()) return;

@@ -1,4 +1,4 @@
-// The mouse in the 3D picture: drags and wheel, for the tools that may take them, else for the camera.
+// The mouse in the 3D picture: tools may take its drags and wheel, otherwise the camera gets them.
 #pragma once
 
 #include "viewer/viewport/vulkan_window.h"  // before Qt, see there
@@ -24,11 +24,11 @@ class PictureHand : public QObject {
         PictureCamera& camera;
         PictureTools& tools;
     };
-    // What is asked of the picture whenever it matters.
+    // Functions that return the current facts of the picture.
     struct Picture {
         std::function<bool()> hasStudy;
         std::function<bool()> isProjection;
-        std::function<bool()> isOnScreen;  // with the present camera
+        std::function<bool()> isOnScreen;  // the picture on screen has the present camera
         std::function<PictureGeometry()> geometry;
     };
     PictureHand(const Parts& parts, Picture picture);
@@ -39,8 +39,8 @@ class PictureHand : public QObject {
 
   Q_SIGNALS:
     void rested();                            // at the end of a drag or of nudges
-    void windowDragged(QPointF byHeights);    // in projections
-    void transferDragged(QPointF byHeights);  // in all others
+    void windowDragged(QPointF byHeights);    // a drag in projections
+    void transferDragged(QPointF byHeights);  // the same drag in all other looks
 
   private:
     void listen();

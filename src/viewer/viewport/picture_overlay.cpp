@@ -42,7 +42,7 @@ std::shared_ptr<const live::PictureText> PictureOverlay::marks(const std::option
                         .fontScale = fontScaleOverPictures(),
                         .ofTools = std::move(ofTools)};
     if (wanted == marked_) return marks_;
-    Marked stands = wanted.value_or(Marked{});  // what tools move lies above it
+    Marked stands = wanted.value_or(Marked{});  // without the marks of tools, which lie above it
     stands.ofTools = marked_ ? marked_->ofTools : std::vector<ToolMark>();
     const bool isSame = wanted && marked_ && stands == *marked_;
     marked_ = std::move(wanted);

@@ -1,4 +1,4 @@
-// What lies over the 3D picture: names and notes, letters of the sides, cube, scale, and the marks of tools.
+// The overlay of the 3D picture: names and notes, letters of the sides, cube, scale, and the marks of tools.
 #pragma once
 
 #include <QSize>
@@ -16,12 +16,12 @@
 
 namespace macula::viewer {
 
-// Paints each part anew only if it would look different. Needs a QGuiApplication.
+// Repaints a part only if it would look different. Needs a QGuiApplication.
 class PictureOverlay {
   public:
     // Lines that identify patient and study.
     void setNames(std::vector<std::string> names);
-    // Both return whether that was a change.
+    // Both return whether anything changed.
     bool showNames(bool shown);
     bool showCube(bool shown);  // with the scale
     bool showsNames() const { return namesShown_; }
@@ -30,8 +30,8 @@ class PictureOverlay {
     // For a picture of `pixels` device pixels on a screen of `pixelRatio`; may be null.
     std::shared_ptr<const live::PictureText> text(const scene::Drawing& drawing, QSize pixels,
                                                   double pixelRatio);
-    // `picture`: nothing without a study. `letters` are those of its camera. May be null. A few tenths of a
-    // millisecond: for each step of a drag.
+    // `picture`: nothing without a study. `letters` are those of its camera. May be null. Takes a few tenths
+    // of a millisecond, little enough for each step of a drag.
     std::shared_ptr<const live::PictureText> marks(const std::optional<MarkedPicture>& picture,
                                                    std::vector<ToolMark> ofTools,
                                                    const scene::EdgeLetters& letters);

@@ -1,4 +1,4 @@
-// The tools of the 3D picture, and the one that holds.
+// The tools of the 3D picture, and the tool that has taken hold of the drag.
 #pragma once
 
 #include <QCursor>
@@ -15,17 +15,17 @@ class PictureTools {
     void set(std::vector<PictureTool*> tools);  // null entries are ignored; gives up a hold
 
     bool isHolding() const { return holder_ != nullptr; }
-    bool changesPicture() const { return holder_->changesPicture(); }  // the one that holds
+    bool changesPicture() const { return holder_->changesPicture(); }  // whether the holding tool does
     bool wouldHold(const PicturePlace& place) const;                   // by their cursors; no tool takes hold
-    bool press(const PicturePlace& place);                             // whether one took hold
-    // Those below do nothing without a hold.
+    bool press(const PicturePlace& place);                             // returns whether a tool took hold
+    // The next three do nothing without a hold.
     void move(const PicturePlace& place);
     void release(const PicturePlace& place);
     void giveUp();
 
-    // Every tool before the first that has one is told of the pointer.
+    // The cursor of the first tool that has one. Later tools do not see the pointer.
     std::optional<Qt::CursorShape> cursorAt(const PicturePlace& place) const;
-    bool turnWheel(double notches, const PictureGeometry& picture) const;  // whether one used it
+    bool turnWheel(double notches, const PictureGeometry& picture) const;  // returns whether a tool used it
     std::vector<ToolMark> marks(const PictureGeometry& picture) const;
 
   private:

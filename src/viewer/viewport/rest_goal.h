@@ -7,7 +7,7 @@
 
 namespace macula::viewer {
 
-// What counts as converged, and whether training of the model waits for it.
+// When a picture counts as converged, and whether training of the model waits for that.
 struct RestGoal {
     std::uint32_t sampleLimit = 512;
     double noiseTarget = live::kUnseenNoise;

@@ -47,8 +47,7 @@ Viewport::Viewport(gpu::Instance instance, std::string preferredDevice,
     connectWindow();
     connectHand();
 
-    // The events cross to this thread through its queue; those that come after this widget is gone are
-    // dropped by Qt.
+    // Events reach this thread through its queue; Qt drops those that arrive after this widget is destroyed.
     renderThread_ = std::make_unique<live::RenderThread>(
         std::move(instance), std::move(preferredDevice), std::move(keeper), [this](live::RenderEvent event) {
             post(this, [this, event = std::move(event)] { onRendered(event); });
@@ -56,7 +55,7 @@ Viewport::Viewport(gpu::Instance instance, std::string preferredDevice,
 }
 
 Viewport::~Viewport() {
-    container_.reset();  // with the window, which takes its surface back from the render thread first
+    container_.reset();  // with its window, which first takes its surface from the render thread
     renderThread_.reset();
 }
 
@@ -81,13 +80,13 @@ void Viewport::connectWindow() {
     });
     connect(window_, &VulkanWindow::hidden, this, &Viewport::publish);
     connect(window_, &VulkanWindow::resized, this, [this] {
-        camera_.refit();  // a view nobody has touched goes on fitting the window
+        camera_.refit();  // an untouched view keeps fitting the window
         publish();
         Q_EMIT resized();
         Q_EMIT otherPictureWanted();
     });
     connect(window_, &VulkanWindow::doubleClicked, this, [this](QPointF place) {
-        if (!sideAt(place)) Q_EMIT doubleClicked(place);  // nothing is meant behind the cube
+        if (!sideAt(place)) Q_EMIT doubleClicked(place);  // a click on the cube means nothing behind it
     });
     connect(window_, &VulkanWindow::clicked, this, [this](QPointF place) {
         if (const auto side = sideAt(place)) camera_.set(scene::turnedTo(camera(), *side));
@@ -114,7 +113,7 @@ void Viewport::connectHand() {
 
 void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names,
                         scene::Drawing drawing, std::optional<ViewDirection> from) {
-    window_->endDrag();  // what a hand holds, handle or transfer function, is of the study before
+    window_->endDrag();  // a held handle or curve belongs to the earlier study
     ++input_.study;
     shown_.reset();
     overlay_.setNames(std::move(names));
@@ -236,7 +235,7 @@ double Viewport::aspect() const {
 // its sides where they were.
 void Viewport::onRendered(const live::RenderEvent& event) {
     if (const auto* frame = std::get_if<live::FrameShown>(&event)) {
-        if (frame->study != input_.study) return;  // that picture is being taken off the screen
+        if (frame->study != input_.study) return;  // that picture is being removed
         setLetters(frame->letters);
         shown_ = *frame;
     } else if (std::holds_alternative<live::PictureRemoved>(event)) {
@@ -246,8 +245,8 @@ void Viewport::onRendered(const live::RenderEvent& event) {
     } else if (const auto* failure = std::get_if<live::RenderFailure>(&event)) {
         setLetters({});
         shown_.reset();
-        // A picture that stays after an error would be taken for that of what is wanted now; unless something
-        // else is wanted by now, which takes it off first.
+        // A picture that stays on screen after an error would pass for the wanted one: hides it, unless a
+        // newer input will remove it.
         if (failure->pictureRemains && failure->inputSequence >= lastChange_) container_->widget().hide();
     }
     Q_EMIT rendered(event);
@@ -258,7 +257,7 @@ void Viewport::setLetters(const scene::EdgeLetters& letters) {
     container_->describeSides(letters);
 }
 
-// The cube on screen is that of the picture, not of the camera that is asked for by now.
+// The cube on screen belongs to the picture, not to the newest camera.
 std::optional<ViewDirection> Viewport::sideAt(QPointF place) const {
     const auto picture = overlay_.showsCube() ? pictureOnScreen() : std::nullopt;
     return picture ? cubeSideAt(*picture, place) : std::nullopt;

@@ -24,8 +24,8 @@
 
 namespace macula::viewer {
 
-// The Vulkan instance with the extensions of the window system. deviceNotUsable if that cannot show Vulkan
-// pictures. Needs a QGuiApplication.
+// Creates a Vulkan instance with the extensions of the window system. deviceNotUsable if this system cannot
+// show Vulkan pictures. Needs a QGuiApplication.
 Result<gpu::Instance> createInstanceForWindows();
 
 // Owns the render thread and the state that its inputs are made from. Each setter publishes a new input and
@@ -51,9 +51,9 @@ class Viewport : public QWidget {
     bool namesShown() const { return overlay_.showsNames(); }
     void setDrawing(scene::Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
-    // What counts as converged at rest, and whether the model waits for it: see live::FrameInput.
+    // When a picture at rest counts as converged, and whether the model waits for that: see live::FrameInput.
     void setRestGoal(const RestGoal& goal);
-    void setLiveQuality(const live::LiveQuality& quality);  // of frames in motion
+    void setLiveQuality(const live::LiveQuality& quality);  // the quality of frames in motion
     // Asks for the current model, which arrives as live::ModelSnapshot with the returned number.
     std::uint64_t askForModel(bool withTraining);
     // Whether motion shows the peripheral model (splats), or else small traced pictures.
@@ -86,12 +86,12 @@ class Viewport : public QWidget {
     std::optional<ViewDirection> framedFrom() const { return camera_.framedFrom(); }
     // The side from which this study was shown first.
     ViewDirection firstFrom() const { return camera_.firstFrom(); }
-    std::uint64_t study() const { return input_.study; }  // as in FrameShown
+    std::uint64_t study() const { return input_.study; }  // see live::FrameShown::study
     // The orientation letters on screen, painted into each picture; empty without one.
     const scene::EdgeLetters& letters() const { return letters_; }
     VulkanWindow& window() { return *window_; }
     QSize pictureSize() const { return window_->pixels(); }
-    // The facts of this study's picture on screen; null without one.
+    // Describes this study's picture on screen; null without one.
     const live::FrameShown* frameOnScreen() const { return shown_ ? &*shown_ : nullptr; }
     // The picture on screen and the camera of its marks; nothing without a picture.
     std::optional<MarkedPicture> pictureOnScreen() const;
@@ -120,10 +120,10 @@ class Viewport : public QWidget {
   private:
     void connectWindow();
     void connectHand();
-    void publishChange();                                      // of study, drawing or camera
-    std::uint64_t publish();                                   // its number
-    void updateMarks();                                        // in the input
-    std::optional<ViewDirection> sideAt(QPointF place) const;  // of the cube, if it is shown
+    void publishChange();                                      // the study, drawing or camera has changed
+    std::uint64_t publish();                                   // returns the number of the input
+    void updateMarks();                                        // updates the marks in the input
+    std::optional<ViewDirection> sideAt(QPointF place) const;  // the cube's side there, if the cube is shown
     bool showsProjection() const { return trace::isProjection(input_.drawing.settings.look); }
     bool isCalibrated() const;  // the volume; true without one
     MarkedPicture markedPicture(const Camera& camera) const;
@@ -140,10 +140,10 @@ class Viewport : public QWidget {
     PictureOverlay overlay_;
 
     live::FrameInput input_;
-    std::uint64_t lastChange_ = 0;  // its number
+    std::uint64_t lastChange_ = 0;  // number of the last publishChange()
     bool gazeFollowsPointer_ = true;
     std::optional<live::FrameShown> shown_;  // the picture on screen
-    scene::EdgeLetters letters_;             // of that picture
+    scene::EdgeLetters letters_;             // the side letters of that picture
 
     std::unique_ptr<live::RenderThread> renderThread_;
 };

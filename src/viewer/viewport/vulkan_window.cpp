@@ -14,7 +14,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr double kEighthsOfDegreePerNotch = 120.0;
-constexpr double kClickPx = 3.0;  // a hand that clicks moves by as much
+constexpr double kClickPx = 3.0;  // the pointer moves this much during a click
 constexpr Qt::Key kTransferKey = Qt::Key_T;
 
 }  // namespace
@@ -92,7 +92,7 @@ void VulkanWindow::mousePressEvent(QMouseEvent* event) {
     if (!drag) return;
     drag_ = *drag;
     last_ = pressedAt_ = event->position();
-    // With Ctrl, Alt or the key for it the left button is for the camera or for what is seen.
+    // With Ctrl, Alt or kTransferKey, the left button moves the camera or edits the transfer function.
     const bool isForTools = event->button() == Qt::LeftButton && (drag_ == Drag::orbit || drag_ == Drag::pan);
     if (isForTools && grab_ && grab_(placeOf(last_), event->modifiers().testFlag(Qt::ShiftModifier)))
         drag_ = Drag::tool;
@@ -128,7 +128,7 @@ void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
         Q_EMIT pointed(placeOf(event->position()));
         return;
     }
-    // The button went up where this window was not told, as over a dialog.
+    // The button went up without an event here, for example over a dialog.
     if (!event->buttons().testFlag(dragButton_)) return endDrag();
     if (drag_ == Drag::tool) {
         Q_EMIT toolMoved(placeOf(event->position()), event->modifiers().testFlag(Qt::ShiftModifier));
@@ -155,7 +155,7 @@ void VulkanWindow::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void VulkanWindow::focusOutEvent(QFocusEvent*) {
-    holdsTransfer_ = false;  // nobody is told of keys that go up elsewhere
+    holdsTransfer_ = false;  // the window gets no event of keys released elsewhere
     endDrag();
 }
 
@@ -169,7 +169,7 @@ void VulkanWindow::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void VulkanWindow::wheelEvent(QWheelEvent* event) {
-    // With some modifiers a wheel turns sideways: with Alt on most platforms, with Shift on some.
+    // With some modifiers a wheel reports sideways turns: with Alt on most platforms, with Shift on some.
     const QPoint angle = event->angleDelta();
     const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / kEighthsOfDegreePerNotch;
     if (event->modifiers().testFlag(Qt::AltModifier)) {

@@ -14,8 +14,8 @@
 
 namespace macula::viewer {
 
-// Has a Vulkan surface from the first time it is on screen until its platform window goes. Knows nothing of
-// cameras: it turns mouse and wheel into drags, and hands keys on. Lives on the UI thread.
+// Has a Vulkan surface from the first time it is on screen until its platform window is destroyed. Knows
+// nothing of cameras: it turns mouse and wheel into drags, and passes keys on. Lives on the UI thread.
 class VulkanWindow : public QWindow {
     Q_OBJECT
 
@@ -49,8 +49,8 @@ class VulkanWindow : public QWindow {
 
     // The pointer moved without a drag, or a drag began: -1 to 1, right and up are positive.
     void pointed(QPointF place);
-    void doubleClicked(QPointF place);  // with the left button; likewise
-    void clicked(QPointF place);        // with the left button, without motion; likewise
+    void doubleClicked(QPointF place);  // with the left button; place as in pointed()
+    void clicked(QPointF place);        // with the left button, without motion; place as in pointed()
     void dragBegan();
     void dragged(macula::viewer::VulkanWindow::Drag drag, QPointF byPixels);  // logical pixels, y downwards
     void dragEnded();

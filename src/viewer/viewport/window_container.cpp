@@ -54,7 +54,7 @@ bool WindowContainer::moveFocus(const QKeyEvent& event) {
     if ((event.modifiers() & ~Qt::ShiftModifier) != Qt::NoModifier) return false;
     QWidget* next = nextInTabOrder(*widget_, !isBack);
     if (next == nullptr) return true;
-    // Keys go on to the native window until its parent is the active one.
+    // The native window keeps getting the keys until its parent is the active window.
     parent_.window()->activateWindow();
     next->setFocus(isBack ? Qt::BacktabFocusReason : Qt::TabFocusReason);
     return true;

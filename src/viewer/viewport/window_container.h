@@ -23,9 +23,10 @@ class WindowContainer {
     QWidget& widget() { return *widget_; }
     // The size at which the picture is first shown; a person may make it smaller.
     void setSizeHint(const QSize& devicePixels);
-    // Keys of a native window pass no widget that would know where Tab goes. Returns whether it was Tab.
+    // Moves the focus for Tab: no widget that knows the tab order sees the keys of a native window. Returns
+    // whether the key was Tab.
     bool moveFocus(const QKeyEvent& event);
-    void describeSides(const scene::EdgeLetters& letters);  // for who does not see the picture
+    void describeSides(const scene::EdgeLetters& letters);  // for people who cannot see the picture
 
   private:
     QWidget& parent_;

@@ -1,4 +1,4 @@
-// The question whether images that differ only in identifiers made anew for each are one series.
+// Asks whether images are one series if only their identifiers differ, newly made for each image.
 #pragma once
 
 #include <QString>

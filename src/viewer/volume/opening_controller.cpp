@@ -50,7 +50,7 @@ void OpeningController::connectOutcomes() {
     });
 }
 
-// The state is kept first: it may be the same study that is opened.
+// Stores the state first, because it may be the same study that is opened.
 void OpeningController::open(study::StudySource source) {
     states_.keep();
     if (source) context_.files.sawStudy(QString::fromStdString(source->string()));
@@ -112,7 +112,7 @@ void OpeningController::showError(const Error& error) {
     context_.notifications.showError(told(error));
 }
 
-// Somebody who reads this looks at a picture, and must not take it for that of what could not be opened.
+// Says which study is on screen, so that nobody takes it for the one that could not be opened.
 Error OpeningController::told(Error error) const {
     if (!context_.session.hasStudy()) return error;
     const QString still = tr("What is on screen is still of the study that was open before.");

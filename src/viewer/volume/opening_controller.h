@@ -1,4 +1,4 @@
-// Opens studies: what a person asks for or drops, while it loads, and what goes wrong.
+// Opens the studies that a person asks for or drops, and shows progress and errors.
 #pragma once
 
 #include <QObject>
@@ -26,14 +26,14 @@ class OpeningController : public QObject {
     OpeningController(const WindowContext& context, StateController& states,
                       std::shared_ptr<live::StudyKeeper> keeper);
 
-    // Call it when others listen to the loader: they learn first how an opening ended.
+    // Call it after others have connected to the loader: they must learn first how an opening ended.
     void connectOutcomes();
 
     void open(study::StudySource source);
     void openFound(std::shared_ptr<const study::FoundVolumes> found, std::size_t index);
     void openDropped(const Dropped& what);
 
-    // Of the study before and of the store, when another study is shown.
+    // When another study is shown, drops the notes on the study before, and on the store unless they are new.
     void forgetNotes();
     void tellOfStore(const Error& error);
 
@@ -58,7 +58,7 @@ class OpeningController : public QObject {
     StateController& states_;
     StudyLoader loader_;
     WorkBar* bar_;
-    bool storeNoteIsNew_ = false;  // it came while a study was being opened
+    bool storeNoteIsNew_ = false;  // the store's note came during an opening
 };
 
 }  // namespace macula::viewer

@@ -44,9 +44,9 @@ void ShownAdditions::setSecond(std::shared_ptr<const SecondVolumeTexts> second) 
     if (second == second_) return;
     second_ = std::move(second);
     drawn_.reset();
-    joining_.cancel();  // of the one before
+    joining_.cancel();  // it was for the earlier second volume
     wantedSecond_.reset();
-    if (made_.second) {  // of another one
+    if (made_.second) {  // made from the second volume before
         made_.second.reset();
         show();
     }
@@ -76,7 +76,7 @@ void ShownAdditions::updateSecond() {
     if (!wanted->window && !wanted->preset) wanted->window = second_->usualWindow;
     if (wanted == wantedSecond_) return;
     wantedSecond_ = wanted;
-    // A slider asks faster than it is made: the newest is, when the one before is there.
+    // A slider moves faster than this: when a job ends, the newest request is next.
     if (!joining_.running()) join();
 }
 
@@ -107,7 +107,7 @@ void ShownAdditions::onSecond(const Result<DrawnSecondVolume>& outcome) {
         usable = outcome.error();
     }
     if (!usable) {
-        if (isOutdated) return join();  // nobody wants this one any more
+        if (isOutdated) return join();  // a newer request has replaced the failed one
         made_.second.reset();
         session_.correct([](scene::StudyState& each) {
             if (each.secondVolume) each.secondVolume->in3d = false;
@@ -122,7 +122,7 @@ void ShownAdditions::onSecond(const Result<DrawnSecondVolume>& outcome) {
     show();
 }
 
-// Anew only where something else is asked for, or more is there to do it with.
+// Makes new tints only if the choices changed, or if more segmentations are loaded.
 void ShownAdditions::updateTints() {
     std::vector<scene::ColouredIn3d> wanted = scene::colouredIn3dOf(session_.state().segmentations);
     const std::size_t loaded = segments_.allLoaded().size();
@@ -137,7 +137,7 @@ void ShownAdditions::updateTints() {
     auto planned = scene::plannedTints(session_.state().segmentations, segments_.allLoaded());
     if (!planned) {
         makingGeometry_ = {};
-        // Told as what fails later is: whoever changes the state now is not done with it.
+        // Fails asynchronously, like later errors: the caller has not finished its change of the state.
         return colouring_.start(
             [error = planned.error()](Progress&) -> Result<std::shared_ptr<const TintBox>> { return error; });
     }
@@ -156,7 +156,7 @@ void ShownAdditions::updateTints() {
 
 void ShownAdditions::onTintBox(const Result<std::shared_ptr<const TintBox>>& outcome) {
     if (!outcome) {
-        // The colours of before stay, and the state becomes that of them: menus and panels say what is seen.
+        // The old colours stay, and the state is corrected to them: menus and panels agree with the picture.
         const std::vector<scene::ColouredIn3d> asked = std::exchange(wantedTints_, madeTints_);
         session_.correct([&](scene::StudyState& each) {
             if (scene::colouredIn3dOf(each.segmentations) == asked)
@@ -193,7 +193,7 @@ void ShownAdditions::show() {
                                 study::samePatient(session_.study().identity, second_->study.identity)));
     if (made_.tints) remarks.push_back(Text("coloured segments"));
     made_.remark = Text::joined(std::move(remarks), ", ");
-    // The same once more would begin the picture anew.
+    // Emitting the same additions again would restart the picture.
     if (made_.isNothing() ? additions_ == nullptr : additions_ && *additions_ == made_) return;
     additions_ = made_.isNothing() ? nullptr : std::make_shared<const Additions>(made_);
     Q_EMIT changed();

@@ -61,7 +61,7 @@ class ShownAdditions : public QObject {
     std::vector<scene::ColouredIn3d> wantedTints_;
     std::vector<scene::ColouredIn3d> makingTints_;  // the loaded ones of wantedTints_
     std::vector<scene::ColouredIn3d> madeTints_;    // the choices of made_.tints
-    std::size_t tintsOf_ = 0;                       // loaded segmentations
+    std::size_t tintsOf_ = 0;                       // how many segmentations were loaded for them
     // Only another geometry needs a pass over the voxels: colours are in a table.
     std::vector<SegmentTints::Colour> wantedColours_;
     scene::TintGeometry makingGeometry_;

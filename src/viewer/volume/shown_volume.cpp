@@ -19,10 +19,10 @@ ShownVolume::ShownVolume(StudyEditor& session, QObject* parent)
       hidden_(new HiddenVoxels(this)) {
     connect(&session_, &StudyEditor::studyShown, this, &ShownVolume::onStudyShown);
     connect(&session_, &StudyEditor::changed, this, &ShownVolume::onChanged);
-    segments_ = new SegmentationKeeper(session_, this);  // hears of a study after this
+    segments_ = new SegmentationKeeper(session_, this);  // connected to the session after this
     additions_ = new ShownAdditions(session_, *segments_, this);
     connect(additions_, &ShownAdditions::changed, this, &ShownVolume::changed);
-    // It is in the state once it is found.
+    // The state changes once the table is found.
     connect(table_, &TableRemoval::changed, this, [this] {
         session_.change(tr("Table"), [this](scene::StudyState& next) {
             next.leavesTableOut = table_->action().isChecked();
@@ -31,8 +31,8 @@ ShownVolume::ShownVolume(StudyEditor& session, QObject* parent)
     });
     connect(cutting_, &VoxelCutting::changed, this,
             [this] { hidden_->set(HiddenVoxels::Part::scissors, cutting_->mask()); });
-    // What is not to be had is not chosen either: pictures and state say the same, and an undo
-    // does not ask for it again.
+    // Corrects the state to the old mask: pictures and state agree, and an undo does not request the failed
+    // one again.
     connect(cutting_, &VoxelCutting::refused, this, [this](const std::vector<scene::ScissorCut>& had) {
         const std::vector<scene::ScissorCut> asked = session_.state().cuts.scissors;
         session_.correct([&](scene::StudyState& each) {
@@ -72,15 +72,15 @@ Result<void> ShownVolume::take(const scene::StudyState& state) {
                      Text("Open the study that the view is of first.")};
     const study::OpenedStudy& study = session_.study();
     MACULA_TRY_VOID(scene::checkSeries(state, study.seriesDigest, *study.volume, {}));
-    // What cannot be read again would be lost with all else of the study the next time it is opened.
+    // A state that cannot be read again would be lost as a whole the next time the study is opened.
     MACULA_TRY_VOID(scene::studyStateFromJson(toJson(state), {}));
     session_.change(tr("Open view"), [&](scene::StudyState& next) {
         const bool leavesTableOut = next.leavesTableOut;
         next = state;
         next.seriesDigest = study.seriesDigest;
-        next.grid.reset();  // it is of this one
+        next.grid.reset();  // the state is for this grid now
         next.camera.reset();
-        next.leavesTableOut = leavesTableOut;  // until it is found
+        next.leavesTableOut = leavesTableOut;  // unchanged until the table is found
         if (!next.preset) next.preset = scene::presetFor(session_.catalogue(), *study.volume);
     });
     table_->ask(state.leavesTableOut);
@@ -100,7 +100,7 @@ void ShownVolume::onStudyShown() {
 }
 
 void ShownVolume::onChanged(const scene::StudyState& before) {
-    const scene::StudyState now = session_.state();  // what follows may change it
+    const scene::StudyState now = session_.state();  // copied: the calls below may change it
     if (now.leavesTableOut != before.leavesTableOut) table_->ask(now.leavesTableOut);
     cutting_->want(now.cuts.scissors);
     if (now.clip != before.clip || now.cuts.eye != before.cuts.eye) return updateClip();
@@ -114,7 +114,7 @@ void ShownVolume::onHidden() {
     updateClip();
 }
 
-// The mask of before stays, and the state becomes that of it: menus and panels say what is seen.
+// The old mask stays, and the state is corrected to it: menus and panels agree with the picture.
 void ShownVolume::onNotHidden() {
     const scene::StudyState asked = session_.state();
     const std::vector<scene::In3dOf> askedIn3d = scene::in3dOf(asked.segmentations);

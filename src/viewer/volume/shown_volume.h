@@ -1,4 +1,4 @@
-// What 3D shows of the session's volume, and how.
+// The drawing of the session's volume in 3D, with the voxels that are hidden.
 #pragma once
 
 #include <QObject>
@@ -36,7 +36,7 @@ class ShownVolume : public QObject {
     // The session's state with the table's removal as requested, even while the search still runs.
     scene::StudyState state() const;
     // Takes over another state of the open study as one undo step, without its camera. usage without a study,
-    // inputNotUsable when it was saved of another series, or when its JSON text could not be read again.
+    // inputNotUsable if it was saved for another series, or if its JSON text could not be read again.
     Result<void> take(const scene::StudyState& state);
 
     TableRemoval& table() { return *table_; }

@@ -19,7 +19,7 @@ namespace macula::viewer {
 
 namespace {
 
-// A program that is killed loses no more: of what was chosen or measured, and of where the camera is.
+// A killed program loses no more than this: 0.3 s of choices and measurements, 5 s of camera.
 constexpr std::chrono::milliseconds kChangeKeptAfter{300};
 constexpr std::chrono::milliseconds kStateKeptEvery{5000};
 constexpr std::chrono::milliseconds kWorkIsKeptWithin{3000};  // a desktop that logs out waits no longer
@@ -35,7 +35,7 @@ StateController::StateController(const WindowContext& context, StateOptions opti
     keeps_.start(kStateKeptEvery);
     keepsChange_.setSingleShot(true);
     keepsChange_.setInterval(kChangeKeptAfter);
-    // Not begun anew: while a hand drags it is kept too.
+    // A running timer is not restarted, so that states are stored during a drag, too.
     connect(&context_.session, &StudyEditor::changed, &keepsChange_, [this] {
         if (!keepsChange_.isActive()) keepsChange_.start();
     });
@@ -53,15 +53,14 @@ scene::StudyState StateController::state() const {
 
 Result<void> StateController::setState(const scene::StudyState& state) {
     MACULA_TRY_VOID(context_.shown.take(state));
-    context_.notes.set(NoteOn::session, QString());  // it is not as it was left any more
+    context_.notes.set(NoteOn::session, QString());  // the state is no longer the restored one
     context_.notes.show();
     if (state.camera) context_.viewport.showFrom(*state.camera);
     return {};
 }
 
-// That of the command line where it fits, else the automatic one: what a person chose in one study says
-// nothing about another. A curve over Hounsfield units means nothing on the raw numbers of a scanner, and the
-// reverse.
+// The preset of the command line if it fits, else the automatic one: a choice in one study says nothing about
+// another. A curve over Hounsfield units is meaningless for a scanner's raw numbers, and the reverse.
 std::shared_ptr<const TransferFunction> StateController::usualPreset(const Volume& volume) const {
     const auto& wanted = options_.preset;
     return wanted && suits(*wanted, volume.unit()) ? wanted
@@ -87,7 +86,8 @@ OpeningState StateController::openingState(const study::OpenedStudy& study,
     if (const auto& wanted = options_.preset; wanted && wanted != preset)
         opening.notes << tr("The preset %1 is not made for this kind of volume; %2 is used instead.")
                              .arg(titleOr(wanted->title, wanted->name), titleOr(preset->title, preset->name));
-    // How a study is drawn was chosen in it, or nobody has chosen it. How the window is arranged stays.
+    // The drawing is a choice for one study, and starts with the defaults. The arrangement of the window
+    // stays.
     const scene::StudyState& before = context_.session.state();
     scene::StudyState now{.seriesDigest = study.seriesDigest,
                           .preset = preset,
@@ -109,9 +109,9 @@ OpeningState StateController::openingState(const study::OpenedStudy& study,
         if (options_.keepsLayout) now.layout = before.layout;
         now.seriesDigest = study.seriesDigest;
         now.camera.reset();
-        now.leavesTableOut = false;  // until it is found
+        now.leavesTableOut = false;  // until the table is found
         if (!now.preset) now.preset = preset;
-        opening.notes.clear();  // on another preset
+        opening.notes.clear();  // they are about another preset
         context_.notes.set(
             NoteOn::session,
             tr("This study is shown as it was left. The View menu shows it as when first opened."));
@@ -123,7 +123,7 @@ OpeningState StateController::openingState(const study::OpenedStudy& study,
     return opening;
 }
 
-// A camera that nobody has moved goes on fitting what is visible, in a window of another size too.
+// Leaves out a camera that nobody has moved: it fits the visible part in a window of any size.
 scene::StudyState StateController::stateToKeep() const {
     scene::StudyState now = state();
     if (!study().volume) return now;
@@ -131,7 +131,7 @@ scene::StudyState StateController::stateToKeep() const {
     return now;
 }
 
-// What is there from the beginning is what a person has not changed: of it nothing is kept.
+// The opening state is not a person's choice, so it is not stored unless it changes.
 void StateController::begin() {
     kept_ = stateToKeep();
     keptText_ =
@@ -158,7 +158,7 @@ void StateController::addActions(QMenu& view) {
         tr("Preset, lights, clip, look and camera that a study has which nobody has seen yet"));
 }
 
-// What was measured is a person's work, and stays.
+// Keeps measurements, which are a person's work.
 void StateController::showAfresh() {
     if (!study().volume) return;
     context_.shown.table().cancel();

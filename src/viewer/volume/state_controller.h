@@ -1,4 +1,4 @@
-// The state of the open study with its camera: shown, kept for the next time, and brought back.
+// The state of the open study with its camera: applies, stores and restores it.
 #pragma once
 
 #include <QObject>
@@ -31,16 +31,16 @@ struct StateOptions {
     std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
     std::shared_ptr<const trace::LightRig> lights = {};   // null: the default lights of each look
     Restores restores = Restores::all;
-    bool keepsLayout = false;  // a restored study takes that of the window
+    bool keepsLayout = false;  // a restored study takes the window's layout
 };
 
 // The state in which a study is shown first.
 struct OpeningState {
     scene::StudyState state = {};
-    // As a person left it; nothing for a study that is shown as new.
+    // The state as a person left it; nothing for a study that is shown as new.
     std::optional<scene::StudyState> left = {};
-    bool keepsCamera = false;  // another volume of the same place was on screen
-    QStringList notes = {};    // on its preset
+    bool keepsCamera = false;  // another volume on the same grid was on screen
+    QStringList notes = {};    // on the preset
 };
 
 // Lives on the UI thread.
@@ -56,11 +56,11 @@ class StateController : public QObject {
     scene::StudyState state() const;
     Result<void> setState(const scene::StudyState& state);
 
-    // Notes on how the study comes back are set.
+    // Also notes in the window that a study is restored.
     OpeningState openingState(const study::OpenedStudy& study, const scene::OpeningPlanes& planes);
 
-    void begin();  // to keep the state of another study
-    void keep();   // unless it is unchanged
+    void begin();  // begins to store the state of another study
+    void keep();   // stores the state if it has changed
     // Stores choices and measurements before the program ends. Returns true once stored, false after some
     // seconds without success.
     bool keepNow();
@@ -80,10 +80,11 @@ class StateController : public QObject {
     // The last state given to the keeper, or the state at opening: an unchanged state is not stored, so it
     // never replaces a stored state that came too late or cannot be read.
     std::optional<scene::StudyState> kept_;
-    // Its JSON text, or the text read: the base of this window's changes. See StudyKeeper::keepState.
+    // The JSON text of kept_, or the text as read: the base of this window's changes. See
+    // StudyKeeper::keepState.
     std::shared_ptr<std::string> keptText_;
     QTimer keeps_;
-    QTimer keepsChange_;  // soon
+    QTimer keepsChange_;  // stores a change soon after it
 };
 
 }  // namespace macula::viewer

@@ -11,7 +11,7 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{2000};  // a slow disk keeps nobody from their images
+constexpr std::chrono::milliseconds kPatience{2000};  // longer waits would keep a person from the images
 
 Result<study::OpenedStudy> completed(Result<study::OpenedStudy> study,
                                      const std::shared_ptr<live::StudyKeeper>& keeper,
@@ -42,7 +42,7 @@ void StudyLoader::open(study::StudySource source, bool join) {
     Q_EMIT began();
 }
 
-// Called on other threads; the job's end, which is told by the same queue, comes after all of it.
+// Called on other threads. The job's end uses the same queue, so it arrives after all of these.
 study::FoundSoFar StudyLoader::tellsOf(std::uint64_t opening) {
     using Found = std::shared_ptr<const study::FoundVolumes>;
     return NewestPosted<Found>(this, [this, opening](const Found& volumes) {

@@ -53,7 +53,7 @@ class StudyLoader : public QObject {
 
     BackgroundJob<study::OpenedStudy> job_;
     study::StudySource source_;
-    std::uint64_t opening_ = 0;  // the number of the last; others emit nothing
+    std::uint64_t opening_ = 0;  // number of the last opening; others emit nothing
     std::shared_ptr<live::StudyKeeper> keeper_;
     Prepare prepare_;
 };

@@ -1,4 +1,4 @@
-// The search for the table of a CT: its progress and its notes; and voxels that cannot be hidden.
+// Shows progress and notes of the search for a CT's table, and reports voxels that cannot be hidden.
 #pragma once
 
 #include <QObject>
@@ -21,7 +21,7 @@ class TableController : public QObject {
 
     WorkBar* bar() const { return bar_; }
     QAction& action() const;
-    // Ends a search when the action, such as Undo, is triggered: its end would undo the undoing.
+    // Cancels a search when `action`, such as Undo, is triggered: the search's end would revert the undo.
     void endAt(const QAction& action);
 
   private:

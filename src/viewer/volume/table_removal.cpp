@@ -87,7 +87,7 @@ void TableRemoval::onEnded(const Result<Found>& outcome) {
     }
     found_ = *outcome;
     asked_ = true;
-    // Where nothing goes, nothing is removed, whatever was asked for.
+    // Unchecks the action if no table was found.
     action_.setChecked(found_->removedMl > 0.0);
     Q_EMIT changed();
 }

@@ -54,7 +54,7 @@ class TableRemoval : public QObject {
     BackgroundJob<Found> job_;
     std::shared_ptr<const Volume> volume_;
     Found found_;
-    bool asked_ = false;  // for removal, with found_ as its result
+    bool asked_ = false;  // a person wants the removal that found_ describes
 };
 
 }  // namespace macula::viewer

@@ -13,8 +13,8 @@
 namespace macula::viewer {
 
 struct ViewerWidgetOptions {
-    std::string device = {};                         // as in gpu::chooseDevice
-    std::shared_ptr<live::SceneKeeper> keeper = {};  // for models between runs; null: writes nothing
+    std::string device = {};                         // its name, see gpu::chooseDevice
+    std::shared_ptr<live::SceneKeeper> keeper = {};  // keeps models between runs; null: writes nothing
     std::optional<ViewDirection> firstView = {};     // nothing: scene::usualView
     bool showsNames = true;                          // patient and study over the picture
 };
@@ -26,7 +26,7 @@ class ViewerWidget : public QWidget {
     Q_OBJECT
 
   public:
-    // The session must outlive it. `instance` of createInstanceForWindows.
+    // The session must outlive it. `instance` comes from createInstanceForWindows.
     ViewerWidget(StudyEditor& session, gpu::Instance instance, ViewerWidgetOptions options = {},
                  QWidget* parent = nullptr);
     ~ViewerWidget() override;

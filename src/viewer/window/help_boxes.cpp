@@ -21,9 +21,9 @@ struct Words {
 };
 
 constexpr double kMostOfScreen = 0.8;
-constexpr int kKeysLetters = 100;  // so wide is the table
+constexpr int kKeysLetters = 100;  // the width of the table
 
-// The rows of a table, which scrolls: there are more keys than a screen is high.
+// A table that scrolls: its rows do not fit on a screen.
 QScrollArea* scrolled(const QString& rows, QWidget* parent) {
     auto* table = new QLabel(QStringLiteral("<table cellspacing='6'>%1</table>").arg(rows));
     table->setTextFormat(Qt::RichText);
@@ -64,7 +64,7 @@ void showKeys(QWidget* parent) {
                     .boundedTo(most));
     box->setModal(false);
     box->show();
-    table->setFocus();  // arrows and Page Down go through it
+    table->setFocus();  // so that arrows and Page Down scroll it
 }
 
 void showAbout(QWidget* parent) {

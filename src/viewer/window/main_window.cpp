@@ -49,7 +49,7 @@ namespace macula::viewer {
 
 namespace {
 
-// Null: nothing is kept. Errors come on another thread: they cross to that of `home` through its queue.
+// Null: nothing is kept. Errors arrive on another thread, and reach the thread of `home` through its queue.
 std::shared_ptr<live::StudyKeeper> keeperFor(const MainWindowOptions& options, QObject* home,
                                              const std::function<void(const Error&)>& tell) {
     if (!options.sessions) return nullptr;
@@ -104,8 +104,8 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     context_.focusPicture();
 }
 
-// In this order Tab goes through the features, and those that listen to the session from their construction
-// on hear of it; showStudy() and connectStudy() say the rest.
+// The order of construction is the Tab order, and the order in which the features get the session's signals;
+// showStudy() and connectStudy() set the rest.
 void MainWindow::makeStudy() {
     states_ = new StateController(context_,
                                   {.preset = options_.preset,
@@ -237,11 +237,11 @@ void MainWindow::place() {
     new WindowPlace(*this, [this](const QString& place) { settings_->keepWindowPlace(place); });
 }
 
-// The render thread hands its model over as it ends, and the keeper saves it while this window, which it
-// tells of faults, is still there.
+// The render thread passes on its model when it ends. The keeper saves it while this window, to which it
+// reports errors, still exists.
 MainWindow::~MainWindow() {
     states_->keep();
-    // All that looks at the session goes before it does.
+    // Destroys everything that refers to the session before the session itself.
     hide();
     for (QDockWidget* panel : findChildren<QDockWidget*>()) delete panel;
     delete &panes_->tools();
@@ -249,7 +249,7 @@ MainWindow::~MainWindow() {
     notes_->setSource(NoteOn::second, {});
     delete second_;
     delete takeCentralWidget();  // with the panes
-    viewport_ = nullptr;         // for the accessor
+    viewport_ = nullptr;         // for viewport()
     opening_->letKeeperGo();
     keeper_.reset();
 }

@@ -57,7 +57,7 @@ class ViewsController;
 
 struct MainWindowOptions {
     scene::Catalogue catalogue;
-    std::string device = {};                              // as in gpu::chooseDevice
+    std::string device = {};                              // its name, see gpu::chooseDevice
     std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
     std::shared_ptr<const trace::LightRig> lights = {};   // null: the default lights of each look
     std::optional<ViewDirection> firstView = {};          // nothing: scene::usualView
@@ -69,7 +69,7 @@ struct MainWindowOptions {
         true;  // over the picture, in the title and beside the presets, until a person hides the names
     // Folder for models and the states of studies. Nothing: keeps none.
     std::optional<std::filesystem::path> sessions = {};
-    std::optional<int> keepDays = {};  // deletes what was unopened for longer; nothing: never
+    std::optional<int> keepDays = {};  // deletes studies unopened for longer; nothing: never
     bool calibrates = false;           // measures this machine's speed once, in the background
     Restores restores = Restores::all;
     bool choosesSize = false;  // pictureSize overrides the window's last place
@@ -110,10 +110,10 @@ class MainWindow : public QMainWindow {
     QString message() const { return notifications_->text(); }
     QString notes() const { return notes_->text(); }
     QString description() const { return status_->description(); }  // of the open study
-    QString voxels() const { return status_->voxels(); }            // of it
+    QString voxels() const { return status_->voxels(); }            // of the open study
     QString rate() const { return status_->rate(); }          // pixels, and pictures per second in motion
     QString fidelity() const { return status_->fidelity(); }  // how the picture was made
-    QString badge() const { return status_->badge(); }        // the same in a word
+    QString badge() const { return status_->badge(); }        // final or preliminary
     QString modelState() const { return status_->model(); }   // the state of the peripheral model
     const Settings& settings() const { return settings_->settings(); }
     void takeSettings(const Settings& settings) { settings_->take(settings); }  // applies and stores them
@@ -134,7 +134,7 @@ class MainWindow : public QMainWindow {
     void studyShown();
     void loadingCancelled();
     void failed(const macula::Error& error);
-    void headsetEnded();  // or could not begin
+    void headsetEnded();  // the headset's session ended, or could not begin
 
   protected:
     bool event(QEvent* event) override;
@@ -160,7 +160,8 @@ class MainWindow : public QMainWindow {
     void showNames(bool shown);
 
     MainWindowOptions options_;
-    // The open study and its choices. The viewport has the camera. Its preset may differ from the option.
+    // The open study and its choices, without the camera, which the viewport has. Its preset may differ from
+    // that of `options_`.
     StudyEditor session_;
     std::shared_ptr<live::StudyKeeper> keeper_;  // null: nothing is kept
 

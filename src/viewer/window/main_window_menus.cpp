@@ -1,4 +1,4 @@
-// Menus, bars, and what stands in them.
+// Fills the menus and bars.
 #include <QAction>
 #include <QLabel>
 #include <QMenuBar>

@@ -1,4 +1,4 @@
-// Another study in the window; and its events.
+// Shows another study in the window, and handles the window's events.
 #include <QAction>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -26,7 +26,7 @@
 namespace macula::viewer {
 
 void MainWindow::showStudy(const study::OpenedStudy& study) {
-    states_->keep();  // of the one before
+    states_->keep();  // stores the earlier study's state
     opening_->forgetNotes();
     const Volume& volume = *study.volume;
     const scene::OpeningPlanes planes = scene::openingPlanes(volume);

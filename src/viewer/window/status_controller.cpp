@@ -25,7 +25,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr std::chrono::milliseconds kRateLasts{1000};
-constexpr std::chrono::milliseconds kPreparingIsTold{200};  // less is not noticed, and its text would flicker
+constexpr std::chrono::milliseconds kPreparingIsTold{200};  // shorter ones go unnoticed
 
 }  // namespace
 
@@ -41,7 +41,7 @@ StatusController::StatusController(const WindowContext& context, const PanesCont
                                      "sharper while nothing moves"))),
       pictureText_(new ElidingLabel(tr("Pixels, pictures per second"))),
       deviceText_(new ElidingLabel(tr("Device"))) {
-    // How far the picture can be trusted is the last thing to be cut short.
+    // The fidelity is elided last, because it says how far the picture can be trusted.
     fidelity_->keepLongest();
     makeTimers();
     connect(&context_.viewport, &Viewport::rendered, this, &StatusController::onRendered);
@@ -57,7 +57,7 @@ void StatusController::makeTimers() {
     prepares_.setInterval(kPreparingIsTold);
     connect(&prepares_, &QTimer::timeout, this, [this] {
         if (!panes_.isVolumeShown()) return;
-        badge_->hide();  // what is on screen is what was wanted before
+        badge_->hide();  // the picture on screen is an older one
         fidelity_->setFullText(preparing_);
     });
 }
@@ -68,7 +68,8 @@ void StatusController::addDescription(QToolBar& bar) {
 }
 
 void StatusController::addTo(QStatusBar& bar) {
-    // A message hides what it takes the place of, and whatever shows itself again would lie over it.
+    // In a widget of its own: a temporary message hides the bar's widgets, and a badge that shows itself
+    // would lie over the message.
     auto* badgePlace = new QWidget;
     auto* row = new QHBoxLayout(badgePlace);
     row->setContentsMargins(0, 0, 0, 0);
@@ -136,7 +137,7 @@ void StatusController::onStudyShown() {
 }
 
 void StatusController::onRendered(const live::RenderEvent& event) {
-    // What was prepared is there; or other words take the place of those.
+    // The preparation has finished, or another text replaces it.
     if (std::holds_alternative<live::FrameShown>(event) ||
         std::holds_alternative<live::RenderFailure>(event) ||
         std::holds_alternative<live::DeviceReady>(event) ||
@@ -164,7 +165,7 @@ void StatusController::onDeviceReady(const live::DeviceReady& ready) {
     deviceText_->setFullText(QString::fromStdString(ready.name));
     deviceText_->setToolTip(QString::fromStdString(ready.description));
     isFirstStart_ = ready.isFirstStart;
-    if (!context_.session.hasStudy() || !panes_.isVolumeShown()) tellOfPicture();  // nothing else comes
+    if (!context_.session.hasStudy() || !panes_.isVolumeShown()) tellOfPicture();  // no picture will follow
 }
 
 void StatusController::onDeviceRestarting() {
@@ -180,7 +181,7 @@ void StatusController::onDeviceRestarting() {
 void StatusController::onFailure(const live::RenderFailure& failure) {
     pictureFailed_ = true;
     if (!std::exchange(deviceIsBack_, true)) {
-        context_.notes.set(NoteOn::device, QString());  // the error says what became of it
+        context_.notes.set(NoteOn::device, QString());  // the error replaces this note
         context_.notes.show();
     }
     tellOfPicture();
@@ -188,7 +189,7 @@ void StatusController::onFailure(const live::RenderFailure& failure) {
 }
 
 void StatusController::onModel(const hybrid::ModelNews& model) {
-    if (hybrid::isFitToBeShown(model)) isFirstStart_ = false;  // what it takes is compiled now
+    if (hybrid::isFitToBeShown(model)) isFirstStart_ = false;  // its kernels are compiled now
     if (panes_.isVolumeShown())
         modelText_->setFullText(modelText(model, isFirstStart_), aboutModel(model, isFirstStart_));
 }
@@ -197,13 +198,13 @@ void StatusController::onFrame(const live::FrameShown& frame) {
     pictureFailed_ = false;
     QStringList about;
     for (const Message& message : frame.messages) about << inWindowsLanguage(message);
-    // Only when it is news: who has dismissed it has read it.
+    // Only if the note is new: a person who dismissed it has read it.
     context_.notes.showIfOther(NoteOn::picture, about.join(QLatin1Char(' ')));
     if (!std::exchange(deviceIsBack_, true)) {
         context_.notes.set(NoteOn::device,
                            tr("The graphics device stopped responding and was started again. If this comes "
                               "back, update the graphics driver."));
-        if (context_.notes.bar().isVisible()) context_.notes.show();  // else it was read and dismissed
+        if (context_.notes.bar().isVisible()) context_.notes.show();  // otherwise a person has dismissed it
     }
     tellOfPicture();
     Q_EMIT frameShown(frame);

@@ -26,10 +26,10 @@ class StatusController : public QObject {
     // `panes` lives until the window's destructor.
     StatusController(const WindowContext& context, const PanesController& panes);
 
-    void addDescription(QToolBar& bar);  // of the open study
+    void addDescription(QToolBar& bar);  // the open study's description
     void addTo(QStatusBar& bar);
 
-    void showTexts();  // of the open study
+    void showTexts();  // the open study's texts
     void tellOfPicture();
     void onStudyShown();
 
