@@ -1,4 +1,5 @@
-// The reference tracer's loops over pixels, over one precision's host. Internal to reference_tracer*.cpp.
+// The reference tracer's loops over pixels, for a host of either precision. Internal to
+// reference_tracer*.cpp.
 #pragma once
 
 #include "base/glsl_in_cpp.h"
