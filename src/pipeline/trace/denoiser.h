@@ -44,8 +44,8 @@ class Denoiser {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // The most samples that the history of earlier views counts for: more would blur what is resampled from
-    // view to view.
+    // The history of earlier views counts as at most so many samples: more would blur, because it is
+    // resampled from view to view.
     static constexpr float kHistorySamples = 32.0f;
 
     // Filters a picture; true when it is finished. `pixelAngle` is the width of a stored pixel at distance 1;

@@ -78,7 +78,7 @@ class DeviceVolume {
     MemoryLimits limits_;
     gpu::TexelBuffer table_;
     std::optional<gpu::TexelBuffer> pool_;
-    BlockPool room_;                      // what is free in pool_
+    BlockPool room_;                      // free room in pool_
     std::vector<std::uint8_t> resident_;  // by block: its level in the pool, or kAbsent
     bool holdsCoarse_ = false;
     std::vector<std::uint32_t> words_;  // content of table_, once it is uploaded

@@ -32,7 +32,7 @@ class Film {
     }  // vec2: sum of squares of luminance, and its compensation
 
     struct Faults {
-        std::uint32_t nonFinite = 0;   // samples that were not a number
+        std::uint32_t nonFinite = 0;   // samples that were not finite, which the sums leave out
         std::uint32_t abandoned = 0;   // paths cut off at the limit of rounds (kMaxRounds)
         std::uint32_t aboveBound = 0;  // collisions in matter denser than its brick's majorant
     };

@@ -25,7 +25,7 @@ struct Work {
 
 class Pace {
   public:
-    // What is known of a device before anything is measured.
+    // The pace assumed for a device before anything is measured.
     struct Guess {
         double perMs = 0.1;   // samples of a block, on a very slow CPU
         double faster = 2.0;  // the most by which a dispatch may exceed the last one

@@ -17,7 +17,7 @@ Result<SecondOnDevice> SecondOnDevice::create(const std::shared_ptr<gpu::Device>
     return SecondOnDevice(std::move(second), std::move(grid), std::move(voxels));
 }
 
-// Uploads the voxels of its gradients too: denoiser and shading need them where this volume is what is seen.
+// Uploads the voxels of its gradients too: denoiser and shading need them where this volume dominates.
 Result<void> SecondOnDevice::show(const DrawnSecondVolume& shown, const Volume& volume,
                                   const BrickGrid& grid) {
     // A change of the first volume's transfer function changes nothing here.

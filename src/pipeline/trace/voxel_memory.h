@@ -39,7 +39,7 @@ struct VoxelMemory {
     std::uint64_t poolBytes = 0;     // on the device, for voxels
     std::uint64_t gridBytes = 0;  // on the device, for the table of blocks and the majorants: depends on the
                                   // size of the volume only
-    std::uint64_t uploadedBlocks = 0;  // by the last change of what is visible
+    std::uint64_t uploadedBlocks = 0;  // by the last change of visible voxels
     std::uint64_t uploadedBytes = 0;   // likewise, bytes of voxels
 };
 
