@@ -196,11 +196,11 @@ bool isCounted(Corners corners) {
            float(0.5);
 }
 
-// The largest, smallest or mean value along the unclipped ray, as the grey that the window gives it; 0 where
-// the ray meets no values. The mean is exact, by Simpson's rule on cubics; an extreme is taken at the faces
-// of cells, where most lie, or at three points between. The mask at the middle of the ray's stretch counts
-// for the whole cell. A projection's medium bounds how much a brick can change the result
-// (src/pipeline/volume/medium.h): bricks that cannot are skipped.
+// The largest, smallest or mean value along the part of the ray that the clip shows, as the grey that the
+// window gives it; 0 where the ray meets no values. The mean is exact, by Simpson's rule on cubics; an
+// extreme is taken at the faces of cells, where most lie, or at three points between. The mask at the middle
+// of the ray's stretch counts for the whole cell. A projection's medium bounds how much a brick can change
+// the result (src/pipeline/volume/medium.h): bricks that cannot are skipped.
 vec4 castValues(EyeRay eye, INOUT(int) rounds) {
     vec3 directionVoxel = voxelsPerMm(eye.direction);
     BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);

@@ -13,10 +13,10 @@ float safeInverse(float x) {
 }
 
 struct ClipSpans {
-    float from;    // shown from here
-    float to;      // to here,
-    vec3 cutFrom;  // but not from one of these
-    vec3 cutTo;    // to its counterpart
+    float from;    // the ray is shown from here
+    float to;      // to here
+    vec3 cutFrom;  // except for up to three cuts that begin here
+    vec3 cutTo;    // and end here; an empty cut ends before it begins
 };
 
 // Farther than any patient; neither its product with PARALLEL nor its square underflows or overflows.

@@ -32,7 +32,7 @@
 // Marks a pixel that is empty or outside the picture; light is never negative.
 #define NO_LIGHT -1.0
 
-// How a pixel stands out of its eight neighbours, in light per mass.
+// How a pixel stands out from its eight neighbours, in light per mass.
 struct Speck {
     float limit;  // the nearest light among its neighbours; before the filter that or more
     float over;   // how far its own light is beyond the limit

@@ -124,7 +124,7 @@ bool findLine(ivec2 pixel, bool isAll, OUT(EpipolarLine) line) {
     vec2 p = vec2(float(2 * pixel.x + 1) / float(reproject.size.x) - float(1.0),
                   float(1.0) - float(2 * pixel.y + 1) / float(reproject.size.y));
     line.ray = normalize(reproject.forward + reproject.right * p.x + reproject.up * p.y);
-    // The ray's interval in the ball; for a ray that misses the ball, the point where it passes.
+    // The ray's interval in the ball; for a ray that misses the ball, the point nearest to its middle.
     line.middleMm = dot(reproject.middleMm, line.ray);
     float inside2 = reproject.radiusMm * reproject.radiusMm - dot(reproject.middleMm, reproject.middleMm) +
                     line.middleMm * line.middleMm;

@@ -131,7 +131,7 @@ vec3 rayInto(vec3 low, vec3 high, INOUT(Rng) rng, OUT(vec3) direction) {
 // A point that an eye can see, or none.
 struct Candidate {
     vec3 at;        // voxel coordinates
-    float weight;   // area for each ray, over a quarter of the surface of all cells; 0: none
+    float weight;   // area for which it stands, over a quarter of all cells' surface; 0: none
     float density;  // of points per mm, times each point's area; below 0: on a grey face
 };
 

@@ -11,7 +11,7 @@ struct DenoisePush {
     float pixelAngle;      // width of a stored pixel at distance 1
     float historySamples;  // the history counts as at most so many samples; 0: no history
     int firstRow;          // of this dispatch
-    // Where the picture is stored larger, see shaders/lib/fovea.glsl; magnification up to 1: nowhere.
+    // The fovea, stored larger: see shaders/lib/fovea.glsl; magnification up to 1: none.
     vec2 planeHalfSize;
     vec2 gaze;
     float foveaRadius;

@@ -20,10 +20,10 @@ struct TrustPush {
     float splatGain;  // multiplies the light of splats, not their coverage
 };
 
-// Two eyes: the one that sees now, and the one that the picture was traced from. Axes as in TraceParams:
-// right is half the width of a picture at distance 1, up half its height.
+// Two eyes: the present one, and the one from which the picture was traced. Axes as in TraceParams: right is
+// half the width of a picture at distance 1, up half its height.
 struct ReprojectPush {
-    vec3 right;  // of the eye that sees now
+    vec3 right;  // of the present eye
     vec3 up;
     vec3 forward;
     vec3 oursMm;  // the present eye, relative to the traced picture's

@@ -26,7 +26,7 @@ MACULA_SHARED_CONST int kPairValues = 11;
 
 // Statistics of a splat over views, which decide where to add splats and which to remove.
 struct SplatStatistics {
-    float views;       // in which the splat showed
+    float views;       // number of views in which the splat showed
     float weight;      // sum of its blending weights over pixels and views
     float pull;        // sum over pixels of the absolute derivatives with respect to its mean, in pixels
     float mostWeight;  // the largest sum of its blending weights in one view

@@ -8,7 +8,7 @@ MACULA_SHARED_BEGIN
 struct SplatLossParams {
     ivec2 imageSize;    // pixels
     vec3 background;    // in the pictures' colour space; not exposed
-    float exposure;     // 1: the pictures are compared as they are
+    float exposure;     // multiplies both pictures before they are compared
     float l1Scale;      // factor from a sum over pixels and channels to the loss
     float dssimScale;   // likewise
     float squareScale;  // likewise; above 0: squares are compared, and l1Scale and dssimScale are 0

@@ -1,5 +1,4 @@
-// The tiles of a splat, row by row. kTileParts threads share them, each some rows, because a splat may fill
-// the picture.
+// The tiles of a splat, row by row. kTileParts threads share the rows, because a splat may fill the picture.
 #include "splat/frame.glsl"
 #include "splat/screen.glsl"
 #include "splat/block_scan.glsl"

@@ -37,9 +37,9 @@ layout(binding = 0, scalar) readonly buffer Params {
 };
 layout(binding = 1) uniform usamplerBuffer poolTexels;  // the pool: voxels of blocks, as table entries
 layout(binding = 2) uniform samplerBuffer
-    extinctionTexels;  // per mm, by entry; then the gradient opacity; then steep matter's
+    extinctionTexels;  // per mm, by entry; then gradient opacities; then extinctions of steep matter
 layout(binding = 3) uniform samplerBuffer
-    albedoTexels;  // by entry; w: extinction per mm; then of steep matter
+    albedoTexels;  // by entry, extinction per mm in w; then the same of steep matter
 layout(binding = 4) uniform samplerBuffer boundTexels;        // by brick
 layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pdf per steradian, by texel
 layout(binding = 6) uniform samplerBuffer cumulativeTexels;   // see environment.glsl
@@ -49,7 +49,7 @@ layout(binding = 8) uniform usamplerBuffer maskTexels;  // a bit for each voxel:
 layout(binding = 9) uniform usamplerBuffer secondPoolTexels;  // of a second volume, as poolTexels
 layout(binding = 10) uniform usamplerBuffer secondBlockTexels;
 layout(binding = 11) uniform samplerBuffer
-    additionTexels;  // its albedo and extinction by entry; then colours of segments
+    additionTexels;  // albedo and extinction of the second volume by entry; then colours of segments
 layout(binding = 12) uniform usamplerBuffer
     tintTexels;  // four voxels of segments in a word: which colour, 0: none
 layout(binding = 13) uniform usamplerBuffer poolTexels1;  // more views of the pool, if it needs them
@@ -243,9 +243,9 @@ bool hasGreyFaces() {
     return kGreyFaces;
 }
 
-#ifdef INDIRECT_BINDING  // the first of three: of kernels that trace paths
+#ifdef INDIRECT_BINDING  // first of three bindings, in kernels that trace paths
 layout(constant_id = 13) const bool kIndirect = false;
-layout(binding = INDIRECT_BINDING) uniform usamplerBuffer indirectTags;       // of four cells, by bucket
+layout(binding = INDIRECT_BINDING) uniform usamplerBuffer indirectTags;       // tags of four cells, by bucket
 layout(binding = INDIRECT_BINDING + 1) uniform usamplerBuffer indirectCells;  // sums of light, and samples
 layout(binding = INDIRECT_BINDING + 2, scalar) writeonly buffer IndirectRecords {
     IndirectRecord indirectRecords[];

@@ -38,7 +38,8 @@ class Accumulation {
     SamplingPlan& plan() { return plan_; }
     const SamplingPlan& plan() const { return plan_; }
     SideBySide& sideBySide() { return sideBySide_; }
-    // Whether the samples of a pixel are traced side by side in this picture, by a variant with isSideBySide.
+    // Whether this picture's samples of a pixel are traced side by side; a path tracing variant must then say
+    // so.
     bool isSideBySide() const { return sideBySide_.isFor(plan_.blockCount()); }
     // The most samples of a pixel in one pass, of which a thread takes at most `perThread`.
     std::uint32_t mostSamples(const TraceVariant& variant, std::uint32_t perThread) const;

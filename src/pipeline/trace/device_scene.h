@@ -130,7 +130,7 @@ class DeviceScene {
     BrickGrid grid_;
     Medium medium_;
     bool hasSteepDensity_ = false;
-    std::optional<Projection> projection_;      // of medium_; nothing: it is matter
+    std::optional<Projection> projection_;      // that medium_ was made for; nothing: for matter
     bool gradients_ = false;                    // whether voxels that gradients reach are kept
     std::optional<TransferFunction> function_;  // as it was given
     Clip clip_;

@@ -1,6 +1,6 @@
-// The class that shaders/lib becomes in C++. Included twice, with MACULA_HOST its name and MACULA_REAL float or double:
-// a class, because the shader functions read tables and parameters as globals; by inclusion and not as a template,
-// because `float` in the shaders must mean MACULA_REAL.
+// The class that shaders/lib becomes in C++. Included three times, with MACULA_HOST its name and MACULA_REAL
+// float or double: a class, because the shader functions read tables and parameters as globals; by inclusion
+// and not as a template, because `float` in the shaders must mean MACULA_REAL.
 //
 // No include guard, no namespace: the including file gives both.
 

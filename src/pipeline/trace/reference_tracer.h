@@ -98,7 +98,7 @@ class ReferenceTracer {
         std::vector<float> bounds;
         std::vector<EnvironmentTexel> environment;
         std::vector<float> cumulative;
-        std::vector<std::uint32_t> mask;           // empty: none
+        std::vector<std::uint32_t> mask;           // a bit for each voxel; empty: no mask
         std::vector<std::uint16_t> secondEntries;  // of a second volume; empty: there is none
         std::vector<glm::vec4> additions;          // of the second volume and segments: additionTable
         std::vector<std::uint8_t> tints;           // segment of each voxel, in their box; empty: none

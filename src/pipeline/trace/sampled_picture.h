@@ -28,8 +28,8 @@ namespace macula::trace {
 // The error when a part of the scene was never set, or could not be: then its setter returned the reason.
 Error nothingToTrace();
 
-// Used by one thread at a time, the one that uses the device. Methods with the name of one of PathTracer do
-// what its comment says.
+// Used by one thread at a time, the one that uses the device. Methods named like those of PathTracer do what
+// is documented there.
 class SampledPicture {
   public:
     explicit SampledPicture(SceneView scene)

@@ -19,7 +19,7 @@ enum class Filter {
     stochastic,  // one voxel drawn with the trilinear weights: faster; blends optics instead of values
     smooth,  // a cubic B-spline of 64 voxels: no kinks, which a steep curve shows as rings, and softer edges
     sharp,   // Mitchell and Netravali's spline of 64 voxels: a little sharper than trilinear values, without
-             // kinks but where it is held to the range of these voxels
+             // kinks except where it is clamped to the range of these voxels
 };
 inline constexpr std::array kFilters{Filter::trilinear, Filter::stochastic, Filter::smooth, Filter::sharp};
 
