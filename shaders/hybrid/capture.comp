@@ -1,5 +1,5 @@
-// A traced picture as it is kept for other eyes: what shines from each pixel, how far away that is, and how
-// sure both are.
+// Keeps a traced picture for reprojection to other eyes: the light and depth of each pixel, with their
+// uncertainties.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -28,14 +28,14 @@ layout(binding = 7, scalar) writeonly buffer Variances {
     float variances[];
 };
 layout(binding = 8, scalar) writeonly buffer Trusts {
-    float trusts[];  // whole, until it is compared with splats
+    float trusts[];  // 1, until trust.comp compares it with splats
 };
 layout(push_constant, scalar) uniform Push {
     CapturePush push;
 };
 
-// An empty pixel is only sure to be empty where a ring of pixels around it shows no matter that is too thin
-// to have a depth: noise moves the border of thin matter by a few pixels.
+// An empty pixel is certainly empty only if no pixel of a ring around it shows matter too thin to have a
+// depth: noise moves the border of thin matter by a few pixels.
 #define RING_PX 3
 const ivec2 kRing[8] = ivec2[8](ivec2(-1, -1), ivec2(0, -1), ivec2(1, -1), ivec2(-1, 0), ivec2(1, 0),
                                 ivec2(-1, 1), ivec2(0, 1), ivec2(1, 1));
@@ -68,7 +68,7 @@ void main() {
     trusts[kept] = 1.0;
     float depthMm = texelFetch(surfaces, index).w;
     float confidence = texelFetch(motions, index).z;
-    // The inverse of how guides.glsl makes a confidence of a spread.
+    // The inverse of the formula for confidence in guides.glsl.
     float spreadMm = 4.0 * push.pixelAngle * depthMm * (1.0 / max(confidence, 0.02) - 1.0);
     depths[kept] = depthMm >= 0.0 ? vec2(depthMm, spreadMm)
                                   : vec2(-1.0, isThin(index) || isBesideThin(there) ? push.thinMm : 0.0);

@@ -1,5 +1,5 @@
-// Splats, over them a reprojected picture for the fovea, and a traced picture of all pixels, mixed and shown:
-// background, exposure, tone map and encoding come last.
+// Blends a reprojected picture for the fovea, and a traced picture of all pixels, over splats, and displays
+// the result: exposure, tone map, background and encoding come last.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -12,7 +12,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// Constants, so that nothing is fetched where nothing is used: lavapipe skips no branch.
+// Constants, so that unused pictures are not fetched: lavapipe skips no branch.
 layout(constant_id = 0) const bool kHasSplats = true;
 layout(constant_id = 1) const bool kHasFovea = true;
 layout(constant_id = 2) const bool kHasTraced = true;
@@ -34,8 +34,8 @@ layout(push_constant, scalar) uniform Push {
     ComposePush push;
 };
 
-// As linear light behind the tone map, so that it may be laid over something: what covers half of a pixel is
-// half as bright as where it covers all.
+// Premultiplies in linear light after the tone map, so that the result can be laid over another picture:
+// matter that covers half of a pixel is half as bright as where it covers all of it.
 vec4 displayCovering(vec4 light, float exposure, bool keepsHue) {
     float coverage = clamp(light.w, 0.0, 1.0);
     if (!(coverage > 0.0)) return vec4(0.0);

@@ -1,5 +1,5 @@
-// Where splats show something, as a depth buffer has it: 0 at the near plane, 1 at the far one and where
-// there is nothing.
+// The depth of splats in the format of a depth buffer: 0 at the near plane, 1 at the far plane and where
+// splats show nothing.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform samplerBuffer splats;  // coverage in w
 layout(binding = 1, scalar) readonly buffer DepthSums {
-    float depthSums[];  // mm along the middle of the view, times coverage
+    float depthSums[];  // mm along the view's axis, times coverage
 };
 layout(binding = 2, scalar) writeonly buffer Depths {
     float depths[];

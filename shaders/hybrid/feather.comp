@@ -1,4 +1,4 @@
-// Weights of a reprojected picture with soft borders: see lib/feather.glsl.
+// Softens the borders of a reprojected picture's weights: see lib/feather.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -6,7 +6,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform samplerBuffer hardWeights;  // and trust, which needs no softening
+layout(binding = 0) uniform samplerBuffer hardWeights;  // x: weight; y: trust, which needs no softening
 layout(binding = 1, scalar) writeonly buffer Weights {
     float weights[];
 };

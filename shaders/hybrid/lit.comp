@@ -1,4 +1,4 @@
-// A picture that is lit from the radiance cache where its rays meet matter: what reference_lit_view.h does.
+// A picture whose matter is lit from the radiance cache: on the device what reference_lit_view.h does.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -27,7 +27,7 @@ vec4 notKnown() {
     return vec4(uintBitsToFloat(0x7fc00000u));
 }
 
-// The sum of what the layers of a ray send, each for as much as it hides.
+// The light of a ray: the sum over its layers, each weighted by its opacity.
 vec4 litRay(ivec2 ray, ivec2 rays) {
     PixelLayers found = layers[ray.y * rays.x + ray.x];
     if (found.coverage <= 0.0) return vec4(0.0);
@@ -40,7 +40,7 @@ vec4 litRay(ivec2 ray, ivec2 rays) {
     for (int i = 0; i < kPixelLayers; ++i) {
         if (float(i) * kLayer >= found.coverage) break;
         float middleMm = i < 4 ? found.nearMm[i] : found.farMm[i - 4];
-        // The last layer may end before its middle: then it is taken to be where the one before is.
+        // The last layer may end before its middle: then the depth of the previous layer stands for it.
         if (middleMm >= 0.0) atMm = middleMm;
         if (!(atMm >= 0.0)) break;
         float hides = min(found.coverage - float(i) * kLayer, kLayer);

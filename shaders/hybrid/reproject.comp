@@ -1,4 +1,4 @@
-// A picture that was traced from one eye, as another sees it: see lib/reproject.glsl.
+// Reprojects a picture that was traced from one eye to another: see lib/reproject.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -14,7 +14,7 @@ layout(push_constant, scalar) uniform Push {
 layout(binding = 0) uniform samplerBuffer lights;
 layout(binding = 1) uniform samplerBuffer depths;
 layout(binding = 2) uniform samplerBuffer trusts;
-layout(binding = 3) uniform samplerBuffer splats;  // of the picture that is made: coverage in w
+layout(binding = 3) uniform samplerBuffer splats;  // of the new picture: coverage in w
 layout(binding = 4, scalar) readonly buffer DepthSums {
     float depthSums[];  // of the splats: coverage times depth
 };
@@ -22,7 +22,7 @@ layout(binding = 5, scalar) writeonly buffer Seen {
     vec4 seen[];
 };
 layout(binding = 6, scalar) writeonly buffer Weights {
-    vec2 weights[];  // and trust
+    vec2 weights[];  // x: weight; y: trust
 };
 
 vec4 fetchLight(int pixel) {

@@ -1,4 +1,5 @@
-// How far a traced picture is to be trusted over splats: see lib/trust.glsl.
+// How much to trust a traced picture over splats, from the sums of trust_rows.comp along columns: see
+// lib/trust.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,4 +1,4 @@
-// The sums that trust.comp compares, along rows: see lib/trust.glsl.
+// Sums the terms of trust along rows, for trust.comp: see lib/trust.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,28 +1,27 @@
-// The one walk through the brick grid, a 3D DDA with empty-space leaping. Everything that asks about matter
-// along a ray
-// - free flights, transmittance, depth - is a visitor of it, so that the traversal can be right, or wrong, in
-// one place only.
+// The one walk through the brick grid, a 3D DDA with empty-space leaping. Everything that needs matter along
+// a ray (free flights, transmittance, depth) is a visitor of this walk, so that traversal can be right or
+// wrong in one place only.
 //
-// Needs from its host: params.volumeSize, params.gridSize, and fetchBound(brick index): above 0 an upper
-// bound of the extinction anywhere in the brick, per mm; at or below 0 the brick is empty, and so are all
-// bricks closer than minus that number (Chebyshev distance in bricks), which the walk leaps over.
+// Needs from its host: params.volumeSize, params.gridSize, and fetchBound(brick index): above 0 the brick's
+// majorant, an upper bound of the extinction anywhere in it, per mm; at or below 0 the brick is empty, and so
+// are all bricks closer than minus that number (Chebyshev distance in bricks), which the walk leaps over.
 
-// Bricks reach from one voxel centre to another, half a voxel beside the faces of voxels, and the first one
-// begins before the volume: brick b holds the cells between centres 8b - 1 and 8b + 7, so that what is
-// interpolated in it touches only few blocks of voxels (src/pipeline/volume/brick_grid.h).
+// Bricks reach from one voxel centre to another, half a voxel off the voxel faces, and the first one begins
+// before the volume: brick b holds the cells between centres 8b - 1 and 8b + 7, so that interpolation in it
+// touches only few blocks of voxels (src/pipeline/volume/brick_grid.h).
 #define BRICK_SHIFT 0.5
 
 struct BrickWalk {
     vec3 origin;         // in bricks
     vec3 direction;      // bricks per mm, so that distances along the ray are mm
     vec3 inverse;        // mm per brick, finite in every component
-    vec3 cell;           // next brick to be looked at
+    vec3 cell;           // next brick to visit
     float distanceMm;    // how far the ray has come
     float endMm;         // where it leaves the volume
     float segmentEndMm;  // where the current segment ends
-    float majorant;      // bound on extinction in it, per mm
-    float looseness;     // factor on the brick's bound, at least 1
-    vec3 cutFrom;        // what the clip removes on the way, see clip.glsl
+    float majorant;      // of the current segment, per mm
+    float looseness;     // factor on the brick's majorant, at least 1
+    vec3 cutFrom;        // intervals of the ray that the clip removes, see clip.glsl
     vec3 cutTo;
 };
 
@@ -35,8 +34,8 @@ void leap(INOUT(BrickWalk) walk, float distanceMm) {
     walk.cell = clamp(floor(entry), vec3(0.0), vec3(params.gridSize - ivec3(1)));
 }
 
-// Starts a walk along a ray given in voxel coordinates, through what `spans` leave of the volume. A ray that
-// misses has endMm <= distanceMm.
+// Starts a walk along a ray in voxel coordinates, through the part of the volume that `spans` leave. For a
+// ray that misses, endMm <= distanceMm.
 BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel, ClipSpans spans) {
     BrickWalk walk;
     walk.origin = (originVoxel + vec3(BRICK_SHIFT)) * float(1.0 / BRICK);
@@ -56,9 +55,8 @@ BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel, ClipSpans spans) {
     return walk;
 }
 
-// Moves on to the next segment with matter in it: distanceMm to segmentEndMm, bounded by majorant. On
-// a face or a corner a segment may have no length. False at the end.
-// `rounds` counts the rounds of its loop.
+// Moves on to the next segment with matter in it: distanceMm to segmentEndMm, with its majorant. At a face or
+// a corner a segment may have no length. False at the end. `rounds` counts the rounds of its loop.
 bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
     // The brick's index is computed in floats within a plane, which is faster; across planes the largest
     // volumes have too many bricks for floats.
@@ -72,7 +70,7 @@ bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
     walk.distanceMm = walk.segmentEndMm;
     while (walk.distanceMm < walk.endMm) {
         rounds += 1;
-        // At its very end, rounding may put the walk one brick outside: then any bound is as good as another.
+        // At the very end rounding may put the walk one brick outside, where any bound will do.
         float bound =
             fetchBound(clamp(int(walk.cell.y * row + walk.cell.x) + int(walk.cell.z) * plane, 0, lastBrick));
         float reach = max(-bound, float(1.0));
@@ -82,8 +80,8 @@ bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
         vec3 toFace = (walk.cell + forward + step * margin - walk.origin) * walk.inverse;
         float exitMm = min(min(toFace.x, toFace.y), toFace.z);
 
-        // Across that face by index, elsewhere by position: rounding can neither stall the walk nor let it
-        // skip a brick.
+        // Crosses that face by index, and finds the other two coordinates by position, so that rounding can
+        // neither stall the walk nor make it skip a brick.
         vec3 there = floor(walk.origin + walk.direction * exitMm);
         vec3 beside = clamp(there, walk.cell - margin, walk.cell + margin);
         vec3 across = walk.cell + step * reach;
@@ -99,8 +97,9 @@ bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
     return false;
 }
 
-// Moves on to the next tentative collision in what is shown: a Poisson process of rate `majorant` along the
-// ray, which may begin again at any point. False when the ray has left the volume first.
+// Moves on to the next tentative collision outside the clip's cuts: a Poisson process of rate `majorant`
+// along the ray, which may restart at any point because it has no memory. False when the ray leaves the
+// volume first.
 bool nextTentative(INOUT(BrickWalk) walk, INOUT(Rng) rng, INOUT(int) rounds) {
     float depth = exponentialDepth(random01(rng));
     do {

@@ -1,19 +1,20 @@
-// Ray casting: one march along each ray through the one walk, without chance. What the clip removes is
-// skipped.
+// Ray casting: one deterministic march along each ray, by the walk of brick_walk.glsl. It skips what the clip
+// removes.
 //
-// Needs, beside path.glsl, cell_walk.glsl and spline.glsl: params.windowLow and windowHigh, in table entries,
-// params.entryCount, params.stepsPerEntry, params.ambient and params.diffuse.
+// Needs, besides path.glsl, cell_walk.glsl and spline.glsl: params.windowLow and windowHigh, in table
+// entries, params.entryCount, params.stepsPerEntry, params.ambient and params.diffuse.
 
 // The most steps in one cell, and the most once a ray has taken MANY_ROUNDS, because lavapipe ends long
 // loops.
 #define CAST_STEPS 64
 #define CAST_STEPS_LATE 4
 #define MANY_ROUNDS 8000
-// Below this transmittance nothing behind is seen.
+// Below this transmittance a ray ends.
 #define CAST_OPAQUE 0.00390625
 
-// The next stretch of the ray that is shown and whose brick has a bound above `least`: walk.distanceMm to
-// toMm. toMm is where the one before ended, at first walk.distanceMm. False at the end.
+// Moves on to the next stretch of the ray that the clip leaves in a brick with a bound above `least`:
+// walk.distanceMm to toMm. On entry toMm is the end of the previous stretch, at first walk.distanceMm. False
+// at the end.
 bool nextPiece(INOUT(BrickWalk) walk, float least, INOUT(float) toMm, INOUT(int) rounds) {
     walk.distanceMm = toMm;
     do {
@@ -38,9 +39,9 @@ bool nextPiece(INOUT(BrickWalk) walk, float least, INOUT(float) toMm, INOUT(int)
     return false;
 }
 
-// What a headlight leaves of a colour: ambient + diffuse |cos| of the angle between the ray and the gradient
-// (Lambert, both sides alike). Where the values around are all the same there is no surface, and it is seen
-// as if it faced the light.
+// The factor of a headlight on a colour: ambient + diffuse |cos| of the angle between the ray and the
+// gradient (Lambert, both sides alike). Where the gradient is 0 there is no surface: shaded as if it faced
+// the light.
 float headlight(vec3 gradient, vec3 worldDirection) {
     float length2 = dot(gradient, gradient);
     float cosine = length2 > float(0.0) ? abs(dot(gradient, worldDirection)) / sqrt(length2) : float(1.0);
@@ -59,8 +60,8 @@ vec4 steepMatterOfEntry(float entry) {
     return matter + (fetchSteepMatter(low + 1) - matter) * (entry - float(low));
 }
 
-// The steep part at each corner of a cell: between them it is trilinear, as for paths. A spline has a
-// gradient of its own at each place, and needs no corners.
+// The steep part at each corner of a cell, from which it is interpolated, as for paths. A spline has its own
+// gradient everywhere, and needs no corners.
 Corners steepOfCell(CellWalk cells, CellGradient gradient) {
     Corners part;
     part.fraction = vec3(0.0);
@@ -73,15 +74,16 @@ Corners steepOfCell(CellWalk cells, CellGradient gradient) {
     return part;
 }
 
-// Both kinds of matter, of which that part is steep: their colours as each has its share of the extinction.
+// Mixes flat and steep matter, of which `part` is steep: extinction by parts, colour by shares of the
+// extinction.
 vec4 mixedMatter(vec4 usual, vec4 steep, float part) {
     float extinction = mix(usual.w, steep.w, part);
     float share = steep.w * part / max(extinction, float(1e-20));
     return vec4(mix(vec3(usual), vec3(steep), share), extinction);
 }
 
-// How much the second volume's value changes through the cell, in parts of what its curve needs a step for,
-// and how many of its voxels the ray crosses there.
+// The steps through the cell that the second volume needs: for the change of its value under its transfer
+// function, and two for each of its voxels that the ray crosses.
 float secondSteps(CellWalk cells, float transmittance) {
     vec3 begin = inSecond(positionIn(cells, fractionIn(cells, float(0.0))));
     vec3 end = inSecond(positionIn(cells, fractionIn(cells, float(1.0))));
@@ -90,7 +92,7 @@ float secondSteps(CellWalk cells, float transmittance) {
     return max(change * params.secondStepsPerEntry * transmittance, float(2.0) * length(end - begin));
 }
 
-// Mixes what the second volume emits and absorbs at `at` with what the study does there.
+// Mixes emission and extinction of the second volume at `at` into those of the volume.
 void addSecond(vec3 at, EyeRay eye, bool masked, INOUT(vec3) emitted, INOUT(float) extinction) {
     vec4 second = secondMatter(at);
     Mixture mixture = Mixture(extinction, masked ? float(0.0) : second.w);
@@ -100,17 +102,17 @@ void addSecond(vec3 at, EyeRay eye, bool masked, INOUT(vec3) emitted, INOUT(floa
 }
 
 // Emission and absorption: the integral over the ray of transmittance * extinction * colour, premultiplied,
-// and one minus the transmittance. A cell is crossed in as many steps as the transfer function needs over the
-// values in it, and as what is left of the light deserves. Exact where extinction and colour are constant
-// over each step; `phase`, 0 to 1, is where in its step a value is taken, and the mean over all phases has no
-// bias of first order.
+// and one minus the transmittance. A cell is crossed in as many steps as the transfer function needs over its
+// values, and fewer the less light is left. Exact where extinction and colour are constant over each step.
+// `phase`, 0 to 1, is the position within a step at which values are sampled; the mean over all phases has no
+// first-order bias.
 vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
     vec3 directionVoxel = voxelsPerMm(eye.direction);
     BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
     CellWalk cells = startCells(eye.originVoxel, directionVoxel);
     float face = float(0.0);
     if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, eye.originVoxel, directionVoxel);
-    int least = hasGradients() || useSecond() || useTints() ? 2 : 1;  // these change within a cell too
+    int least = hasGradients() || useSecond() || useTints() ? 2 : 1;  // these vary within a cell too
     vec3 colour = vec3(0.0);
     float transmittance = float(1.0);
     float toMm = walk.distanceMm;
@@ -176,15 +178,16 @@ vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
             }
         } while (transmittance >= float(CAST_OPAQUE) && nextCell(cells, toMm));
     }
-    // Early termination: the rest of the transmittance is taken as 0, so that opaque matter is opaque.
+    // Early termination: sets the remaining transmittance to 0, so that opaque matter is fully opaque.
     if (transmittance < float(CAST_OPAQUE)) return vec4(colour / (float(1.0) - transmittance), float(1.0));
     if (face > float(0.0)) return vec4(colour + vec3(transmittance * face), float(1.0));
     return vec4(colour, float(1.0) - transmittance);
 }
 
-// Voxels outside the scan have an entry of their own, below those of all that were measured (entry_map.cpp):
-// air in a trachea counts. Padding lowers what it is interpolated with: that is no minimum, and no part of a
-// mean. To a maximum it does no harm, and what lies beside it must not be lost.
+// Padding, voxels outside the scan, has its own entry below all measured ones (entry_map.cpp), so that air in
+// a trachea still counts. Padding lowers the values interpolated with it: for a minimum or a mean, a cell
+// with any padding does not count. It cannot raise a maximum, for which only a cell of nothing but padding is
+// left out.
 bool isCounted(Corners corners) {
     vec4 near = abs(corners.near - vec4(params.paddingEntry));
     vec4 far = abs(corners.far - vec4(params.paddingEntry));
@@ -193,11 +196,11 @@ bool isCounted(Corners corners) {
            float(0.5);
 }
 
-// The largest, smallest or mean value along what is shown of the ray, as the grey that the window gives it;
-// nothing where the ray meets no values. The mean is exact, by Simpson's rule on cubics; an extreme is that
-// at a face of a cell, where most lie, or at one of three points between. A mask counts for a whole cell, as
-// it is in the middle of its stretch. The medium of a projection bounds how much a brick can change the
-// answer (src/pipeline/volume/medium.h), so that bricks which cannot are not looked at.
+// The largest, smallest or mean value along the part of the ray that the clip shows, as the grey that the
+// window gives it; 0 where the ray meets no values. The mean is exact, by Simpson's rule on cubics; an
+// extreme is taken at the faces of cells, where most lie, or at three points between. The mask at the middle
+// of the ray's stretch counts for the whole cell. A projection's medium bounds how much a brick can change
+// the result (src/pipeline/volume/medium.h): bricks that cannot are skipped.
 vec4 castValues(EyeRay eye, INOUT(int) rounds) {
     vec3 directionVoxel = voxelsPerMm(eye.direction);
     BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
@@ -207,7 +210,7 @@ vec4 castValues(EyeRay eye, INOUT(int) rounds) {
     float sum = float(0.0);
     float lengthMm = float(0.0);
     float toMm = walk.distanceMm;
-    // What a brick's bound must be above to change the answer: half an entry is kept back for rounding.
+    // Only bricks with a bound above this can change the result: half an entry of slack is for rounding.
     float least = float(0.0);
     while (nextPiece(walk, least, toMm, rounds)) {
         float atEnd = enterBrick(cells, walk, toMm);
@@ -235,8 +238,9 @@ vec4 castValues(EyeRay eye, INOUT(int) rounds) {
     return vec4(vec3(greyBeforeToneMap(grey, params.keepsHue == 1) / params.exposure), float(1.0));
 }
 
-// An additive recurrence (Roberts 2018, in three dimensions): where in the pixel and in its steps a sample
-// lies, 0 to 1. The first one is the centre. The same for all pixels, so that a smooth picture stays smooth.
+// An additive recurrence (Roberts 2018, in three dimensions): the position of a sample within its pixel and
+// of values within their steps, 0 to 1. The first is the centre. The same for all pixels, so that a smooth
+// picture stays smooth.
 vec3 castOffset(uint sampleIndex) {
     uint centre = 0x80000000u;
     return vec3(float((centre + sampleIndex * 3518319155u) >> 8u),

@@ -1,27 +1,26 @@
-// Rays that are cast go from cell to cell: what a cell between eight voxel centres is, and the way through
-// them.
+// The walk of a cast ray from cell to cell, where a cell lies between eight voxel centres.
 //
-// Needs, beside brick_walk.glsl and gradient.glsl: blocksOfBrick(brick) and fetchFrom(blocks, voxel) for the
+// Needs, besides brick_walk.glsl and gradient.glsl: blocksOfBrick(brick) and fetchFrom(blocks, voxel) for the
 // voxels of one brick; castLook(), useShading(), constants.
 
-// A ray from cell to cell: between eight voxel centres, so that along the ray the interpolated value is one
-// cubic. From one cell to the next four of its corners stay, and only four are fetched. Half a voxel beyond
-// the outer centres a cell has the same corner twice.
+// A ray on its way through cells. Within a cell the interpolated value is one cubic along the ray.
+// Neighbouring cells share four corners, so that only four are fetched. Beyond the outer voxel centres a cell
+// has the same corner twice.
 //
-// Along each axis that the ray goes down, the volume is mirrored: in the walk's own coordinates every ray
-// goes up.
+// The volume is mirrored along each axis on which the ray descends, so that in the walk's coordinates every
+// ray ascends.
 struct CellWalk {
     vec3 side;       // 1, or -1 along the axes that are mirrored
     vec3 shift;      // see mirrored()
-    vec3 origin;     // in voxels, with integers at centres
+    vec3 origin;     // in voxels, with integers at voxel centres
     vec3 direction;  // voxels per mm, none below 0
     vec3 inverse;
     vec3 cell;     // its low corner
     vec3 faceMm;   // where the ray meets the cell's high faces
     float fromMm;  // where it enters the cell
-    float toMm;    // and leaves it
+    float toMm;    // where the ray leaves the cell
     Corners corners;
-    Blocks blocks;     // of the brick under way
+    Blocks blocks;     // of the current brick
     ivec3 firstVoxel;  // of this brick, not mirrored
     ivec3 lastVoxel;
 };
@@ -44,8 +43,7 @@ CellWalk startCells(vec3 originVoxel, vec3 directionVoxel) {
     return cells;
 }
 
-// A corner's voxel. Rounding may carry a cell across a face of its brick: its corners are those of the face
-// then.
+// A corner's voxel, clamped to the brick: rounding may carry a cell across the brick's face.
 ivec3 voxelOf(CellWalk cells, vec3 corner) {
     return clamp(ivec3(mirrored(cells, corner)), cells.firstVoxel, cells.lastVoxel);
 }
@@ -55,7 +53,7 @@ void leaveCellAt(INOUT(CellWalk) cells, float endMm) {
     cells.toMm = min(max(min(min(cells.faceMm.x, cells.faceMm.y), cells.faceMm.z), cells.fromMm), endMm);
 }
 
-// Where a ray is at a part of its way through the cell, 0 to 1: between the corners, 0 to 1 along each axis.
+// The position within the cell, 0 to 1 along each axis, after this part of the ray's way through it.
 vec3 fractionIn(CellWalk cells, float part) {
     float atMm = mix(cells.fromMm, cells.toMm, part);
     return clamp(cells.origin + cells.direction * atMm - cells.cell, vec3(0.0), vec3(1.0));
@@ -65,7 +63,7 @@ bool hasGradients() {
     return castLook() == kCastMatter && (useGradientOpacity() || useSteep() || useShading());
 }
 
-// Enters the first cell of a stretch in one brick. Returns the value where the ray enters it.
+// Enters the first cell of a stretch in one brick. Returns the value at the entry.
 float enterBrick(INOUT(CellWalk) cells, BrickWalk walk, float endMm) {
     ivec3 brick = clamp(ivec3(floor(walk.origin + walk.direction * (float(0.5) * (walk.distanceMm + endMm)))),
                         ivec3(0), params.gridSize - ivec3(1));
@@ -86,7 +84,7 @@ float enterBrick(INOUT(CellWalk) cells, BrickWalk walk, float endMm) {
     return interpolated(cells.corners, fractionIn(cells, float(0.0)));
 }
 
-// The corners of the next cell along x, along y, or else along z, of which four lie `ahead`.
+// The corners of the next cell along x, along y, or otherwise along z; `ahead` are its four new ones.
 Corners movedOn(Corners c, vec4 ahead, bool x, bool y) {
     Corners next;
     next.fraction = vec3(0.0);
@@ -97,8 +95,8 @@ Corners movedOn(Corners c, vec4 ahead, bool x, bool y) {
     return next;
 }
 
-// Moves on through the face that the ray meets first, false at the end. It goes by index from cell to cell:
-// rounding can neither stall it nor make it skip one.
+// Moves on through the face that the ray meets first; false at the end. Cells advance by index, so that
+// rounding can neither stall the walk nor make it skip one.
 bool nextCell(INOUT(CellWalk) cells, float endMm) {
     if (cells.toMm >= endMm) return false;
     bool x = cells.faceMm.x <= min(cells.faceMm.y, cells.faceMm.z);
@@ -120,7 +118,7 @@ bool nextCell(INOUT(CellWalk) cells, float endMm) {
     return true;
 }
 
-// The value along the ray through a cell: a polynomial of the part of the way, 0 to 1, above its value at 0.
+// The value along the ray through a cell: a polynomial in the part of the way, 0 to 1.
 struct Course {
     float start;
     vec4 slopes;
@@ -130,7 +128,7 @@ float valueOf(Course c, float part) {
     return c.start + part * (c.slopes.x + part * (c.slopes.y + part * (c.slopes.z + part * c.slopes.w)));
 }
 
-// Of the interpolated value, which is a cubic; `start` is where the ray enters.
+// The course of the interpolated value, a cubic; `start` is the value where the ray enters.
 Course courseIn(CellWalk cells, float start) {
     vec3 entry = fractionIn(cells, float(0.0));
     vec3 exit = fractionIn(cells, float(1.0));
@@ -151,15 +149,14 @@ vec3 positionIn(CellWalk cells, vec3 fraction) {
     return mirrored(cells, cells.cell + fraction) + vec3(0.5);
 }
 
-// Central differences at the corners of a cell, per voxel: between them gradientAt() is their interpolation.
+// Central differences at the corners of a cell, per voxel: gradientAt() equals their interpolation.
 struct CellGradient {
     Corners x;
     Corners y;
     Corners z;
 };
 
-// The values at a corner of the cell's neighbourhood and at the three beside it along u and v. `blocks` has
-// those of all of it.
+// The values at a voxel near the cell and at the three next to it along u and v. `blocks` must cover them.
 vec4 fetchFour(CellWalk cells, Blocks blocks, vec3 corner, vec3 u, vec3 v) {
     ivec3 last = params.volumeSize - ivec3(1);
     return vec4(fetchFrom(blocks, clamp(ivec3(mirrored(cells, corner)), ivec3(0), last)),
@@ -168,14 +165,14 @@ vec4 fetchFour(CellWalk cells, Blocks blocks, vec3 corner, vec3 u, vec3 v) {
                 fetchFrom(blocks, clamp(ivec3(mirrored(cells, corner + u + v)), ivec3(0), last)));
 }
 
-// Of a cell and the voxels beside it: four along each axis lie in two blocks at most.
+// The blocks of a cell and its adjacent voxels: four voxels along an axis lie in two blocks at most.
 Blocks blocksAround(CellWalk cells) {
     vec3 end = max(mirrored(cells, cells.cell - vec3(1.0)), mirrored(cells, cells.cell + vec3(2.0)));
     return blocksOfBrick(clamp(ivec3(end), ivec3(0), params.volumeSize - ivec3(1)) >> 3);
 }
 
-// The gradients of the whole cell at once: a branch within the steps would skip nothing where eight rays are
-// one vector. What is at both ends of a difference in the cell itself is there already.
+// The gradients at all corners of the cell at once: a branch within the steps would save nothing where eight
+// rays share a vector. The cell's own corners are fetched already.
 CellGradient gradientOfCell(CellWalk cells) {
     vec3 x = vec3(float(1.0), float(0.0), float(0.0));
     vec3 y = vec3(float(0.0), float(1.0), float(0.0));

@@ -1,6 +1,6 @@
-// Which parts of a ray are shown. A clip keeps one convex region and removes up to three: the distances at
-// which a ray enters and leaves them are found once, when the ray starts. Voxel coordinates as in
-// medium.glsl; distances in mm.
+// Which parts of a ray the clip shows. A clip keeps one convex region and removes up to three others: the
+// distances at which a ray enters and leaves them are computed once, when the ray starts. Voxel coordinates
+// as in medium.glsl; distances in mm.
 //
 // Needs from its host: params.clip*, and useClip(), a constant.
 
@@ -13,17 +13,17 @@ float safeInverse(float x) {
 }
 
 struct ClipSpans {
-    float from;    // shown from here
-    float to;      // to here,
-    vec3 cutFrom;  // but not from one of these
-    vec3 cutTo;    // to its counterpart
+    float from;    // the ray is shown from here
+    float to;      // to here
+    vec3 cutFrom;  // except for up to three cuts that begin here
+    vec3 cutTo;    // and end here; an empty cut ends before it begins
 };
 
-// Farther than any patient; its product with PARALLEL and its square are still numbers.
+// Farther than any patient; neither its product with PARALLEL nor its square underflows or overflows.
 #define FAR_MM 1e15
 
-// Where a ray is inside of all the half-spaces [first, first + count); nowhere: x > y. The border belongs to
-// the inside.
+// The interval in which a ray is inside all half-spaces [first, first + count); empty if x > y. The border
+// belongs to the inside.
 vec2 spanOfPlanes(vec3 origin, vec3 direction, int first, int count) {
     vec2 span = vec2(float(-FAR_MM), float(FAR_MM));
     for (int i = first; i < first + count; ++i) {
@@ -41,14 +41,14 @@ vec2 spanOfPlanes(vec3 origin, vec3 direction, int first, int count) {
     return span;
 }
 
-// Where a ray is inside of the ellipsoid that the ball is in voxel coordinates.
+// The interval in which a ray is inside the ball, an ellipsoid in voxel coordinates.
 vec2 spanOfBall(vec3 origin, vec3 direction) {
     vec3 o = origin - params.clipBallCentre;
     vec3 q = params.clipBallX * o.x + params.clipBallY * o.y + params.clipBallZ * o.z;
     vec3 d = params.clipBallX * direction.x + params.clipBallY * direction.y + params.clipBallZ * direction.z;
     float a = max(dot(d, d), float(1e-30));
     float nearest = -dot(q, d) / a;
-    vec3 miss = q + d * nearest;  // from the centre: without the cancellation of the textbook's discriminant
+    vec3 miss = q + d * nearest;  // from the centre; avoids the cancellation of the usual discriminant
     float room = (float(1.0) - dot(miss, miss)) / a;
     if (room <= float(0.0)) return vec2(float(FAR_MM), float(-FAR_MM));
     float reach = sqrt(room);
@@ -89,7 +89,7 @@ ClipSpans clipSpans(vec3 origin, vec3 direction) {
     return spans;
 }
 
-// Where the cut that holds this point ends; negative when none does.
+// The end of the cut that contains this point; negative when none does.
 float endOfCut(vec3 cutFrom, vec3 cutTo, float atMm) {
     float end = float(-1.0);
     if (cutFrom.x <= atMm && atMm < cutTo.x) end = max(end, cutTo.x);
@@ -98,7 +98,7 @@ float endOfCut(vec3 cutFrom, vec3 cutTo, float atMm) {
     return end;
 }
 
-// The next face of the clip after `afterMm` at which the ray comes from what is removed into what is shown;
+// The next face of the clip after `afterMm` at which the ray passes from a removed part into a shown one;
 // FAR_MM when there is none.
 float nextFace(ClipSpans spans, float afterMm) {
     float face = float(FAR_MM);

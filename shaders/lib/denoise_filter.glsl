@@ -1,20 +1,21 @@
-// Third step of denoising, several times with growing stride: exchange between pixels that show the same.
+// Third step of denoising, several times with growing stride: pixels that show the same matter exchange
+// light.
 //
-// Needs from its host, by index of a pixel: fetchColour and fetchNoise (the mean and preparePixel, then the
-// pass before), fetchMass, fetchSurface.
+// Needs from its host, by index of a pixel: fetchColour and fetchNoise (the mean and the noise of
+// preparePixel, then those of the previous pass), fetchMass, fetchSurface.
 
-// What a unit of difference costs, in the exponent of a weight.
-#define DEPTH_STOP 0.15    // of the depth that slope and spread explain, squared
+// The cost of a unit of difference, in the exponent of a weight.
+#define DEPTH_STOP 0.15    // squared difference of depth over the one that slope and spread explain
 #define NORMAL_STOP 2.0    // of 1 - cosine
 #define COVERAGE_STOP 8.0  // of coverage, squared
-#define LIGHT_STOP 0.1     // of the variance of a difference: 1 at two standard deviations
+#define LIGHT_STOP 0.1     // squared difference over its variance
 
 struct Filtered {
     vec4 colour;
     vec2 variance;
 };
 
-// Of two pixels so many pixels apart.
+// The cost of the depths of two pixels that are `apart` pixels apart.
 float stopOfDepth(vec4 surface, vec4 noise, vec4 surfaceQ, vec4 noiseQ, float apart) {
     float toleranceMm = float(0.5) * ((noise.z + noiseQ.z) * apart + noise.w + noiseQ.w);
     bool depths = surface.w >= float(0.0) && surfaceQ.w >= float(0.0);
@@ -22,7 +23,8 @@ float stopOfDepth(vec4 surface, vec4 noise, vec4 surfaceQ, vec4 noiseQ, float ap
     return depths ? float(DEPTH_STOP) * deviation * deviation : float(0.0);
 }
 
-// One pass: eight taps denoise.stride apart, with the weights of a binomial filter; what no tap takes stays.
+// One pass: eight taps denoise.stride apart, with the weights of a binomial filter; light that no tap takes
+// stays.
 Filtered filterPixel(ivec2 pixel) {
     int index = indexOf(pixel);
     vec4 colour = fetchColour(index);
@@ -39,7 +41,7 @@ Filtered filterPixel(ivec2 pixel) {
     vec2 variance = vec2(0.0);
     int taps = isEmpty(mass) ? 0 : 8;
     for (int tap = 0; tap < taps; ++tap) {
-        int place = tap < 4 ? tap : tap + 1;  // of nine, row by row, without the one in the middle
+        int place = tap < 4 ? tap : tap + 1;  // of nine pixels, row by row, without the middle one
         int y = place / 3 - 1;
         int x = place - 3 * (y + 1) - 1;
         ivec2 at = pixel + ivec2(x, y) * denoise.stride;
@@ -72,7 +74,7 @@ Filtered filterPixel(ivec2 pixel) {
         kernel = inside ? kernel : float(0.0);
         vec2 weight =
             vec2(exp(-min(stop + stopLight, float(80.0))), exp(-min(stop + stopAlpha, float(80.0)))) * kernel;
-        // All colours go, or none: what stays behind would have another hue.
+        // All colours flow or none: otherwise the rest would change its hue.
         vec4 both =
             min(mass, massQ) *
             (min(massOfLight(mass), massOfLight(massQ)) < float(LEAST_MASS) ? float(0.0) : float(1.0));

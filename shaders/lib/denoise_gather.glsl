@@ -1,19 +1,19 @@
-// First step of denoising: what is known of each pixel.
+// First step of denoising: collects each pixel's light from this view and its history.
 //
 // Needs from its host, by index of a pixel: fetchSums (radiance and coverage), fetchCount, fetchSquares (of
-// luminance), fetchSurface, fetchMatter, fetchMotion as guides.comp writes them; and of the view before:
+// luminance), fetchSurface, fetchMatter, fetchMotion as guides.comp writes them; and of the previous view:
 // fetchOldMean, fetchOldMoments, fetchOldSurface, fetchOldMatter.
 
-// What is known of a pixel: the mean and the mean square of luminance over so many samples.
+// A pixel's mean light and mean square of luminance over so many samples.
 struct Record {
     vec4 mean;
     float square;
     float samples;
 };
 
-// Temporal accumulation: the film of this view, and the record of the view before where it shows the same
-// matter. Its samples count for less the more this view has of its own: what was seen from elsewhere is never
-// quite the same.
+// Temporal accumulation: adds to the film of this view the record of the previous view where that shows the
+// same matter. The history counts for less the more samples this view has: matter seen from elsewhere never
+// looks quite the same.
 Record gatherPixel(ivec2 pixel) {
     int index = indexOf(pixel);
     vec4 sums = fetchSums(index);
@@ -38,7 +38,7 @@ Record gatherPixel(ivec2 pixel) {
                       : float(0.0);
     if (motion.w < float(0.0) || trust <= float(0.0)) return record;
 
-    // The four pixels around the place in the view before, those that show the same.
+    // Of the four pixels around the position in the previous view, uses those that show the same matter.
     vec2 place = vec2(pixel) + vec2(motion.x, motion.y);
     place = clamp(place, vec2(-2.0), vec2(denoise.imageSize) + vec2(2.0));
     vec2 low = floor(place);

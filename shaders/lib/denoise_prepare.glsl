@@ -1,20 +1,20 @@
-// Second step of denoising: the masses that light and alpha are divided by (demodulation), and how noisy both
-// are.
+// Second step of denoising: the masses by which light and alpha are divided (demodulation), and how noisy
+// both are.
 //
 // Needs from its host, by index of a pixel: fetchMean and fetchMoments (of gatherPixel), fetchSurface,
 // fetchMatter, fetchMotion.
 
-// From so many samples on, a pixel's own variance counts more than that of its neighbours.
+// From so many samples on, a pixel's own variance counts more than its neighbours'.
 #define SAMPLES_TRUSTED 16.0
 
 struct Prepared {
-    vec4 mass;   // coverage * albedo, coverage: what light and alpha are measured by
-    vec4 noise;  // variance of luminance per mass and of alpha per coverage; slope of depth in mm per pixel;
-                 // its spread
-    float told;  // what the variance of luminance was multiplied by, for the filter
+    vec4 mass;   // coverage * albedo, coverage: the divisors of light and alpha
+    vec4 noise;  // variances of luminance per mass, and of alpha; slope of depth in mm per pixel; spread of
+                 // depth
+    float told;  // factor by which the variance of luminance was multiplied for the filter
 };
 
-// Coverage over the area of a pixel, from that of the centres around: linear between them.
+// The mean mass over the area of a pixel, from a linear interpolation between pixel centres.
 vec4 massAround(ivec2 pixel) {
     vec4 sum = vec4(0.0);
     for (int y = -1; y <= 1; ++y) {
@@ -28,7 +28,7 @@ vec4 massAround(ivec2 pixel) {
     return sum;
 }
 
-// The smaller of the steps of depth to both sides: at an edge, that along the surface.
+// The smaller difference of depth to both sides: at an edge, the one along the surface.
 float slopeAlong(ivec2 pixel, float depth, ivec2 side) {
     ivec2 last = denoise.imageSize - ivec2(1);
     float before = fetchSurface(indexOf(clamp(pixel - side, ivec2(0), last))).w;
@@ -40,8 +40,8 @@ float slopeAlong(ivec2 pixel, float depth, ivec2 side) {
     return slope < none ? slope : float(0.0);
 }
 
-// Variance of the mean by the samples themselves, of this pixel and of those around; where no pixel has two
-// samples, by how much the pixels differ from each other.
+// The variance of the mean, estimated from the samples of this pixel and of those around; with fewer than two
+// samples, from the differences between these pixels.
 Prepared preparePixel(ivec2 pixel) {
     int index = indexOf(pixel);
     vec2 moments = fetchMoments(index);
@@ -70,8 +70,8 @@ Prepared preparePixel(ivec2 pixel) {
         vec4 matterQ = fetchMatter(q);
         float l = luminance(vec3(meanQ.x, meanQ.y, meanQ.z));
         float d = luminance(vec3(matterQ.x, matterQ.y, matterQ.z)) * matterQ.w;
-        // The variance of samples; clamped, since a mean of squares and a square of means are rounded each on
-        // its own.
+        // The variance of samples, clamped because rounding can make the mean of squares smaller than the
+        // square of the mean.
         float own = max(momentsQ.x - l * l, float(0.0)) / max(momentsQ.y - float(1.0), float(1.0));
         lightAt[tap] = l;
         massAt[tap] = d;
@@ -100,7 +100,7 @@ Prepared preparePixel(ivec2 pixel) {
     float light2 =
         (float(SAMPLES_TRUSTED) * pooled + known * variance / (d * d)) / (float(SAMPLES_TRUSTED) + known);
 
-    // Whether a sample meets matter is a coin whose odds the guides know.
+    // Whether a sample meets matter is random, with a probability that the guides know.
     float coverage = prepared.mass.w;
     float alpha2 = max(coverage * (float(1.0) - coverage), float(0.002)) / max(moments.y, float(1.0));
 

@@ -1,44 +1,45 @@
-// Before and after the filter: pixels that stand out alone. The brightest of few samples are many times as
-// bright as all around them: the filter would keep such a pixel apart for its light, and a white dot would
-// stay. So before the filter it gives light away, from four times its brightest neighbour on, and from seven
-// times on all that is beyond that neighbour. After the filter, in soft tissue, normals are so uncertain that
-// they tell a pixel from all around it; it keeps the noise of its few samples and is brighter, or darker,
-// than each of its eight neighbours. As far as the noise that is left to it explains that, it exchanges with
-// them whatever normals and light say, in flows like those of the filter: light is kept exactly, and the more
-// samples, the less is exchanged.
+// Before and after the filter: limits single pixels that stand out. The brightest of few samples is many
+// times as bright as all around it: the filter would not mix such a pixel with its neighbours, and a white
+// dot would stay. So before the filter a pixel above four times its brightest neighbour gives light away;
+// from seven times on, everything beyond that neighbour. After the filter, in soft tissue, normals are so
+// uncertain that they separate a pixel from all its neighbours; it keeps the noise of its few samples and is
+// brighter, or darker, than each of them. As far as its remaining noise explains the difference, it exchanges
+// light with them whatever normals and light say, in flows like those of the filter: the sum of light is kept
+// exactly, and the more samples, the less is exchanged.
 //
-// Depth and coverage still tell pixels apart. And after the filter those neighbours take part that differ
-// from the limit (the light of the nearest of them) hardly more than the pixel does itself: in a line one
-// pixel wide the limit is that of the line, and what stands out of the line by less than the line does of its
-// sides goes along it.
+// Depth and coverage still separate pixels. And after the filter only those neighbours take part whose light
+// differs from the limit (the light of the nearest of them) hardly more than the pixel's own: in a line one
+// pixel wide the limit is the line's light, and an excess smaller than the line's contrast spreads along the
+// line.
 //
-// Alpha stays as it is: it is a coin whose odds the guides know, and where matter is opaque it has no noise.
+// Alpha stays as it is: its randomness has a probability that the guides know, and where matter is opaque it
+// has no noise.
 //
 // denoise.stride is 0 before the filter.
 //
 // Needs from its host, by index of a pixel: fetchColour and fetchNoise (of preparePixel or the last
 // filterPixel), fetchMoments, fetchMass, fetchSurface; and denoise_filter.glsl.
 
-// How much of what stands out is taken for noise, in standard deviations of what is left. More takes more
-// away, of noisy lines too (docs/measurements/tracer.md).
+// The excess that counts as noise, in standard deviations of the remaining noise. A larger number removes
+// more, also from noisy lines (docs/measurements/tracer.md).
 #define SPECK_DEVIATIONS 2.0
-// Before the filter: noise is known by few pixels, of which the bright one is the noisiest. From so many
-// samples on, with those of the view before, less than half of that is taken, or true detail, as of cut
-// faces, would go too.
+// Before the filter the noise is known from few pixels only, of which the bright one is the noisiest. From
+// DOT_SAMPLES samples on, history included, less than half of DOT_DEVIATIONS applies: otherwise true detail,
+// such as that of cut faces, would be lost.
 #define DOT_DEVIATIONS 8.0
 #define DOT_SAMPLES 8.0
-#define DOT_TIMES 4.0  // what is so many times as bright as its brightest neighbour is none
-// Stands for a pixel outside the picture, or one that is empty; light is 0 or more.
+#define DOT_TIMES 4.0  // a pixel up to so many times as bright as its brightest neighbour is no dot
+// Marks a pixel that is empty or outside the picture; light is never negative.
 #define NO_LIGHT -1.0
 
-// How a pixel stands out of its eight neighbours, in light per mass.
+// How a pixel stands out from its eight neighbours, in light per mass.
 struct Speck {
-    float limit;  // the neighbour's light that is nearest to its own; before the filter that, or more
-    float over;   // how far beyond
-    float part;   // what it exchanges with each of its neighbours, times eight: at most 1
+    float limit;  // the nearest light among its neighbours; before the filter that or more
+    float over;   // how far its own light is beyond the limit
+    float part;   // share that it exchanges with each of its neighbours, times eight: at most 1
 };
 
-// How much a neighbour with this light takes part.
+// How much a neighbour with this light takes part, 0 to 1.
 float takesPart(Speck speck, float light) {
     if (light < float(0.0)) return float(0.0);
     if (denoise.stride == 0) return float(1.0);
@@ -46,13 +47,13 @@ float takesPart(Speck speck, float light) {
                  float(1.0));
 }
 
-// Of one of 5 times 5 pixels, row by row, that is not at their border. `explained` is how far noise explains
-// that it stands out.
+// The speck of one of the inner 3 x 3 of 5 x 5 pixels, row by row. Noise explains a difference of up to
+// `explained`.
 Speck speckAt(float lights[25], int place, float explained) {
     float light = lights[place];
     float low = float(1e30);
     float high = float(NO_LIGHT);
-    float reach = float(0.0);  // how far all neighbours together would move it
+    float reach = float(0.0);  // how far a full exchange with all neighbours would move it
     for (int i = 0; i < 9; ++i) {
         float other = lights[place + 5 * (i / 3 - 1) + i % 3 - 1];
         bool counts = other >= float(0.0) && i != 4;
@@ -62,7 +63,7 @@ Speck speckAt(float lights[25], int place, float explained) {
     }
     bool alone = light < float(0.0) || high < float(0.0);
     Speck speck;
-    float brightest = float(DOT_TIMES) * high;  // that is no dot
+    float brightest = float(DOT_TIMES) * high;  // brightest light that is no dot
     float ofDot = light > brightest ? max(high, float(2.0) * brightest - light) : light;
     speck.limit = alone ? light : denoise.stride == 0 ? ofDot : clamp(light, low, high);
     speck.over = abs(light - speck.limit);
@@ -71,7 +72,7 @@ Speck speckAt(float lights[25], int place, float explained) {
     return speck;
 }
 
-// How far the noise of a pixel explains that it stands out.
+// The difference from its neighbours that a pixel's noise explains.
 float explainedBy(int index, vec4 noise) {
     float deviation = sqrt(max(float(0.0), noise.x));
     if (denoise.stride > 0) return float(SPECK_DEVIATIONS) * deviation;
@@ -103,7 +104,7 @@ vec4 withoutSpeck(ivec2 pixel) {
     vec4 flow = vec4(0.0);
     int taps = empty ? 0 : 8;
     for (int tap = 0; tap < taps; ++tap) {
-        int nth = tap < 4 ? tap : tap + 1;  // of nine, row by row, without the one in the middle
+        int nth = tap < 4 ? tap : tap + 1;  // of nine pixels, row by row, without the middle one
         int y = nth / 3 - 1;
         int x = nth - 3 * (y + 1) - 1;
         int place = 12 + 5 * y + x;
@@ -114,7 +115,7 @@ vec4 withoutSpeck(ivec2 pixel) {
         float thicker = mass.w - massQ.w;
         float stop = stopOfDepth(surface, noise, fetchSurface(q), noiseQ, sqrt(float(x * x + y * y))) +
                      float(COVERAGE_STOP) * thicker * thicker;
-        // The same seen from either side; in sum 1 at most.
+        // Symmetric in both pixels; the sum over neighbours is at most 1.
         float weight =
             max(own.part * takesPart(own, lights[place]), other.part * takesPart(other, lights[12])) *
             exp(-min(stop, float(80.0))) * float(1.0 / 8.0);

@@ -10,8 +10,8 @@ struct EnvironmentSample {
     float pdfPerSr;  // 0 when there is no light at all
 };
 
-// The last of `count` shares, which begin from index `first` on, that begins at or below u; and how far into
-// it u lies, 0 to 1.
+// The share that holds u: the last of `count` shares, whose begins are stored from index `first` on, that
+// begins at or below u. `within` is the position of u in it, 0 to 1.
 int shareAt(int first, int count, float u, OUT(float) within) {
     int low = 0;
     int high = count;
@@ -29,9 +29,9 @@ int shareAt(int first, int count, float u, OUT(float) within) {
     return low;
 }
 
-// Importance sampling: draws a row by its power, a texel of it likewise, and a direction in it uniform in
-// solid angle, so that the pdf is the same all over the texel. What is near in the square is near in the sky,
-// mostly: even points give even light.
+// Importance sampling: draws a row by its power, a texel of the row likewise, and a direction in it uniform
+// in solid angle, so that the pdf is constant over the texel. Near points of the square mostly map to near
+// directions, so that stratified points give stratified light.
 EnvironmentSample sampleEnvironment(vec2 u) {
     float down;
     float along;

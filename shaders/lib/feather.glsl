@@ -1,11 +1,11 @@
-// The border of what is known, made soft: a reprojected picture ends at pixels, an eye sees no steps in it.
+// Softens the border of the known part of a reprojected picture, so that it does not end in steps of pixels.
 //
 // Needs from its host: fetchWeight, by a pixel of the picture, 0 to 1; beyond the border as at the border.
 
 #define FEATHER_RADIUS 2
 
-// A pixel keeps its weight where all around it is known as well as itself, and loses it where half is not:
-// what is known alone is no surface.
+// A pixel keeps its weight where its surroundings have at least the same weight, and loses all where their
+// mean is half of it or less: a known pixel among unknown ones is no surface.
 float feathered(ivec2 pixel) {
     float sum = float(0.0);
     for (int y = -FEATHER_RADIUS; y <= FEATHER_RADIUS; ++y) {

@@ -1,17 +1,17 @@
 // A picture that is stored larger where the eye looks. Both the picture as stored and the picture as seen lie
-// in the plane at distance 1 from the eye, x to the right, y up, within the same rectangle. Along every ray
-// from the gaze, what is seen at distance q is stored at distance r:
+// in the plane at distance 1 from the eye, x to the right, y up, within the same rectangle. In every
+// direction from the gaze, a point seen at distance q is stored at distance r:
 //
 //   q = r / m                                     up to the radius of the fovea
 //   q = r / m + k (r - radius)^2                  beyond, k such that the border stays the border
 //
-// so that the scale changes without a step, and the inverse is a quadratic equation. It is the map of
-// Kleinbeck et al. 2026 (1.7 of the reference), which is linear in scale and has a step in its derivative at
-// the radius.
+// so that the scale changes without a step, and the inverse is a quadratic equation. The map of Kleinbeck et
+// al. 2026 (1.7 of the reference) is similar, but linear in scale, with a step in its derivative at the
+// radius.
 
 struct Fovea {
     vec2 halfSize;        // of the rectangle
-    vec2 gaze;            // inside of it
+    vec2 gaze;            // inside the rectangle
     float radius;         // as stored; less than the distance from the gaze to the border
     float magnification;  // m, at least 1; 1 leaves the picture as it is
 };
@@ -29,7 +29,7 @@ float borderDistance(Fovea fovea, vec2 direction) {
     return min(x, y);
 }
 
-// k above.
+// k in the equation above.
 float foveaBend(Fovea fovea, float border) {
     float outside = border - fovea.radius;
     return border * (float(1.0) - float(1.0) / fovea.magnification) / (outside * outside);
@@ -59,7 +59,7 @@ vec2 storedFromSeen(Fovea fovea, vec2 seen) {
     return fovea.gaze + offset * ((fovea.radius + s) / q);
 }
 
-// Area of the picture as seen that a unit of area of the stored one shows.
+// The area of the picture as seen that a unit of area of the stored picture shows.
 float seenArea(Fovea fovea, vec2 stored) {
     vec2 offset = stored - fovea.gaze;
     float r = sqrt(dot(offset, offset));
@@ -75,7 +75,7 @@ float seenArea(Fovea fovea, vec2 stored) {
     return slope * scale;
 }
 
-// The same in steradians.
+// The solid angle, in steradians, that a unit of area of the stored picture shows.
 float seenSolidAngle(Fovea fovea, vec2 stored) {
     vec2 seen = seenFromStored(fovea, stored);
     float distance2 = float(1.0) + dot(seen, seen);

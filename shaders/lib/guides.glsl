@@ -1,11 +1,11 @@
-// What a pixel shows, found without chance: a march along its centre ray through the one walk. Depth,
-// coverage, colour of the first visible matter, surface normal, and where all that was in the view before. A
-// random path would give noise of centimetres in translucent matter.
+// Deterministic guides of a pixel, by a march along its centre ray (brick_walk.glsl): depth, coverage, colour
+// of the first visible matter, surface normal, and motion from the previous view. Depths from random paths
+// would have centimetres of noise in translucent matter.
 //
 // Needs what path.glsl needs.
 
-// Optical depths at which transmittance is 3/4, 1/2 and 1/4, and where a march ends: what is behind 255/256
-// of opacity is not seen.
+// Optical depths at which transmittance is 3/4, 1/2 and 1/4, and at which a march ends: an opacity of 255/256
+// hides everything behind.
 #define DEPTH_3_4 0.28768207245178085
 #define DEPTH_1_2 0.69314718055994531
 #define DEPTH_1_4 1.3862943611198906
@@ -13,19 +13,15 @@
 
 struct Guide {
     float depthMm;     // along the ray to transmittance 1/2; negative when it does not fall so far
-    float confidence;  // of the depth, 0 to 1: see guideOf
-    float coverage;    // 1 - transmittance of all there is; what is above 255/256 is not told apart
-    vec3 albedo;  // mean over the matter down to transmittance 1/2, by what each part adds to the opacity; 0
-                  // if none
-    vec3 normal;  // world, unit, towards the eye: of the surface of equal value at the depth; 0 where there
-                  // is none
-    vec2 motion;  // pixels: where this was in the view before, minus where it is now; 0 when it was not in
-                  // front
-    float
-        beforeMm;  // its distance from the eye before; negative when there is nothing, or it was not in front
+    float confidence;  // of depthMm, 0 to 1: see guideAlong
+    float coverage;    // 1 - transmittance of the whole ray; above 255/256 the march ends
+    vec3 albedo;       // mean over the matter down to transmittance 1/2, weighted by added opacity; 0 if none
+    vec3 normal;       // world, unit, towards the eye: of the isosurface at depthMm; 0 where there is none
+    vec2 motion;     // pixels: position in the previous view minus position now; 0 if it was behind that eye
+    float beforeMm;  // its distance from the previous eye; negative if there is no matter or it was behind
 };
 
-// Another eye: where ours is relative to it in world mm, and the axes of its picture as in TraceParams.
+// Another eye: the position of ours relative to it in world mm, and its picture's axes as in TraceParams.
 struct Eye {
     vec3 oursMm;
     vec3 right;
@@ -35,8 +31,8 @@ struct Eye {
     float parallelMm;
 };
 
-// The inverse of eyeRay for any eye: where what lies at `v` from it (world mm) is in its picture, in pixels.
-// False when it is behind the eye; then `pixel` is 0.
+// The inverse of eyeRay for any eye: the pixel position of a point at `v` from the eye (world mm) in its
+// picture. False when the point is behind the eye; then `pixel` is 0.
 bool pixelOfDirection(vec3 v, Eye eye, OUT(vec2) pixel) {
     pixel = vec2(0.0);
     float along = dot(v, eye.forward);
@@ -62,22 +58,22 @@ struct March {
     float nearMm;  // where transmittance is 3/4, 1/2, 1/4; negative when it does not fall so far
     float halfMm;
     float farMm;
-    float endMm;   // where the last matter was
-    float seen;    // opacity gathered down to transmittance 1/2
-    float seenMm;  // and the sums of distance and albedo, weighted with it
+    float endMm;   // where the last matter ends
+    float seen;    // opacity accumulated down to transmittance 1/2
+    float seenMm;  // sums of distance and albedo, weighted by opacity
     vec3 albedo;
 };
 
-// A hook that every step calls, for those who want to know more than March holds (layers.glsl).
+// A hook that every step calls, for results that March does not hold (layers.glsl).
 #ifndef MARCH_STEP
 #define MARCH_STEP(before, after, fromMm, perDepth)
 #endif
 
-// Visitor: marches in steps of a voxel, and where one of them alone takes away more than FINE of the light,
-// quarters of it; each of constant extinction.
+// Visitor: marches in steps of a voxel, or of a quarter voxel where a full step's optical depth exceeds FINE;
+// extinction counts as constant over a step.
 #define FINE 0.1
-// The most rounds of a march, at which lavapipe ends every loop; a volume that can be seen takes some
-// thousands. From kilometres away float has no steps as small as these.
+// The most rounds of a march: lavapipe ends every loop there; a visible volume takes some thousands. It also
+// ends marches from kilometres away, where float cannot represent such small steps.
 #define MOST_ROUNDS 65535
 March march(INOUT(BrickWalk) walk) {
     March m = March(float(0.0), float(-1.0), float(-1.0), float(-1.0), float(0.0), float(0.0), float(0.0),
@@ -85,11 +81,11 @@ March march(INOUT(BrickWalk) walk) {
     vec3 perMm = max(walk.direction, -walk.direction);
     float coarseMm = float(1.0) / (float(BRICK) * max(max(perMm.x, perMm.y), perMm.z));
     float fineMm = float(0.25) * coarseMm;
-    float tinyMm = float(1e-3) * coarseMm;  // what is left of a brick that rounding makes
+    float tinyMm = float(1e-3) * coarseMm;  // a shorter rest of a brick is rounding
     float stepMm = coarseMm;
     float fineToMm = float(-1.0);
-    float runToMm = float(-1.0);  // where bricks with matter, one after the other, have come to
-    float lastMm = float(0.0);    // the step before, if it ends where this one begins
+    float runToMm = float(-1.0);  // end of the current run of adjacent bricks with matter
+    float lastMm = float(0.0);    // length of the previous step, if this one begins at its end
     float lastAdded = float(0.0);
     int rounds = 0;
     bool inside = nextSegment(walk, rounds);
@@ -117,9 +113,9 @@ March march(INOUT(BrickWalk) walk) {
                     endOfCut(walk.cutFrom, walk.cutTo, middleMm) < float(0.0) ? extinction : float(0.0);
             float added = extinction * step;
             bool again = added > float(FINE) && step > fineMm;
-            // Where a coarse step meets much, half of the one before is looked at again, too: it may have
-            // begun there. Means over what is seen keep that half twice; it is little, for else that step had
-            // been a fine one.
+            // Where a coarse step meets much matter, repeats it in fine steps from half of the previous step
+            // on, where that matter may have begun. Means count that half twice; it is little, or that step
+            // would have been fine.
             float before = again ? m.opticalDepth - float(0.5) * lastAdded : m.opticalDepth;
             float after = again ? before : before + added;
             float perDepth = float(1.0) / max(extinction, float(1e-20));
@@ -149,7 +145,7 @@ March march(INOUT(BrickWalk) walk) {
     return m;
 }
 
-// A grey face of the clip is behind all that was marched through: opaque, and as bright as its grey.
+// Adds a grey clip face behind the marched matter: opaque, with its grey as albedo.
 void endAtFace(INOUT(March) m, float faceMm, float grey) {
     float seen = max(exp(-m.opticalDepth) - float(0.5), float(0.0));
     m.seen += seen;
@@ -162,7 +158,7 @@ void endAtFace(INOUT(March) m, float faceMm, float grey) {
     m.opticalDepth = max(m.opticalDepth, float(100.0));
 }
 
-// Unit normal of the surface of equal value, towards the eye; 0 where the values around are all the same.
+// Unit normal of the isosurface, towards the eye; 0 where all values around are equal.
 vec3 surfaceNormal(vec3 at, vec3 worldDirection) {
     vec3 x = vec3(float(1.0), float(0.0), float(0.0));
     vec3 y = vec3(float(0.0), float(1.0), float(0.0));
@@ -170,7 +166,8 @@ vec3 surfaceNormal(vec3 at, vec3 worldDirection) {
     vec3 gradient =
         vec3(expectedEntry(at + x) - expectedEntry(at - x), expectedEntry(at + y) - expectedEntry(at - y),
              expectedEntry(at + z) - expectedEntry(at - z));
-    // A twentieth of a stored value over two voxels is rounding of large values, no surface.
+    // A difference below a twentieth of a stored value over two voxels is rounding of large values, no
+    // surface.
     if (!(dot(gradient, gradient) > float(0.0025))) return vec3(0.0);
     // A gradient in voxels becomes one in mm by the transpose of the map from mm to voxels.
     vec3 world = vec3(dot(params.voxelFromWorldX, gradient), dot(params.voxelFromWorldY, gradient),
@@ -178,7 +175,7 @@ vec3 surfaceNormal(vec3 at, vec3 worldDirection) {
     return normalize(dot(world, worldDirection) > float(0.0) ? -world : world);
 }
 
-// The same of whatever stops most of the light there.
+// The same for the volume, first or second, with more of the extinction at the point.
 vec3 normalAt(vec3 at, vec3 worldDirection) {
     if (!useSecond()) return surfaceNormal(at, worldDirection);
     float entry = expectedEntry(at);
@@ -189,16 +186,16 @@ vec3 normalAt(vec3 at, vec3 worldDirection) {
     return normalize(dot(world, worldDirection) > float(0.0) ? -world : world);
 }
 
-// From a ray to another at a distance from where they begin, world mm.
+// The offset between two rays at a distance from their origins, world mm.
 vec3 betweenRays(EyeRay to, EyeRay from, float distanceMm) {
     return (to.asideMm - from.asideMm) + (to.direction - from.direction) * distanceMm;
 }
 
-// The guide of a ray of the pixel whose middle is at `pixel`.
+// The guide of one ray of the pixel whose centre is at `pixel`.
 //
-// Confidence tells how well one depth stands for what is seen: f / (f + s), where s is the length over which
-// transmittance falls from 3/4 to 1/4 and f the width of four pixels there. It fades to 0 as coverage falls
-// from 3/4 to 1/2, below which there is no depth.
+// Confidence says how well one depth stands for all visible matter: f / (f + s), where s is the length over
+// which transmittance falls from 3/4 to 1/4 and f the width of four pixels there. It fades to 0 as coverage
+// falls from 3/4 to 1/2, below which there is no depth.
 Guide guideAlong(EyeRay eye, vec2 pixel, Eye before) {
     vec3 direction = eye.direction;
     vec3 directionVoxel = voxelsPerMm(direction);
@@ -225,7 +222,7 @@ Guide guideAlong(EyeRay eye, vec2 pixel, Eye before) {
         guide.confidence *= clamp(float(4.0) * guide.coverage - float(2.0), float(0.0), float(1.0));
         guide.normal = normalAt(eye.originVoxel + directionVoxel * m.halfMm, direction);
     }
-    // What is too thin for a depth moves like the middle of what it adds.
+    // Matter too thin for a depth moves like its opacity-weighted mean position.
     vec3 fromBefore = before.oursMm + eye.asideMm +
                       direction * (m.halfMm >= float(0.0) ? m.halfMm : m.seenMm / max(m.seen, float(1e-20)));
     vec2 pixelBefore;
@@ -239,20 +236,20 @@ Guide guideAlong(EyeRay eye, vec2 pixel, Eye before) {
     return guide;
 }
 
-// Through a lens, so many rays of a pixel: few, as each of them is a march, and enough that a blurred edge is
-// no row of edges once the filter has looked at it.
+// Rays of a pixel through a lens: few, because each is a march, but enough that after the filter a blurred
+// edge does not look like a row of edges.
 #define LENS_RAYS 16
 
-// Points of a disc of radius 1 at equal shares of its area, each the golden angle on from the last (Vogel
-// 1979, "A better way to construct the sunflower head").
+// Points that divide a disc of radius 1 into equal areas, each turned by the golden angle from the last
+// (Vogel 1979, "A better way to construct the sunflower head").
 vec2 spiralPoint(int i) {
     float angle = float(2.39996322972865332) * float(i);
     return vec2(cos(angle), sin(angle)) * sqrt((float(i) + float(0.5)) * float(1.0 / LENS_RAYS));
 }
 
-// The guide of a point of the picture, in pixels: of the ray through it, or through a lens the mean of its
-// rays, so that what the filter is led by is as blurred as what it filters. The albedo is weighted by
-// coverage, as light is.
+// The guide of a point of the picture, in pixels: from its one ray, or with a lens the mean of its rays, so
+// that guides are as blurred as the picture that they filter. The albedo is weighted by coverage, as light
+// is.
 Guide guideOf(vec2 pixel, Eye before) {
     EyeRay eye = eyeRay(pixel);
     bool blurs = params.lensRadiusMm > float(0.0);

@@ -1,11 +1,11 @@
-// Where the light of a pixel comes from, found without chance by the march of guides.glsl: the depths of
-// eight layers along the centre ray. Each layer takes an eighth of the light from behind.
+// The depths from which a pixel's light comes: eight layers along the centre ray, each of which takes an
+// eighth of the ray's light. Found deterministically by the march of guides.glsl.
 //
 // Needs guides.glsl, with MARCH_STEP defined as layerStep before it.
 #define LAYERS 8
 
-float layerMm[LAYERS];  // along the ray under way to the middle of each layer; negative when opacity does not
-                        // come so far
+float layerMm[LAYERS];  // along the current ray to the middle of each layer; negative if opacity does not
+                        // rise so far
 
 void passLayer(int layer, float depth, float before, float after, float fromMm, float perDepth) {
     if (before < depth && after >= depth) layerMm[layer] = fromMm + (depth - before) * perDepth;
@@ -25,8 +25,8 @@ void layerStep(float before, float after, float fromMm, float perDepth) {
 
 struct LayeredRay {
     float coverage;  // as of a guide
-    float meanMm;    // of the matter down to transmittance 1/2: for what is too thin for a layer; negative:
-                     // there is none
+    float meanMm;    // of the matter down to transmittance 1/2, for matter too thin for a layer; negative: no
+                     // matter
 };
 
 // Marches the ray through a point of the picture, in pixels; fills layerMm.

@@ -1,6 +1,6 @@
-// The radiance cache as LightInSpace::at reads it (src/pipeline/hybrid/light/light_in_space.h), from a table
-// of slots and six texels for each cell: a mean, and what that counts for. The including file declares
-// `slots` and `cells`, and has a LitPush `push`.
+// The radiance cache as LightInSpace::at reads it (src/pipeline/hybrid/light/light_in_space.h), from a hash
+// table of slots and six texels for each cell, one for each side: the mean light and its weight. The
+// including file declares `slots`, `cells` and a LitPush `push`.
 
 const int kFarthestCell = 1 << 20;  // LightInSpace::kFarthest
 
@@ -14,7 +14,7 @@ uint scatteredKey(uvec2 key) {
     return h ^ h >> 16;
 }
 
-// The texel of the cell's first side; -1 where nothing was seen.
+// The texel of the cell's first side; -1 if the cache has no light there.
 int cellAt(ivec3 at) {
     uvec3 part = uvec3(at + ivec3(kFarthestCell));
     uvec2 key = uvec2(part.y << 21 | part.z, part.x << 10 | part.y >> 11);
@@ -28,8 +28,8 @@ int cellAt(ivec3 at) {
     return -1;
 }
 
-// The radiance that leaves a place, in cells from the eye, against the direction; w is 0 where nothing was
-// seen within a cell.
+// The radiance that leaves a position (in cells, relative to the eye) against `direction`; w is 0 where the
+// eight cells around have no light.
 vec4 lightAt(vec3 fromEye, vec3 direction) {
     vec3 place = push.eyePart + fromEye - vec3(0.5);
     vec3 low = floor(place);

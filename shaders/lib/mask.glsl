@@ -1,5 +1,5 @@
-// What a mask hides. It has a bit for each voxel; between voxels it is interpolated and shown from one half
-// on, so that its faces are smooth, and not of voxels.
+// Whether the mask hides a point. A mask has a bit for each voxel, interpolated between voxels; it shows from
+// one half on, so that its faces are smooth and not made of voxels.
 //
 // Needs from its host: params.volumeSize, fetchMask(voxel), 1 where it is shown, and useMask(), a constant.
 

@@ -1,15 +1,15 @@
-// What a path meets at a vertex. Where the value changes steeply, two kinds of matter meet: it scatters like
-// a surface there.
+// The matter that a path meets at a vertex. Where the value changes steeply, two kinds of matter meet, and
+// scatter like a surface.
 //
-// Needs, beside gradient.glsl and scattering.glsl: useSurfaces(), a constant.
+// Needs, besides gradient.glsl and scattering.glsl: useSurfaces(), a constant.
 
-// The gradient that a surface has its normal from: of one of the eight voxels around, drawn with its
+// The gradient from which a surface gets its normal: that of one of the eight voxels around, drawn with its
 // trilinear weight. The difference of two voxels blurs along its axis like a box two voxels wide. With as
-// much blur across, the normal of an edge stays where it is; of central differences alone it is off by up to
-// six degrees. So each difference is taken beside its voxel, by chance: where values are trilinear with
-// weights of 1/6, 4/6 and 1/6 (Sobel's operator with the variance of that box), which leaves a degree; where
-// they are those of the spline somewhere in such a box, so that on average it is the gradient of one blurred
-// volume, and leaves a fifth of a degree.
+// much blur across the axis the normal of an edge keeps its direction; plain central differences are off by
+// up to six degrees. So each difference is taken at a voxel jittered across its axis: for trilinear values
+// with weights of 1/6, 4/6 and 1/6 (Sobel's operator with the variance of that box), which leaves one degree;
+// for a spline's values at random within such a box, so that the mean is the gradient of one blurred volume,
+// which leaves a fifth of a degree.
 vec3 surfaceGradientByChance(vec3 p, INOUT(Rng) rng) {
     vec3 at = p;
     for (bool moves = useSmooth(); moves; moves = false) at = movedByChance(p, rng);
@@ -28,12 +28,11 @@ vec3 surfaceGradientByChance(vec3 p, INOUT(Rng) rng) {
                          float(0.5));
 }
 
-// The matter of the volume at a point, for a path that comes along `direction`; a second volume has no
-// surface.
+// The volume's matter at a point, for a path that arrives along `direction`; a second volume has no surfaces.
 Matter matterAt(vec3 p, vec3 direction, vec3 albedo, float secondShare, INOUT(Rng) rng) {
     Matter m = Matter(albedo, vec3(0.0), float(0.0));
     for (bool asks = useSurfaces(); asks; asks = false) {
-        // On average a place is lit as the voxels around it are, each with its share.
+        // On average this scatters like the voxels around, each with its trilinear weight.
         vec3 gradient = surfaceGradientByChance(p, rng);
         float steep = dot(gradient, gradient);
         float most = params.surfaceGradient * params.surfaceGradient;

@@ -1,16 +1,16 @@
 // The optical medium at a point. Positions are in voxel coordinates with integers at voxel faces: the volume
-// fills [0, size]; beyond the outermost centres the outer voxel goes on.
+// fills [0, size]; beyond the outermost centres the outer voxels repeat.
 //
-// Needs from its host: params.volumeSize, fetchStored(voxel) in table entries, fetchCorners(low, high,
-// near, far): the same for the eight corners between two voxels that are at most 1 apart,
-// blocksOfBrick(brick) and fetchFrom(blocks, voxel) for those of one brick and of the brick before it along
-// each axis, fetchExtinction(entry) per mm, and constants: useTrilinear(), false for the stochastic filter
-// alone, and useSmooth() and useSharp(), of which one at most is true.
+// Needs from its host: params.volumeSize, fetchStored(voxel) in table entries, fetchCorners(low, high, near,
+// far): the same for the eight corners between two voxels that are at most 1 apart, blocksOfBrick(brick) and
+// fetchFrom(blocks, voxel) for those of one brick and of the brick before it along each axis,
+// fetchExtinction(entry) per mm, and constants: useTrilinear(), false for the stochastic filter alone, and
+// useSmooth() and useSharp(), of which one at most is true.
 
-// The eight voxels around a point, and where between them it lies.
+// The values of the eight voxels around a point, and its position between them.
 struct Corners {
     vec4 near;      // at the low end of z: (low, low), (high, low), (low, high), (high, high) along x and y
-    vec4 far;       // at its high end
+    vec4 far;       // at the high end of z
     vec3 fraction;  // 0 to 1
 };
 
@@ -43,9 +43,9 @@ float stochasticEntry(vec3 p, INOUT(Rng) rng) {
     return fetchStored(clamp(voxel, ivec3(0), params.volumeSize - ivec3(1)));
 }
 
-// A place that chance moves by up to a voxel along each axis, by the sum of two even numbers: the average of
-// a trilinear field over such places is a cubic B-spline's (a hat over a hat). One fetch, for what light is
-// linear in (stochastic texture filtering, Pharr et al. 2024).
+// The point jittered by up to a voxel along each axis, by the sum of two uniform numbers: a trilinear field
+// averages over such points to a cubic B-spline (a hat convolved with a hat). It takes one fetch, and suits
+// quantities that light is linear in (stochastic texture filtering, Pharr et al. 2024).
 vec3 movedByChance(vec3 p, INOUT(Rng) rng) {
     vec3 first = random01Coarse3(rng);
     return p + first + random01Coarse3(rng) - vec3(1.0);
@@ -55,8 +55,8 @@ bool useSpline() {
     return useSmooth() || useSharp();
 }
 
-// What four voxels weigh at a fraction of the way from the second to the third: in a cubic B-spline (Unser,
-// "Splines: a perfect fit", 1999), or in Mitchell and Netravali's (1988), which is a third of that and two
+// The weights of four voxels at a fraction `t` of the way from the second to the third: for a cubic B-spline
+// (Unser, "Splines: a perfect fit", 1999), or for Mitchell and Netravali's (1988), one third of it plus two
 // thirds of Catmull and Rom's.
 vec4 splineWeights(float t) {
     float u = float(1.0) - t;
@@ -70,18 +70,17 @@ vec4 splineWeights(float t) {
     return through + (soft - through) * float(1.0 / 3.0);
 }
 
-// What four values make in a spline, within their range: Mitchell's overshoots it, the B-spline only by
-// rounding.
+// The spline of four values, clamped to their range: Mitchell's overshoots it, the B-spline only by rounding.
 float splined(vec4 values, vec4 weights) {
     return clamp(dot(values, weights), min(min(values.x, values.y), min(values.z, values.w)),
                  max(max(values.x, values.y), max(values.z, values.w)));
 }
 
 // The value at a point by a spline of the 4 x 4 x 4 voxels around: along x, then y, then z. It has no kinks
-// at the planes of voxels, which a steep curve would show as rings. No collision may draw one of these voxels
-// instead: on average it would see what the curve makes of their values, not of the spline's. It stays within
-// the range of these voxels, so bounds of bricks are bounds of it. Each axis is clamped by itself: so the
-// value does not jump from one cell to the next.
+// at the planes of voxels, which a steep curve would show as rings. A collision must not draw one of these
+// voxels at random instead: on average it would see the curve of their values, not the curve of the spline.
+// It stays within the range of these voxels, so that the majorants of bricks hold. Each axis is clamped
+// separately, so that the value does not jump from one cell to the next.
 float splineEntry(vec3 p) {
     ivec3 last = params.volumeSize - ivec3(1);
     vec3 q = p - vec3(0.5);
@@ -111,7 +110,7 @@ float splineEntry(vec3 p) {
     return splined(layers, z);
 }
 
-// Without chance; of a stochastic value what it is on average.
+// The value without randomness; for the stochastic filter its mean.
 float expectedEntry(vec3 p) {
     return useSpline() ? splineEntry(p) : trilinearEntry(p);
 }
@@ -120,8 +119,8 @@ float entryAt(vec3 p, INOUT(Rng) rng) {
     return useTrilinear() ? expectedEntry(p) : stochasticEntry(p, rng);
 }
 
-// The tables hold one entry for each stored value, linear between: a curve is exact at every value a voxel
-// can have, and steps and bands narrower than one stored value are as wide as one.
+// The tables hold one entry for each stored value, and are linear between them: a curve is exact at every
+// value that a voxel can have; a step or band narrower than one stored value becomes as wide as one.
 float extinctionOfEntry(float entry) {
     if (!useTrilinear()) return fetchExtinction(int(entry));
     int low = int(entry);

@@ -1,19 +1,18 @@
-// All that is at a point: the volume, segments that have a colour of their own, and a second volume. Where
-// two media fill the same space their extinctions add, and what is scattered has the colour of each in
-// proportion to its extinction. They share the volume's phase function.
+// All matter at a point: the volume, coloured segments, and a second volume. Where two media fill the same
+// space, their extinctions add, and their albedos mix in proportion to their extinctions. They share the
+// volume's phase function.
 //
-// A segment colours the volume's matter and scales its extinction, never to more than it was: bounds hold as
-// they are. Between voxels its share is trilinear and not that of the nearest one, because the faces of
-// segments are smooth then, as are those of masks and of values; colours and factors of neighbours are mixed,
-// never their numbers.
+// A segment colours the volume's matter and scales its extinction, never upwards: majorants still hold.
+// Between voxels its share is interpolated, not taken from the nearest one, so that faces of segments are as
+// smooth as those of masks and of values; colours and factors are interpolated, never the segments' numbers.
 //
-// Needs, beside gradient.glsl: useTints() and useSecond(), constants; fetchTint(voxel), 0 where there is
+// Needs, besides gradient.glsl: useTints() and useSecond(), constants; fetchTint(voxel), 0 where there is
 // none, and fetchTintColour(tint): albedo, and the factor of the extinction; fetchSecond(voxel) in entries of
 // the second volume's own table, fetchSecondMatter(entry): albedo, and extinction per mm; params.second*.
 
 struct Tint {
     vec3 colour;     // albedo, times strength
-    float strength;  // 0: as the volume is; 1: all of it is coloured
+    float strength;  // 0: the volume's colour; 1: the segments' colour alone
     float opacity;   // multiplies the extinction
 };
 
@@ -32,7 +31,7 @@ Tint tintAt(vec3 p) {
         tint.strength += there > 0 ? weight : float(0.0);
         tint.opacity += colour.w * weight;
     }
-    tint.opacity = min(tint.opacity, float(1.0));  // weights may add to a little more
+    tint.opacity = min(tint.opacity, float(1.0));  // rounded weights may sum to a little more
     return tint;
 }
 
@@ -66,8 +65,8 @@ float secondEntry(vec3 p) {
     return interpolated(c);
 }
 
-// Albedo of the second volume at a point, and its extinction per mm. Both are linear between entries; beyond
-// its faces there is nothing.
+// Albedo of the second volume at a point, and its extinction per mm. Both are linear between entries; 0
+// outside the second volume.
 vec4 secondMatter(vec3 p) {
     vec3 q = inSecond(p);
     if (isOutsideOfSecond(q)) return vec4(0.0);
@@ -77,8 +76,8 @@ vec4 secondMatter(vec3 p) {
     return matter + (fetchSecondMatter(low + 1) - matter) * (entry - float(low));
 }
 
-// How its value changes around a point: central differences over one of its voxels, in entries per mm along
-// the axes of the world; 0 where the values are all the same.
+// The second volume's gradient: central differences with one of its voxels to either side, in entries per mm
+// along the world's axes; 0 where all values around are equal.
 vec3 secondGradient(vec3 p) {
     vec3 q = inSecond(p);
     if (isOutsideOfSecond(q)) return vec3(0.0);
@@ -88,7 +87,8 @@ vec3 secondGradient(vec3 p) {
     vec3 perSecond = vec3(secondEntry(q + x) - secondEntry(q - x), secondEntry(q + y) - secondEntry(q - y),
                           secondEntry(q + z) - secondEntry(q - z)) *
                      float(0.5);
-    // By the transposes of both maps: from its voxels to those of the volume, and from these to mm.
+    // Transforms by the transposes of both maps: from its voxels to those of the volume, and from these to
+    // mm.
     return worldGradient(vec3(dot(params.secondFromVoxelX, perSecond),
                               dot(params.secondFromVoxelY, perSecond),
                               dot(params.secondFromVoxelZ, perSecond)));
@@ -96,10 +96,10 @@ vec3 secondGradient(vec3 p) {
 
 struct Mixture {
     float first;   // extinction per mm of the volume
-    float second;  // and of the second one
+    float second;  // of the second volume
 };
 
-// What is at a point where the volume's value is `entry`, and that part of its matter is steep.
+// The mixture at a point where the volume's value is `entry`, and the part `steep` of its matter is steep.
 Mixture mixtureAt(vec3 p, float entry, float steep) {
     Mixture m = Mixture(extinctionAt(p, entry, steep), float(0.0));
     if (useTints() && m.first > float(0.0)) m.first *= tintAt(p).opacity;
@@ -107,12 +107,12 @@ Mixture mixtureAt(vec3 p, float entry, float steep) {
     return m;
 }
 
-// The extinction per mm of all of it.
+// The extinction per mm of both volumes.
 float totalOf(Mixture m) {
     return useSecond() ? m.first + m.second : m.first;
 }
 
-// The second volume's part of that, 0 to 1.
+// The second volume's share of the extinction, 0 to 1.
 float secondShareOf(Mixture m) {
     return useSecond() ? m.second / max(m.first + m.second, float(1e-20)) : float(0.0);
 }

@@ -1,22 +1,23 @@
-// Low-discrepancy points of the unit square (scrambled Sobol nets), for what a path chooses in two
-// dimensions: where it looks for light, and where it goes on.
+// Low-discrepancy points of the unit square (scrambled Sobol nets) for a path's two-dimensional choices: the
+// direction to a light, and the direction of scattering.
 //
-// Of the first two dimensions of Sobol's sequence (1967), any 2^k points from a multiple of 2^k on lie one in
-// each of the 2^k rectangles of any one shape that halvings of the square make: a (0, k, 2)-net. A random
-// permutation of every half, of every half of it, and so on (Owen 1995) keeps that and makes each point
-// uniform, so that every estimate stays unbiased; a hash stands for it (Laine and Karras 2011, "Stratified
-// sampling for stochastic transparency"; multipliers by Vegdahl). Shuffled likewise in their order, points of
-// one choice know nothing of those of another (Burley 2020, "Practical hash-based Owen scrambling").
+// In the first two dimensions of Sobol's sequence (1967), any 2^k successive points that begin at a multiple
+// of 2^k form a (0, k, 2)-net: repeated halving divides the square into 2^k rectangles of equal shape, each
+// with one point. Swapping the halves at random, then the halves of each half, and so on (Owen 1995) keeps
+// this and makes each point uniform, so that every estimate stays unbiased; a hash implements it (Laine and
+// Karras 2011, "Stratified sampling for stochastic transparency"; multipliers by Vegdahl). Shuffling the
+// order of points likewise makes the points of different choices independent (Burley 2020, "Practical
+// hash-based Owen scrambling").
 //
 // Needs lib/rng.glsl, and kNetSamples of shared/trace_params.h.
 
 struct Net {
-    uint index;  // of the point
+    uint index;  // of the point in the sequence
     uint seed;   // of the sequence
 };
 
-// A permutation of 2^32 numbers in which each bit decides about those above it only: Owen's, from the lowest
-// bit up.
+// A permutation of 2^32 numbers in which each bit affects only the bits above it: Owen's scrambling for
+// numbers stored with reversed bits.
 uint permutedUpwards(uint x, uint seed) {
     x ^= x * 0x3d20adeau;
     x += seed;
@@ -26,7 +27,8 @@ uint permutedUpwards(uint x, uint seed) {
     return x;
 }
 
-// Sobol's second dimension, lowest bit first: Pascal's triangle modulo 2, a power of two at a time.
+// Sobol's second dimension, lowest bit first: multiplies by Pascal's triangle modulo 2, one power of two at a
+// time.
 uint pascalTriangle(uint x) {
     x ^= (x & 0xaaaaaaaau) >> 1u;
     x ^= (x & 0xccccccccu) >> 2u;
@@ -36,7 +38,7 @@ uint pascalTriangle(uint x) {
     return x;
 }
 
-// The point for one of the choices of a path, by number. Multiples of 2^-24 in [0, 1).
+// The point for the path's choice with this number. Coordinates are multiples of 2^-24 in [0, 1).
 vec2 netPoint(Net net, uint choice) {
     uint seed = hashOf(choice, net.seed);
     uint index = bitfieldReverse(permutedUpwards(bitfieldReverse(net.index), seed));
@@ -54,9 +56,9 @@ uint spread(uint x) {
     return (x | (x << 1u)) & 0x55555555u;
 }
 
-// kNetSamples samples of a pixel are a net, and so are those of four neighbours, of sixteen, and so on: what
-// is too bright in one is too dark in the one beside it (Ahmed and Wonka 2020, "Screen-space blue-noise
-// diffusion of Monte Carlo sampling error via hierarchical ordering of pixels").
+// kNetSamples samples of a pixel form a net, and so do those of four neighbours, of sixteen, and so on: where
+// one pixel is too bright by chance, its neighbours tend to be too dark (Ahmed and Wonka 2020, "Screen-space
+// blue-noise diffusion of Monte Carlo sampling error via hierarchical ordering of pixels").
 Net netOfPixel(uint pixelX, uint pixelY, uint sampleIndex, uint seed) {
     uint place = spread(pixelX) | (spread(pixelY) << 1u);
     return Net(place * kNetSamples + sampleIndex % kNetSamples, hashOf(sampleIndex / kNetSamples, seed));

@@ -1,11 +1,10 @@
-// How noisy a picture is where it is looked at: the standard error of each pixel's mean, as the display shows
-// it.
+// How noisy a picture is as displayed: the standard error of each pixel's mean in display-encoded values.
 //
 // Needs picture.glsl, and from its host: fetchSums, fetchCount and fetchSquares, by index of a pixel.
 
-// What is not finite, or brighter than any display, is taken as this.
+// Upper limit of a variance; also used for one that is not finite.
 #define MOST_VARIANCE 1e12
-// From so many samples on, a pixel's own variance counts more than that of its block.
+// From so many samples on, a pixel's own variance counts more than its block's.
 #define SAMPLES_OF_ITS_OWN 16.0
 
 struct PixelNoise {
@@ -14,8 +13,8 @@ struct PixelNoise {
     float samples;
 };
 
-// Coverage is noise too where something else will show through: `backdrop` is the luminance that is expected
-// there. In light paths coverage is 0 or 1 in each sample, and so its own square.
+// Noise of coverage counts too, because the background shows through: `backdrop` is its expected luminance.
+// In light paths coverage is 0 or 1 in each sample, and so its own square.
 PixelNoise pixelNoise(vec4 sum, uint count, float squares, float exposure, float backdrop) {
     PixelNoise noise;
     noise.samples = float(count);
@@ -36,16 +35,16 @@ float shownGrey(float light, bool keepsHue) {
     return encodeSrgb(keepsHue ? greyOfToneMapHue(light) : mapped.x);
 }
 
-// The standard error as shown. The slope of the tone curve says nothing of noise as large as the picture, so
-// it is half of what lies between one standard error less and one more.
+// The standard error as displayed: half the difference between light one standard error above and below. The
+// slope of the tone curve alone would not do for noise as large as the light.
 float shownError(float light, float standardError, bool keepsHue) {
     return float(0.5) * (shownGrey(light + standardError, keepsHue) -
                          shownGrey(max(light - standardError, float(0.0)), keepsHue));
 }
 
-// Mean square of the error of the pixels of a block, and 1 where some sample met something. With few samples
-// a pixel may have none of the bright ones: it is taken to vary as those around it do. A pixel with fewer
-// than two samples is not known at all.
+// The mean square error of a block's pixels, and 1 if some sample met matter or light. With few samples a
+// pixel may have missed the bright ones, so that its variance is pooled with its block's. With fewer than two
+// samples a pixel's error counts as 1.
 vec2 noiseOfBlock(ivec2 block, ivec2 imageSize, float exposure, float backdrop, bool keepsHue) {
     float pixels = float(0.0);
     float pooled = float(0.0);

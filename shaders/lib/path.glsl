@@ -1,8 +1,9 @@
-// Light paths from the eye: free flights, and at every vertex next-event estimation to the environment.
-// Background is not part of the answer: a path that leaves the volume adds nothing, the light it could have
-// met was added at its vertices; but after a vertex with a surface it adds its share of that (lightAhead).
+// Light paths from the eye: free flights, and at every vertex next-event estimation to the environment. The
+// background is not part of the result: a path that leaves the volume adds nothing, because the environment's
+// light was added at its vertices; only after a vertex with a surface does it add a share of that light
+// (lightAhead).
 //
-// Needs, beside mixture, walk, phase, environment, scattering and material: useSurfaces(), a constant;
+// Needs, besides mixture, walk, phase, environment, scattering and material: useSurfaces(), a constant;
 // fetchAlbedo(entry), params.voxelFromWorld*, params.worldFrom*, params.bounces, params.anisotropy,
 // params.lightStrength.
 
@@ -11,7 +12,7 @@ vec3 voxelsPerMm(vec3 worldDirection) {
            params.voxelFromWorldZ * worldDirection.z;
 }
 
-// How far a ray goes from voxel to voxel; `directionVoxel` is in voxels per mm.
+// The distance in mm in which a ray crosses one voxel; `directionVoxel` is in voxels per mm.
 float voxelMm(vec3 directionVoxel) {
     return float(1.0) / length(directionVoxel);
 }
@@ -26,75 +27,74 @@ vec3 environmentFromWorld(vec3 direction) {
                 dot(params.worldFromEnvironmentZ, direction));
 }
 
-// Russian roulette: below this a ray or path goes on only with a probability in proportion, and its weight is
-// made good.
+// Russian roulette: below this a ray or path continues only with a proportional probability, and its weight
+// is raised to compensate.
 #define ROULETTE_BELOW 0.1
-#define BLACK_FACE 1e-4  // grey that is displayed as black, and is no absence of a face
+#define BLACK_FACE 1e-4  // grey that displays as black, but differs from 0, which means no face
 
-// The bounds that a shadow ray begins with are looser by this. With the tightest one, ratio tracking ends at
-// the first collision in dense matter: it says all or nothing. With a looser one it says how much
+// A shadow ray begins with majorants larger by this factor. With tight ones, ratio tracking in dense matter
+// ends at the first collision: transmittance is all or nothing. With looser ones it varies less
 // (docs/speed-and-accuracy.md, "What a sample is worth").
 #define SHADOW_LOOSENESS 4.0
 
-// Matter at its bound may pass it by rounding.
+// Matter at its majorant may exceed it by rounding.
 #define ROUNDED_BOUND 1.001
 
 // A path under way. It is a chain of rays: flights to the next collision, and after each a shadow ray to the
-// light. Both are followed by the same few lines, a stride at a time, so that the lanes of a GPU stay
-// together while one flies, its neighbour looks for light, and a third has started its next sample.
+// light. The same few lines follow both kinds, a stride at a time, so that the lanes of a GPU stay together
+// while one traces a flight, its neighbour a shadow ray, and a third has started its next sample.
 struct Path {
-    BrickWalk walk;       // the ray under way
-    vec3 origin;          // where it started, voxel coordinates
+    BrickWalk walk;       // the current ray
+    vec3 origin;          // of the current ray, voxel coordinates
     vec3 direction;       // of the last flight, world, unit
     vec3 throughput;      // of the path so far
-    vec3 pending;         // light the shadow ray would bring if nothing stood in its way
-    vec3 radiance;        // gathered so far, premultiplied: 0 where nothing was met
-    float coverage;       // 1 when the eye ray met matter
-    float transmittance;  // of the shadow ray so far; a flight that is met ends at 0
-    float entry;          // what a flight has met
-    float steep;  // the part of it that is steep, where that matters to its extinction, see gradient.glsl
-    float secondShare;  // of the second volume in it, see mixture.glsl
+    vec3 pending;         // light of the shadow ray if nothing blocked it
+    vec3 radiance;        // gathered so far, premultiplied: 0 if the path met nothing
+    float coverage;       // 1 if the eye ray met matter or a grey face
+    float transmittance;  // of the shadow ray so far; 0 after a flight with a collision
+    float entry;          // the value at the flight's last tentative collision
+    float steep;        // steep part of the matter there, if its extinction depends on it, see gradient.glsl
+    float secondShare;  // of the second volume there, see mixture.glsl
     int vertices;
-    int rounds;      // of all loops so far: a device may allow a kernel only so many
-    int aboveBound;  // collisions in matter that was denser than the bound of its brick: a fault, light
-                     // passes there
-    bool shadow;     // the ray under way is a shadow ray
-    Net net;         // where its choices come from: 2k + 1 light of vertex k, 2k the way to it; 0 only where
-                     // surface.glsl starts it
-    vec3 next;       // where surfaces are: the direction after the vertex under way, drawn there
-    float nextPdf;   // per steradian, with which it was; 0: light that it leads to was counted at the vertex
-    float face;  // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
-    // These serve the cache of indirect light. Once a path has gone on from its first vertex, radiance and
-    // throughput above are of indirect light alone.
-    uvec4 cells;       // of the first vertex, once the path has gone on from it; y 0: it has not
+    int rounds;      // of all loops so far, which a device may limit
+    int aboveBound;  // collisions in matter denser than its majorant: a bug, light leaks there
+    bool shadow;     // the current ray is a shadow ray
+    Net net;  // points of its choices: 2k + 1 for the light at vertex k, 2k for the direction to that vertex;
+              // 0 only for paths of surface.glsl
+    vec3 next;      // with surfaces: the direction after the current vertex
+    float nextPdf;  // pdf per steradian of `next`; 0: the vertex has counted all its light already
+    float face;     // light of the grey clip face behind the eye ray's matter; 0 if there is none
+    // For the cache of indirect light. Once a path has continued from its first vertex, radiance and
+    // throughput above count indirect light only.
+    uvec4 cells;       // of the first vertex, once the path has continued from it; y 0: it has not
     vec3 direct;       // light of the first vertex that is not indirect
     float extinction;  // per mm, at the first vertex
-    vec3 albedo;       // what indirect light is multiplied by there
-    float chance;      // 0 to 1; the path goes on from there when it is low, as those of its neighbours do
+    vec3 albedo;       // factor of indirect light at the first vertex
+    float chance;  // random, 0 to 1, shared with neighbours: the path continues from its first vertex if it
+                   // is low
 };
 
-// A ray from the eye meets what the clip leaves.
+// A ray from the eye meets only matter that the clip leaves.
 BrickWalk startEyeWalk(vec3 originVoxel, vec3 directionVoxel) {
     return startWalk(originVoxel, directionVoxel, clipSpans(originVoxel, directionVoxel));
 }
 
-// A ray of light meets the clipped volume as the eye does, or all of it when what is removed still casts
-// shadow.
+// A ray of light meets the same matter as the eye, or the whole volume when removed matter casts shadow.
 BrickWalk startLightWalk(vec3 originVoxel, vec3 directionVoxel) {
     if (useClip() && params.clipShadows == 0) return startEyeWalk(originVoxel, directionVoxel);
     return startWalk(originVoxel, directionVoxel, nothingClipped());
 }
 
-// Ends the walk at the first face of the clip that shows something: the light of its grey, which the tone map
-// will bring back to what the window says. At or below the window's low end a face is clear, so that air
-// hides nothing, or black when greyFaces is 2.
+// Ends the walk at the first clip face that shows a grey, and returns the linear light that the tone map will
+// turn into that grey. At or below the window's low end a face is clear, so that air hides nothing, or black
+// when greyFaces is 2.
 float stopAtFace(INOUT(BrickWalk) walk, vec3 originVoxel, vec3 directionVoxel) {
     ClipSpans spans = clipSpans(originVoxel, directionVoxel);
     float face = max(walk.distanceMm, float(0.0));
     float slack = float(1e-3) * voxelMm(directionVoxel) +
-                  float(1e-6) * face;  // a float of a far eye has no thousandth of a voxel
+                  float(1e-6) * face;  // from far away a float cannot represent a thousandth of a voxel
     bool first =
-        spans.from >= walk.distanceMm - slack;  // else the ray enters the volume through its own side
+        spans.from >= walk.distanceMm - slack;  // otherwise the ray enters through the volume's own side
     float grey = float(0.0);
     for (int i = 0; i < 4 && grey <= float(0.0); ++i) {
         face = nextFace(spans, first && i == 0 ? face - slack : face);
@@ -147,13 +147,13 @@ void beShadow(INOUT(Path) path) {
     path.walk.looseness = float(SHADOW_LOOSENESS);
 }
 
-// Tentative collisions that one call of follow() looks at: enough to hide what a decision costs the other
-// lanes, few enough not to wait long for them.
+// Tentative collisions in one call of follow(): enough to amortise the cost of a decision for the other
+// lanes, few enough that lanes do not wait long for each other.
 #define STRIDE 16
 
-// Visitor: follows the ray under way for a stride. True when it has come to an end. A flight ends at its
-// first real collision (Woodcock tracking); a shadow ray gathers an unbiased estimate of its transmittance
-// (ratio tracking, with roulette).
+// Visitor: follows the current ray for a stride. True when the ray has ended. A flight ends at its first real
+// collision (Woodcock tracking); a shadow ray estimates its transmittance without bias (ratio tracking, with
+// roulette).
 bool follow(INOUT(Path) path, INOUT(Rng) rng) {
     path.rounds += 1;
     for (int i = 0; i < STRIDE; ++i) {
@@ -182,13 +182,13 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
         if (path.transmittance == float(0.0)) return true;
     }
     path.walk.majorant /=
-        path.walk.looseness;  // a ray that has not ended by now goes on with the tight bound
+        path.walk.looseness;  // a ray that has not ended by now continues with tight majorants
     path.walk.looseness = float(1.0);
     return false;
 }
 
-// At the first vertex, with its direct light: true when the path takes its indirect light from the cache, and
-// is complete. One that goes on has its weight made good where the cache is a control variate.
+// At the first vertex, after its direct light: true if the path takes its indirect light from the cache and
+// is complete. Where the cache is a control variate, a path that continues is reweighted.
 bool endsInCache(INOUT(Path) path, INOUT(Rng) rng) {
     uvec4 cells;
     vec4 found =
@@ -212,21 +212,21 @@ bool endsInCache(INOUT(Path) path, INOUT(Rng) rng) {
     return false;
 }
 
-// What a complete path brings.
+// The light of a complete path.
 vec3 lightOf(Path path) {
     return useIndirect() ? path.direct + path.albedo * path.radiance : path.radiance;
 }
 
-// Where a path that was sent on from a vertex with a surface has left the volume: the light there. It could
-// have been found by the vertex's look for light as well, and each way counts with its share of both chances
-// (multiple importance sampling, balance heuristic, Veach and Guibas 1995).
+// The environment's light for a path that has left the volume after a vertex with a surface. The vertex's
+// next-event estimation could have found the same light, so each counts by its share of both pdfs (multiple
+// importance sampling, balance heuristic, Veach and Guibas 1995).
 vec3 lightAhead(Path path) {
     vec4 light = fetchEnvironment(environmentTexel(environmentFromWorld(path.direction)));
     return path.throughput * vec3(light) * (params.lightStrength * path.nextPdf / (path.nextPdf + light.w));
 }
 
-// At a vertex where there may be a surface: what a look for light would bring, and where the path goes on. At
-// the last one it does not, and the look finds all of the light.
+// At a vertex that may have a surface: sets the light of the shadow ray, and the direction in which the path
+// continues. The last vertex does not continue, and its shadow ray counts all of the light.
 void scatterAtVertex(INOUT(Path) path, EnvironmentSample light, vec3 towardsLight, vec3 albedo,
                      INOUT(Rng) rng) {
     Matter matter = matterAt(path.origin, path.direction, albedo, path.secondShare, rng);
@@ -244,8 +244,8 @@ void scatterAtVertex(INOUT(Path) path, EnvironmentSample light, vec3 towardsLigh
     path.nextPdf = isOnlyLook ? float(0.0) : onwards.pdfPerSr;
 }
 
-// What comes after a ray that has ended: after a flight a vertex, and a shadow ray from it; after a shadow
-// ray its light, and a new flight. False when the path is complete.
+// Continues after a ray that has ended: after a flight with a vertex and its shadow ray; after a shadow ray
+// with its light and a new flight. False when the path is complete.
 bool decide(INOUT(Path) path, INOUT(Rng) rng) {
     vec3 direction;
     if (path.shadow) {
@@ -253,7 +253,7 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         path.vertices += 1;
         if (path.vertices >= params.bounces) return false;
         bool ends = false;
-        // A loop, not an if: lavapipe skips it where no lane is there.
+        // A loop, not an if: lavapipe skips it if no lane enters.
         for (bool asks = useIndirect() && path.vertices == 1; asks; asks = false)
             ends = endsInCache(path, rng);
         if (ends) return false;
@@ -267,7 +267,7 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
                                                      netPoint(path.net, uint(2 * path.vertices)));
         direction = path.direction;
     } else {
-        if (path.transmittance > float(0.0)) {  // out of the volume, or at a face
+        if (path.transmittance > float(0.0)) {  // it has left the volume, or reached a face
             if (path.vertices == 0 && path.face > float(0.0)) {
                 path.radiance = vec3(path.face);
                 path.coverage = float(1.0);
@@ -302,15 +302,15 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
     return true;
 }
 
-// Extends a path by a stride, and by what follows from it. False when the path is complete.
+// Extends a path by a stride, and by a decision if the ray has ended. False when the path is complete.
 bool extendPath(INOUT(Path) path, INOUT(Rng) rng) {
     return !follow(path, rng) || decide(path, rng);
 }
 
 // The ray through a point of the picture.
 struct EyeRay {
-    vec3 originVoxel;  // the eye; of a parallel view the point of the plane through it, across the view
-    vec3 asideMm;      // from the eye to there, world
+    vec3 originVoxel;  // the eye; in a parallel view the ray's point in the plane through the eye
+    vec3 asideMm;      // from the eye to originVoxel, world
     vec3 direction;    // unit, world
 };
 
@@ -330,8 +330,8 @@ EyeRay eyeRay(vec2 pixel) {
     return EyeRay(params.originVoxel, vec3(0.0), normalize(params.forward + inPlane));
 }
 
-// The same ray through a point of a thin lens about the eye, `onDisc` of a disc of radius 1: both meet at the
-// distance of the focus.
+// The same ray through a point of a thin lens around the eye, `onDisc` on a disc of radius 1: both rays meet
+// in the plane of focus.
 EyeRay throughLens(EyeRay ray, vec2 onDisc) {
     vec3 focusMm = ray.direction * (params.lensFocusMm / dot(ray.direction, params.forward));
     vec3 onLensMm =
@@ -340,7 +340,7 @@ EyeRay throughLens(EyeRay ray, vec2 onDisc) {
                   normalize(focusMm - onLensMm));
 }
 
-// A point of a disc of radius 1, from two numbers in [0, 1): uniform by area where they are.
+// Maps uniform numbers in [0, 1) to uniform points of a disc of radius 1.
 vec2 discPoint(vec2 u) {
     float radius = sqrt(u.x);
     float angle = float(2.0 * PI) * u.y;
@@ -353,12 +353,12 @@ float blockChance(ivec2 block, uint sampleIndex) {
     return float(bits >> 8u) * float(1.0 / 16777216.0);
 }
 
-// The path of one sample of a pixel, and the random numbers it will use.
+// The path of one sample of a pixel, and its random numbers.
 Path startSample(ivec2 pixel, uint sampleIndex, OUT(Rng) rng) {
     rng = makeRng(uint(pixel.x), uint(pixel.y), sampleIndex, params.seed);
     Net net = netOfPixel(uint(pixel.x), uint(pixel.y), sampleIndex, params.seed);
-    // The place in the pixel is left to plain chance: with a net, edges would be so exact that the denoiser,
-    // which takes samples as independent, would blur them for noise that they do not have.
+    // The position in the pixel is plainly random: a net would make edges so exact that the denoiser, which
+    // assumes independent samples, would blur them for noise that they do not have.
     float x = float(pixel.x) + random01(rng);
     float y = float(pixel.y) + random01(rng);
     EyeRay ray = eyeRay(vec2(x, y));
@@ -368,7 +368,7 @@ Path startSample(ivec2 pixel, uint sampleIndex, OUT(Rng) rng) {
         ray = throughLens(ray, discPoint(vec2(u, v)));
     }
     Path path = startPath(ray.originVoxel, ray.direction, net);
-    // One for a block of the picture: of lanes that work together, the longest path takes the time of all.
+    // One for a block of the picture: lanes that work together take as long as their longest path.
     if (useIndirect()) path.chance = blockChance(pixel / 8, sampleIndex);
     return path;
 }

@@ -19,7 +19,7 @@ void orthonormalFrame(vec3 n, OUT(vec3) a, OUT(vec3) b) {
     b = vec3(q, s + n.y * n.y * p, -n.y);
 }
 
-// A direction distributed as the phase function around `forward` (unit), by inversion.
+// Samples a direction from the phase function around `forward` (unit), by inversion.
 vec3 samplePhase(vec3 forward, float g, vec2 u) {
     float cosine = float(1.0) - float(2.0) * u.x;
     if (abs(g) > float(1e-3)) {
@@ -29,7 +29,7 @@ vec3 samplePhase(vec3 forward, float g, vec2 u) {
     cosine = clamp(cosine, float(-1.0), float(1.0));
     float sine = sqrt(max(float(0.0), float(1.0) - cosine * cosine));
     float azimuth =
-        float(2.0 * PI) * (u.y - float(0.5));  // Vulkan bounds the errors of sin and cos from -pi to pi only
+        float(2.0 * PI) * (u.y - float(0.5));  // Vulkan limits the errors of sin and cos only from -pi to pi
     vec3 a;
     vec3 b;
     orthonormalFrame(forward, a, b);

@@ -1,6 +1,6 @@
-// From samples to a picture.
+// From sums of samples to display colours.
 
-// Kahan's compensated sum: a million samples lose no more than one does.
+// Kahan's compensated sum: the rounding error does not grow with the number of samples.
 void accumulate(INOUT(vec4) sum, INOUT(vec4) lost, vec4 value) {
     PRECISE vec4 y = value - lost;
     PRECISE vec4 t = sum + y;
@@ -21,14 +21,14 @@ float luminance(vec3 colour) {
     return float(0.2126) * colour.x + float(0.7152) * colour.y + float(0.0722) * colour.z;
 }
 
-// The square of luminance, for the variance of a pixel. What is brighter than any light is cut, so that the
-// square is a number.
+// The square of luminance, for the variance of a pixel. Clamped far above any light, so that the square is
+// finite.
 float squareOfLuminance(vec3 radiance) {
     float l = min(luminance(radiance), float(1e18));
     return l * l;
 }
 
-// Tests the exponent bits: a comparison may be folded away by a compiler that takes all numbers to be finite.
+// Tests the exponent bits: a compiler that assumes finite numbers may remove a comparison.
 bool isFinite(vec4 v) {
     uint special = 0x7f800000u;
     return (floatBitsToUint(v.x) & special) != special && (floatBitsToUint(v.y) & special) != special &&
@@ -53,8 +53,8 @@ vec3 toneMapNeutral(vec3 colour) {
 }
 
 // OKLab (Ottosson 2020, "A perceptual color space for image processing") of linear sRGB: lightness, and two
-// coordinates whose angle is the hue. All three grow with the cube root of the light: twice the light keeps
-// the hue.
+// coordinates whose angle is the hue. All three scale with the cube root of the light, so that more or less
+// light keeps the hue.
 vec3 oklabOf(vec3 c) {
     float third = float(1.0 / 3.0);
     float l = pow(dot(vec3(float(0.4122214708), float(0.5363325363), float(0.0514459929)), c), third);
@@ -75,13 +75,13 @@ vec3 linearOfOklab(vec3 c) {
                 dot(vec3(float(-0.0041960863), float(-0.7034186147), float(1.7076147010)), lms));
 }
 
-// Lightness is as it is up to here, and white from twice that of white on, which is eight times its light.
-// Both were chosen by measure (docs/measurements/tone-map.md).
+// Lightness is unchanged up to SHOULDER, and becomes white at WHITE_AT times that of white, which is eight
+// times its light. Both were chosen by measurement (docs/measurements/tone-map.md).
 #define SHOULDER 0.7
 #define WHITE_AT 2.0
 
-// Between them Reinhard's extended curve (Reinhard et al. 2002, eq. 4) of what is above the shoulder: slope 1
-// there, and 1 at WHITE_AT.
+// Between them Reinhard's extended curve (Reinhard et al. 2002, eq. 4), applied to the part above the
+// shoulder: slope 1 at the shoulder, value 1 at WHITE_AT.
 float shoulderOf(float lightness) {
     float room = float(1.0 - SHOULDER);
     float white = float((WHITE_AT - SHOULDER) / (1.0 - SHOULDER));
@@ -91,7 +91,7 @@ float shoulderOf(float lightness) {
     return lightness <= float(SHOULDER) ? lightness : shown;
 }
 
-// The inverse, of a lightness of 0 to 1: the positive root of a quadratic equation, without cancellation.
+// The inverse for a lightness of 0 to 1: the positive root of a quadratic equation, without cancellation.
 float beforeShoulder(float shown) {
     float room = float(1.0 - SHOULDER);
     float white = float((WHITE_AT - SHOULDER) / (1.0 - SHOULDER));
@@ -101,12 +101,11 @@ float beforeShoulder(float shown) {
     return shown <= float(SHOULDER) ? shown : float(SHOULDER) + room * above;
 }
 
-// The tone map that keeps hue and the order of lightness, both of OKLab. Lightness goes through the shoulder,
-// chroma in proportion: that is the same colour with less light. What has a channel above 1 then, gets so
-// much less chroma, at the same lightness and hue, that the display can show it. Halvings find it: the
-// chroma's share is exact to 2^-16.
+// The tone map that keeps hue and the order of lightness, both of OKLab. The shoulder compresses lightness,
+// and chroma in proportion: the same colour with less light. If a channel is still above 1, chroma is reduced
+// at the same lightness and hue until the display can show the colour, by bisection to 2^-16.
 vec3 toneMapHue(vec3 colour) {
-    vec3 c = min(colour, vec3(float(1e6)));  // white, whichever colour it has
+    vec3 c = min(colour, vec3(float(1e6)));  // is white in any hue
     vec3 lab = oklabOf(c);
     float shown = shoulderOf(lab.x);
     float less = shown / max(lab.x, float(1e-20));
@@ -126,13 +125,13 @@ vec3 toneMapHue(vec3 colour) {
     return most > float(1.0) ? clamp(pale, vec3(0.0), vec3(1.0)) : mapped;
 }
 
-// What toneMapHue makes of grey.
+// toneMapHue for grey.
 float greyOfToneMapHue(float light) {
     float shown = shoulderOf(pow(light, float(1.0 / 3.0)));
     return shown <= float(SHOULDER) ? light : shown * shown * shown;
 }
 
-// The one that was chosen.
+// The tone map of the settings.
 vec3 toneMapped(vec3 colour, bool keepsHue) {
     vec3 mapped = toneMapNeutral(colour);
     for (bool keeps = keepsHue; keeps; keeps = false) mapped = toneMapHue(colour);
@@ -150,8 +149,8 @@ float decodeSrgb(float encoded) {
                                      : pow((encoded + float(0.055)) / float(1.055), float(2.4));
 }
 
-// The linear grey that the tone map and encodeSrgb turn into `encoded`, 0 to 1: for what must be shown as it
-// is. White is the limit of toneMapNeutral; the brightest grey it gives here is 0.998.
+// The linear grey that the tone map and encodeSrgb turn into `encoded`, 0 to 1: for greys that must be
+// displayed unchanged. toneMapNeutral only approaches white; here the brightest grey becomes 0.998.
 float greyBeforeToneMap(float encoded, bool keepsHue) {
     float mapped = decodeSrgb(encoded);
     if (keepsHue) {
@@ -166,8 +165,8 @@ float greyBeforeToneMap(float encoded, bool keepsHue) {
     return d * d / max(float(1.0) - mapped, float(0.005)) - d + startCompression + float(0.04);
 }
 
-// What a pixel shows: linear premultiplied radiance, exposed and tone-mapped, over a background in linear
-// light that is displayed as it is; encoded.
+// The display-encoded colour of a pixel: linear premultiplied radiance, exposed and tone-mapped, over a
+// background in linear light that is neither.
 vec3 displayColour(vec4 premultiplied, vec3 background, float exposure, bool keepsHue) {
     vec3 light = vec3(premultiplied.x, premultiplied.y, premultiplied.z) * exposure;
     vec3 mapped = toneMapped(max(light, vec3(0.0)), keepsHue);

@@ -1,37 +1,39 @@
 // A picture that was traced from one eye, seen from another: inverse warping along epipolar lines.
 //
-// The depths of the picture are a height field. Each pixel's ray is followed from where it enters the ball
-// around all that can be seen to where it leaves it; its image in the picture before is a straight line. The
-// first point behind the height field is where the ray meets what was seen. Where the field steps back there,
-// the ray has gone behind something: nothing is known of what lies there, and the weight is 0. A ray that
-// stays in front all along sees nothing, which is known too.
+// The depths of the traced picture are a height field. Each pixel's ray is followed through the ball around
+// all visible matter; its image in the traced picture is a straight line. At its first point behind the
+// height field the ray meets a surface. If the field has a step in depth there, the ray has passed behind
+// something: the picture does not show what lies there, and the weight is 0. A ray that stays in front all
+// along sees nothing, which is known too.
 //
 // Needs from its host: `reproject` (ReprojectPush), fetchLight (premultiplied, linear) and fetchSurface
-// (distance from the eye before in mm, negative where there is none; its uncertainty in mm) and fetchTrust
-// (trust.glsl), all by index of a pixel of the picture before; and fetchExpected, by index of a pixel of the
-// picture that is made: the depth in mm, along the middle of the view, at which splats show something there,
-// negative where they do not tell.
+// (distance from the previous eye in mm, negative where there is none; its uncertainty in mm) and fetchTrust
+// (trust.glsl), all by index of a pixel of the traced picture; and fetchExpected, by index of a pixel of the
+// new picture: the depth in mm, along the view's axis, at which splats show something there, negative where
+// they have no depth.
 
-// Steps along an epipolar line, a pixel each where that is enough, and halvings of the last one.
+// The most steps along an epipolar line, one for each pixel if that is enough, and bisections of the last
+// step.
 #define MOST_STEPS 24
 #define HALVINGS 4
-// A depth is met when the ray passes within so many footprints of a pixel: a surface of which the eye sees 1
-// in 4.
+// A ray meets a depth if it passes within so many footprints of a pixel: enough for a surface so oblique that
+// its depth changes by four footprints from pixel to pixel.
 #define MET_FOOTPRINTS 4.0
-// The part of a distance by which splats may be wrong about it: a surface is sought there first. Where they
-// mix what lies behind one another, it may be anywhere on the ray.
+// The relative error of the depth of splats, within which a surface is searched first. Where splats blend
+// several layers, the surface may be anywhere on the ray.
 #define EXPECTED_WITHIN 0.06
-// Pixels by which a place may be wrong, for the uncertainty of its depth: from full weight to none.
+// The error of a position in pixels, from the uncertainty of its depth, at which the weight begins to fall,
+// and at which it is 0.
 #define SURE_PX 0.75
 #define UNSURE_PX 3.0
 
 struct Reprojected {
     vec4 light;    // premultiplied, linear
-    float weight;  // 0: not known, to 1
-    float trust;   // in the light, where it is known (trust.glsl): 0 to 1
+    float weight;  // 0 (unknown) to 1
+    float trust;   // in `light`, 0 to 1 (trust.glsl)
 };
 
-// Where the direction `v` (any length) meets the picture before, in pixels. False behind its eye.
+// The position in the traced picture, in pixels, of the direction `v` (any length). False behind its eye.
 bool placeBefore(vec3 v, OUT(vec2) place) {
     place = vec2(0.0);
     float along = dot(v, reproject.beforeForward);
@@ -53,7 +55,7 @@ int indexBefore(ivec2 pixel) {
     return inside.y * reproject.beforeSize.x + inside.x;
 }
 
-// 1 up to `low`, 0 from `high` on, with a derivative that has no step.
+// 1 up to `low`, 0 from `high` on, with a continuous derivative.
 float fallingFrom(float low, float high, float x) {
     float t = clamp((x - low) / (high - low), float(0.0), float(1.0));
     return float(1.0) - t * t * (float(3.0) - float(2.0) * t);
@@ -67,9 +69,10 @@ float insideEdges(vec2 place) {
            fallingFrom(float(0.0), reproject.edgeFade, reproject.edgeFade - min(y, float(1.0) - y));
 }
 
-// What the four pixels around `place` show of what lies at `distanceMm` from the eye before; negative: of
-// nothing. The part of them that agrees is the weight. `placesPerMm`: how far along its line the place moves
-// for each mm of depth; a depth that is off by less than half a pixel of that agrees, however far that is.
+// The light of those of the four pixels around `place` that show a surface at `distanceMm` from the previous
+// eye, or nothing if it is negative. Their share is the weight. `placesPerMm` is the movement of the position
+// along its line, in pixels, for each mm of depth; a depth whose error moves it by less than half a pixel
+// always agrees.
 Reprojected gathered(vec2 place, float distanceMm, float footprintMm, float placesPerMm) {
     float toleranceMm = max(float(MET_FOOTPRINTS) * footprintMm, float(0.5) / max(placesPerMm, float(1e-20)));
     vec2 low = floor(place - vec2(0.5));
@@ -98,30 +101,30 @@ Reprojected gathered(vec2 place, float distanceMm, float footprintMm, float plac
     return result;
 }
 
-// The part of a pixel's ray on which something can be seen, from its nearest to its farthest point. A point
-// at distance s lies, from the eye before, in the direction ray + ours / s: its image moves evenly with the
-// nearness 1 / s as long as the eye has not moved far along the ray.
+// The part of a pixel's ray on which something may be visible, from its nearest to its farthest point. Seen
+// from the previous eye, a point at distance s lies in the direction ray + ours / s: its image moves evenly
+// with the nearness 1 / s unless the eye has moved far along the ray.
 struct EpipolarLine {
     vec3 ray;        // unit
-    float nearest;   // 1/mm: where it begins
-    float farthest;  // where it ends
-    float middleMm;  // where it passes the middle of what can be seen
+    float nearest;   // 1/mm, of its beginning
+    float farthest;  // 1/mm, of its end
+    float middleMm;  // where it passes the middle of the ball around visible matter
     vec2 last;       // image of its end
-    float lengthPx;  // of its image
-    bool isPart;     // of what the ray crosses: around where splats show something
+    float lengthPx;  // length of its image
+    bool isPart;     // it covers only the surroundings of the splats' depth
 };
 
 vec3 towardsAt(EpipolarLine line, float nearness) {
     return line.ray + reproject.oursMm * nearness;
 }
 
-// All of it, or the part around where splats show something, where they do. False where the picture before
-// has nothing of it.
+// The whole line, or the part around the depth of splats if they have one. False if an end of it is behind
+// the previous eye.
 bool findLine(ivec2 pixel, bool isAll, OUT(EpipolarLine) line) {
     vec2 p = vec2(float(2 * pixel.x + 1) / float(reproject.size.x) - float(1.0),
                   float(1.0) - float(2 * pixel.y + 1) / float(reproject.size.y));
     line.ray = normalize(reproject.forward + reproject.right * p.x + reproject.up * p.y);
-    // The ball, seen from the eye. What misses it is taken where it passes.
+    // The ray's interval in the ball; for a ray that misses the ball, the point nearest to its middle.
     line.middleMm = dot(reproject.middleMm, line.ray);
     float inside2 = reproject.radiusMm * reproject.radiusMm - dot(reproject.middleMm, reproject.middleMm) +
                     line.middleMm * line.middleMm;
@@ -145,7 +148,7 @@ bool findLine(ivec2 pixel, bool isAll, OUT(EpipolarLine) line) {
     return begins && ends;
 }
 
-// Whether the point of the line is behind the height field; not where that is not known.
+// Whether the point of the line is behind the height field; false where that is unknown.
 bool isBehind(EpipolarLine line, float nearness) {
     vec3 towards = towardsAt(line, nearness);
     vec2 place;
@@ -154,9 +157,8 @@ bool isBehind(EpipolarLine line, float nearness) {
     return depthMm >= float(0.0) && sqrt(dot(towards, towards)) / nearness >= depthMm;
 }
 
-// The nearest point of the line behind the height field, as a nearness; negative when it stays in front. What
-// is nearer to the eye than where the line enters the picture is not known; it is taken for empty, as it
-// mostly is.
+// The nearest point of the line behind the height field, as a nearness; negative if the line stays in front.
+// The part of the line outside the traced picture is unknown, and counts as empty, which it mostly is.
 float firstBehind(EpipolarLine line) {
     int steps = int(clamp(ceil(line.lengthPx), float(1.0), float(MOST_STEPS)));
     float perStep = (line.farthest - line.nearest) / float(steps);
@@ -176,7 +178,7 @@ float firstBehind(EpipolarLine line) {
     return behind;
 }
 
-// What a pixel of the picture that is made shows.
+// The light of a pixel of the new picture.
 Reprojected reprojectedAt(ivec2 pixel) {
     Reprojected unknown;
     unknown.light = vec4(0.0);
@@ -185,16 +187,16 @@ Reprojected reprojectedAt(ivec2 pixel) {
     EpipolarLine line;
     if (!findLine(pixel, false, line)) return unknown;
     float behind = firstBehind(line);
-    // A line that begins behind the height field has passed the surface before it begins.
+    // A partial line that begins behind the height field has missed the surface in front: searches the whole
+    // line.
     if (line.isPart && (behind < float(0.0) || behind >= line.nearest)) {
         if (!findLine(pixel, true, line)) return unknown;
         behind = firstBehind(line);
     }
     bool meets = behind > float(0.0);
-    // Where the eye has not moved the line is a point, and shows what the picture has there, at whatever
-    // depth.
+    // If the eye has not moved, the line is a point, and shows the traced pixel there at any depth.
     bool isPoint = !line.isPart && line.lengthPx < float(0.5);
-    if (!meets && !isBefore(line.last)) return unknown;  // it may have met something outside of the picture
+    if (!meets && !isBefore(line.last)) return unknown;  // it may have met something outside that picture
     float nearness = meets ? behind : min(float(1.0) / max(line.middleMm, float(1e-20)), line.nearest);
     vec3 towards = towardsAt(line, nearness);
     vec2 place;

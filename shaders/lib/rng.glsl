@@ -40,7 +40,7 @@ uint mixedBits(uint h, uint key) {
     return h;
 }
 
-// Hashes two words into one; neighbours in either come far apart.
+// Hashes two words into one; neighbouring inputs give unrelated outputs.
 uint hashOf(uint a, uint b) {
     return mixedBits(a * 0x9e3779b9u + b, 0u);
 }
@@ -56,15 +56,15 @@ float random01(INOUT(Rng) rng) {
     return float(randomBits(rng) >> 8u) * float(1.0 / 16777216.0);
 }
 
-// The depth to the next event of a Poisson process of rate 1, by inversion, of a random number. Near 0 by a
-// series: Vulkan allows log() an absolute error of 2^-21 there, and that is a percent of the depth of a brick
-// of faint fog.
+// The depth to the next event of a Poisson process of rate 1, by inversion of a random number in [0, 1). A
+// series near 0: Vulkan allows log() an absolute error of 2^-21 there, one percent of the optical depth of a
+// brick of faint fog.
 float exponentialDepth(float u) {
     float near = u * (float(1.0) + u * (float(0.5) + u * float(1.0 / 3.0)));
     return u < float(1e-3) ? near : -log(float(1.0) - u);
 }
 
-// Three numbers in (0, 1) from one draw, with 11, 11 and 10 bits: enough to choose a neighbour.
+// Three numbers in (0, 1) from one draw, with 11, 11 and 10 bits: enough to choose a neighbouring voxel.
 vec3 random01Coarse3(INOUT(Rng) rng) {
     uint bits = randomBits(rng);
     return vec3((float(bits & 2047u) + float(0.5)) * float(1.0 / 2048.0),

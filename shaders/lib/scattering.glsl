@@ -1,56 +1,56 @@
-// How matter scatters light at a vertex of a path: like a cloud, like a surface, or like both, each with its
-// share (Kroes, Post and Botha 2012, "Exposure Render: An Interactive Photo-Realistic Volume Rendering
-// Framework"). A surface is a white body under a thin rough coat: microfacets (GGX, Walter et al. 2007; their
-// shadows by Smith, as Heitz 2014 has them) with Schlick's Fresnel term, and below them Lambert's law for
-// what the coat lets in and out again, so that both together keep all light of a white body (Kelemen and
-// Szirmay-Kalos 2001). It has two sides, and its normal points to where the path comes from.
+// How matter scatters light at a vertex of a path: like a cloud, like a surface, or as a mixture of both
+// (Kroes, Post and Botha 2012, "Exposure Render: An Interactive Photo-Realistic Volume Rendering Framework").
+// A surface is a white body under a thin rough coat: microfacets (GGX, Walter et al. 2007; their shadows by
+// Smith, as Heitz 2014 has them) with Schlick's Fresnel term, and below it Lambert's law for light that the
+// coat lets in and out again, so that a white body loses no light (Kelemen and Szirmay-Kalos 2001). A surface
+// has two sides, and its normal points against the path.
 //
-// Needs, beside phase.glsl: params.anisotropy, params.surface*, and of src/pipeline/volume/coat.h
+// Needs, besides phase.glsl: params.anisotropy, params.surface*, and from src/pipeline/volume/coat.h
 // params.coatAlbedo and params.coatMean.
 
 struct Matter {
     vec3 albedo;
-    vec3 normal;    // world, unit, against the path; 0 where surface is
-    float surface;  // 0 to 1: what share of what is scattered is scattered by a surface
+    vec3 normal;    // world, unit, against the path; 0 if surface is 0
+    float surface;  // 0 to 1: the share of scattering that is a surface's
 };
 
-// Light that is scattered from a path into a direction.
+// Scattering of light from a path into one direction.
 struct Scattering {
-    vec3 perSr;      // part of it, per steradian
-    float pdfPerSr;  // with which scatteredDirection() finds the direction
+    vec3 perSr;      // fraction of the light, per steradian
+    float pdfPerSr;  // of scatteredDirection() for this direction
 };
 
-// Cosines below this are grazing, and count as this.
+// Cosines are clamped to this at grazing angles.
 #define GRAZING 1e-4
 
-// What the coat reflects of light that falls on a facet with this cosine.
+// The fraction of light that a facet of the coat reflects at this cosine (Schlick).
 float facetReflectance(float cosine) {
     float c = float(1.0) - clamp(cosine, float(0.0), float(1.0));
     float c2 = c * c;
     return params.surfaceReflectance + (float(1.0) - params.surfaceReflectance) * c2 * c2 * c;
 }
 
-// The part of light that the coat reflects into all directions, of what falls on it with this cosine.
+// The fraction of light arriving at this cosine that the coat reflects, over all directions.
 float coatAlbedo(float cosine) {
     float at = sqrt(clamp(cosine, float(0.0), float(1.0))) * float(kCoatSteps);
     int low = min(int(at), kCoatSteps - 1);
     return mix(params.coatAlbedo[low], params.coatAlbedo[low + 1], at - float(low));
 }
 
-// How likely a surface that is met with this cosine sends a path on by its coat, not by the body below.
+// The probability that a path arriving at this cosine continues by reflection at the coat, not by scattering
+// in the body below.
 float coatChance(float cosine) {
     return clamp(coatAlbedo(cosine), float(0.05), float(0.95));
 }
 
-// Smith's function of one direction: how many facets' areas stand in the way of what lies in the open,
-// plus 1.
+// Smith's auxiliary function Lambda for one direction: 1 / (1 + Lambda) of the facets' area is visible.
 float smithLambda(float cosine) {
     float a2 = params.surfaceAlpha * params.surfaceAlpha;
     float tangent2 = float(1.0) / (cosine * cosine) - float(1.0);
     return float(0.5) * (sqrt(float(1.0) + a2 * max(tangent2, float(0.0))) - float(1.0));
 }
 
-// From a path along `from` into `to`, both unit, world.
+// Scattering from a path along `from` into `to`, both unit, world.
 Scattering scattering(Matter m, vec3 from, vec3 to) {
     float phase = phaseHenyeyGreenstein(dot(from, to), params.anisotropy);
     Scattering s = Scattering(m.albedo * phase, phase);
@@ -83,8 +83,8 @@ Scattering scattering(Matter m, vec3 from, vec3 to) {
     return s;
 }
 
-// The normal of a facet, as often as it is seen along `from` (Dupuy and Benyoub 2023, "Sampling visible GGX
-// normals with spherical caps"), in the frame of the normal and two across it.
+// Samples the normal of a facet visible along `from` (Dupuy and Benyoub 2023, "Sampling visible GGX normals
+// with spherical caps"); `a` and `b` complete `normal` to a frame.
 vec3 facetSeen(vec3 normal, vec3 a, vec3 b, vec3 from, vec2 u) {
     float before = max(-dot(from, normal), float(GRAZING));
     vec3 stretched =
@@ -97,10 +97,11 @@ vec3 facetSeen(vec3 normal, vec3 a, vec3 b, vec3 from, vec2 u) {
     return a * h.x + b * h.y + normal * h.z;
 }
 
-// A direction after the vertex, by the shares of cloud, coat and body; `u` in the square, `choice` in [0, 1).
+// Samples the direction after the vertex from cloud, coat or body; `u` in the unit square, `choice` in [0,
+// 1).
 vec3 scatteredDirection(Matter m, vec3 from, vec2 u, float choice) {
     vec3 to = vec3(0.0);
-    // lavapipe skips a loop that no lane enters, and executes the body of every if.
+    // Loops, because lavapipe skips a loop that no lane enters, but executes the body of every if.
     for (bool cloud = choice >= m.surface; cloud; cloud = false) to = samplePhase(from, params.anisotropy, u);
     for (bool surface = choice < m.surface; surface; surface = false) {
         vec3 a;

@@ -16,8 +16,8 @@ AdamStep adamStep(float gradient, float first, float second, vec2 corrections, f
     return result;
 }
 
-// Whether the square of a gradient is a number. By its bits: a comparison may be folded away by a compiler
-// that takes all numbers to be finite.
+// Whether the square of a gradient is finite. Tests its bits: a compiler that assumes finite numbers may
+// remove a comparison.
 bool isUsableGradient(float gradient) {
     return (floatBitsToUint(gradient) & 0x7fffffffu) < 0x5d5e0b6bu;  // 1e18
 }

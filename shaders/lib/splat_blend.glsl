@@ -1,19 +1,18 @@
-// One splat in one pixel, front to back, premultiplied; and the derivative, front to back as well. All state
-// is one or two numbers by pixel, so that a thread may hold several pixels in registers. There are no
-// branches: a splat that is not in a pixel, or comes after the pixel is finished, has alpha 0 and changes
-// nothing.
+// Blends one splat into one pixel, front to back, premultiplied; and its derivative, also front to back. The
+// state of a pixel is one or two numbers, so that a thread can hold several pixels in registers. There are no
+// branches: a splat outside the pixel, or after the pixel is finished, has alpha 0 and changes nothing.
 //
-// A pixel is finished once less than minTransmittance shines through. The splat that makes it so still counts
-// in full, unlike in 3DGS, which leaves it out: there two splats of alpha 0.99 stop at T = 0.01 or not by the
-// last bit of a float, here what such a bit decides is never more than minTransmittance.
+// A pixel is finished once its transmittance is below minTransmittance. The splat that finishes it still
+// counts in full; 3DGS leaves it out. There the last bit of a float decides whether two splats of alpha 0.99
+// stop at T = 0.01; here such a bit never changes more than minTransmittance.
 //
-// At its border a splat fades out: alpha is at most fringe (alpha - minAlpha). With fringe 2 that changes
-// what lies between minAlpha and twice that, and nowhere is there a step. A very large fringe gives the step
-// of 3DGS.
+// At its border a splat fades out: alpha is limited to fringe (alpha - minAlpha). With fringe 2 this changes
+// alphas between minAlpha and twice that, and there is no step. A very large fringe gives the step of 3DGS.
 //
 // Needs splat_types.glsl.
 
-// From this fringe on the edge is a step, which has no derivative: as in 3DGS, that of raw alpha is taken.
+// From this fringe on the edge is a step, which has no derivative: as in 3DGS, the derivative is that of raw
+// alpha.
 #define HARD_EDGE 1000.0
 
 // q / 2 at an offset from the mean.
@@ -31,36 +30,37 @@ float limitedAlpha(float raw, SplatView view) {
     return max(min(min(raw, view.maxAlpha), view.fringe * (raw - view.minAlpha)), float(0.0));
 }
 
-// The derivative of limitedAlpha by `raw`.
+// The derivative of limitedAlpha with respect to `raw`.
 float alphaSlope(float raw, SplatView view) {
     float faded = view.fringe * (raw - view.minAlpha);
     if (!(faded > float(0.0)) || (raw >= view.maxAlpha && faded >= view.maxAlpha)) return float(0.0);
     return faded < raw && view.fringe < float(HARD_EDGE) ? view.fringe : float(1.0);
 }
 
-// The weight in the pixel of a splat that hides `alpha`, to be multiplied by its colour and its depth and
-// added up. The sum of weights is the coverage, 1 - transmittance.
+// The weight of a splat with this alpha in the pixel, by which the caller multiplies and adds up colours and
+// depths. The sum of weights is the coverage, 1 - transmittance.
 float takeWeight(INOUT(float) transmittance, float alpha, SplatView view) {
     float weight = transmittance < view.minTransmittance ? float(0.0) : alpha * transmittance;
     transmittance -= weight;
     return weight;
 }
 
-// The derivative of the loss by what a pixel shows. For a picture that is laid over a background b and then
-// has the derivative g, rgba is (g, -dot(b, g)) (and the derivative by b is (1 - coverage) g).
+// The derivative of the loss with respect to a pixel. If the picture is blended over a background b and the
+// result has the derivative g, rgba is (g, -dot(b, g)) (and the derivative with respect to b is (1 -
+// coverage) g).
 struct PixelGradient {
-    vec4 rgba;  // a: by the coverage
+    vec4 rgba;  // a: with respect to coverage
     float depth;
 };
 
-// The worth of a splat: the derivative of the loss by its weight in the pixel.
+// The worth of a splat: the derivative of the loss with respect to its weight in the pixel.
 float worthOf(vec3 colour, float depthMm, PixelGradient pixel) {
     return dot(vec4(colour, float(1.0)), pixel.rgba) + depthMm * pixel.depth;
 }
 
 // The backward pass of one splat in one pixel. Before the first splat, `transmittance` is 1 and `remaining`
-// the worth of the whole pixel: dot(rgba, g.rgba) + (sum of depths) g.depth. After each it is that of the
-// splats behind. Calls must be in the order of the forward pass. Adds to `sum`.
+// the worth of the whole pixel: dot(rgba, g.rgba) + (sum of depths) g.depth. After each call `remaining` is
+// the worth of the splats behind. Calls must be in the order of the forward pass. Adds to `sum`.
 //
 // d/d alpha = T worth - remaining / (1 - alpha), where 1 - alpha is not below 1 - maxAlpha.
 void addPixelGradient(ScreenSplat screen, vec3 colour, vec2 pixel, PixelGradient g, SplatView view,

@@ -1,8 +1,8 @@
 // Colour by direction: real spherical harmonics, in the order and with the signs of 3DGS (Kerbl et al. 2023),
 // those of quantum mechanics with the Condon-Shortley phase. A colour is max(0, 0.5 + the sum over bands):
-// add the bands that a model has and give the sum to visibleColour. Who draws leaves a splat out whose sum is
-// not finite. Directions are unit, from the eye to the splat, in world axes; with parallel rays they are all
-// those of the rays.
+// add the bands that a model has and pass the sum to visibleColour. Callers skip a splat whose sum is not
+// finite. Directions are unit vectors from the eye to the splat, in world axes; with parallel rays all are
+// the rays' direction.
 
 #define SH_0 0.28209479177387814
 #define SH_1 0.48860251190291992
@@ -48,7 +48,7 @@ vec3 colourOfBand3(vec3 d, vec3 s9, vec3 s10, vec3 s11, vec3 s12, vec3 s13, vec3
            s15 * (a * d.x * (xx - three * yy));
 }
 
-// The derivative of colourOfBand0 by dc.
+// The derivative of colourOfBand0 with respect to dc.
 float band0Slope() {
     return float(SH_0);
 }
@@ -57,14 +57,14 @@ vec3 visibleColour(vec3 sum) {
     return max(sum, vec3(float(0.0)));
 }
 
-// The derivative of the loss by the sum of the bands, from that by the visible colour: 0 where the sum was
-// clamped.
+// Turns the derivative of the loss with respect to the visible colour into that with respect to the sum of
+// the bands: 0 where the sum was clamped.
 vec3 sumGradient(vec3 sum, vec3 byColour) {
     return vec3(sum.x > float(0.0) ? byColour.x : float(0.0), sum.y > float(0.0) ? byColour.y : float(0.0),
                 sum.z > float(0.0) ? byColour.z : float(0.0));
 }
 
-// The derivatives of the loss by the coefficients s1, s2, s3.
+// The derivatives of the loss with respect to the coefficients s1, s2, s3.
 struct Band1Gradient {
     vec3 s1;
     vec3 s2;
@@ -79,7 +79,8 @@ Band1Gradient band1Gradient(vec3 d, vec3 bySum) {
     return result;
 }
 
-// The derivative of the loss by the position, through the direction of view; of degree 1.
+// The derivative of the loss with respect to the position, through the direction of view; for bands up to
+// degree 1.
 vec3 colourPositionGradient(vec3 position, SplatView view, vec3 s1, vec3 s2, vec3 s3, vec3 bySum) {
     vec3 fromEye = position - view.eyeMm;
     float far = lengthOf(fromEye);

@@ -1,18 +1,17 @@
-// A smaller picture: each of its pixels is the mean over its area, so sizes need not divide and the mean of
-// the picture stays.
+// Makes a smaller picture, each of whose pixels is the mean over its area: sizes need not divide each other,
+// and the mean of the picture is kept.
 //
 // Needs picture.glsl, and from its host: vec4 fetchSource(int index), premultiplied.
 
-// How much of pixel `at` lies within the pixel `to` of the smaller one, in `to` per `from`ths of a pixel:
-// whole numbers, so that nothing is lost.
+// The overlap of source pixel `at` and target pixel `to` along one axis, in units of 1 / toSize of a source
+// pixel: a whole number, and so exact.
 float downsampleOverlap(int at, int to, int fromSize, int toSize) {
     int low = max(at * toSize, to * fromSize);
     int high = min((at + 1) * toSize, (to + 1) * fromSize);
     return float(max(high - low, 0));
 }
 
-// Pixels that are not finite are left out of the mean; where there are no others, the result is not finite
-// either.
+// Leaves out pixels that are not finite; if there are no others, the result is not finite either.
 vec4 downsampledPixel(ivec2 to, ivec2 fromSize, ivec2 toSize) {
     ivec2 low = ivec2(to.x * fromSize.x / toSize.x, to.y * fromSize.y / toSize.y);
     ivec2 count =

@@ -1,4 +1,4 @@
-// Everything the splats' kernels share, in order. The host declares before: SplatView
+// Everything the splats' kernels share, in order. The host must declare before this: SplatView
 // (shaders/shared/splat_view.h), and the words OUT, INOUT and PRECISE.
 #include "lib/picture.glsl"
 #include "lib/splat_types.glsl"

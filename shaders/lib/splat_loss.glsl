@@ -1,13 +1,14 @@
-// What the loss of a splat model compares of a pixel, and how a change of that comes from the pixel.
+// The quantities of a pixel that the loss of a splat model compares, and their derivatives with respect to
+// the pixel.
 //
 // Needs picture.glsl.
 
-// Beyond this the numbers say nothing, and squares of squares would overflow.
+// Larger numbers are meaningless, and their fourth powers would overflow.
 #define MOST_COMPARED 1e6
 
-// The display transform has slope 0 at black (the toe of the tone map) and next to none above white, where
-// the slope falls with the square of the radiance: what is much too bright there would hardly be told so. So
-// this part of what is compared is ln(1 + radiance), whose slope is above 0 everywhere. Equal pictures stay
+// The display transform has slope 0 at black (the toe of the tone map) and almost none above white, where the
+// slope falls with the square of the radiance: pixels much too bright would get hardly any gradient. So this
+// share of the compared value is ln(1 + radiance), whose slope is positive everywhere. Equal pictures stay
 // equal.
 #define PLAIN_SHARE 0.05
 
@@ -20,8 +21,7 @@ vec4 boundedPixel(vec4 value) {
     return clamp(value, vec4(-MOST_COMPARED), vec4(MOST_COMPARED));
 }
 
-// The derivative of a largest or smallest channel: channels that are equally extreme share it, so that what
-// is grey stays grey.
+// The derivative of the largest or smallest channel: channels that tie share it, so that greys stay grey.
 vec3 shareOf(vec3 value, float extreme) {
     vec3 share =
         vec3(value.x == extreme ? float(1.0) : float(0.0), value.y == extreme ? float(1.0) : float(0.0),
@@ -31,12 +31,12 @@ vec3 shareOf(vec3 value, float extreme) {
 
 #define TONE_DESATURATION 0.15
 
-// What toneMapNeutral passes on its way from a colour, for its derivatives.
+// Intermediate results of toneMapNeutral, for its derivatives.
 struct TonePath {
-    vec3 lowShare;      // how the lowest channels share it
-    float offsetSlope;  // of what is taken from all channels, by the lowest
+    vec3 lowShare;      // derivative of the lowest channel by each channel
+    float offsetSlope;  // derivative of the offset by the lowest channel
     vec3 lifted;
-    bool isCompressed;  // else the rest is not set
+    bool isCompressed;  // if false, the rest is not set
     float peak;
     vec3 peakShare;
     float slope;  // its square is the derivative of newPeak by peak
@@ -65,8 +65,8 @@ TonePath tonePathOf(vec3 colour) {
     return path;
 }
 
-// The gradient with respect to `colour` of what has the gradient `back` with respect to
-// toneMapNeutral(colour). Step by step that function's derivative.
+// Takes a gradient `back` with respect to toneMapNeutral(colour) to the gradient with respect to `colour`,
+// step by step through that function.
 vec3 toneMapNeutralBack(vec3 colour, vec3 back) {
     TonePath path = tonePathOf(colour);
     vec3 ofLifted = back;
@@ -87,8 +87,8 @@ float encodeSrgbSlope(float linear) {
     return c <= float(0.0031308) ? float(12.92) : float(1.055 / 2.4) * pow(c, float(1.0 / 2.4 - 1.0));
 }
 
-// A premultiplied pixel as it is compared: over the background, where it is to be looked at as the display
-// shows it (exposed, as displayColour: the background is not), and its coverage. Bounded.
+// A premultiplied pixel as it is compared: exposed, over the (not exposed) background, display-encoded if
+// `display` is set; and its coverage. Bounded.
 ComparedPixel comparedPixel(vec4 premultiplied, vec3 background, float exposure, bool display) {
     ComparedPixel pixel;
     vec4 bounded = boundedPixel(
@@ -109,8 +109,8 @@ ComparedPixel comparedPixel(vec4 premultiplied, vec3 background, float exposure,
     return pixel;
 }
 
-// How toneMapNeutral(colour) changes with a small change of colour: the derivative of which
-// toneMapNeutralBack is the transpose.
+// The change of toneMapNeutral(colour), to first order, for a change of colour: toneMapNeutralBack is its
+// transpose.
 vec3 toneMapNeutralChange(vec3 colour, vec3 change) {
     TonePath path = tonePathOf(colour);
     vec3 ofLifted = change - vec3(path.offsetSlope * dot(path.lowShare, change));
@@ -124,7 +124,7 @@ vec3 toneMapNeutralChange(vec3 colour, vec3 change) {
            vec3(ofNewPeak * (float(1.0) - path.keep));
 }
 
-// How the colours that are compared change, to first order, when those over the background do by `change`.
+// The change of the compared colours, to first order, for a change of the colours over the background.
 vec3 comparedChange(vec3 over, vec3 change, bool display) {
     if (!display) return change;
     vec3 mapped = toneMapNeutral(over);
@@ -133,9 +133,8 @@ vec3 comparedChange(vec3 over, vec3 change, bool display) {
            change * float(PLAIN_SHARE) / (over + vec3(float(1.0)));
 }
 
-// The gradient with respect to the premultiplied pixel of what has the gradient `back` with respect to value.
-// Where a bound was met it is that of the unbounded value next to it: what is below black or beyond all
-// bounds is drawn back.
+// Takes a gradient `back` with respect to ComparedPixel::value to the gradient with respect to the
+// premultiplied pixel. Clamped values keep the slope at the bound, so that they are pulled back into range.
 vec4 comparedPixelBack(vec3 over, vec4 back, vec3 background, float exposure, bool display) {
     vec3 ofOver = vec3(back.x, back.y, back.z);
     if (display) {

@@ -1,31 +1,30 @@
-// From a Gaussian in space to one in the picture: EWA splatting (Zwicker et al. 2001). The perspective map is
-// replaced by its linear part at the centre, J, so that the covariance in the picture is J S J^T + s I, s the
-// low-pass; opacity is lowered by sqrt(det(J S J^T) / det(J S J^T + s I)), so that a splat smaller than a
-// pixel keeps its sum over pixels (Mip-Splatting, Yu et al. 2024).
+// Projects a Gaussian in space to one in the picture: EWA splatting (Zwicker et al. 2001). The perspective
+// map is replaced by its linear part at the centre, J, so that the covariance in the picture is J S J^T + s
+// I, s the low-pass; opacity is lowered by sqrt(det(J S J^T) / det(J S J^T + s I)), so that a splat smaller
+// than a pixel keeps its sum over pixels (Mip-Splatting, Yu et al. 2024).
 //
-// The low-pass is the widest, lowPassPx2, for what is thinner than a pixel: then sums over pixels hardly
-// depend on where in a pixel it lies. What is thicker needs less; the opacity that a surface seen at its edge
-// would lose is what models of opaque matter lack. With m the smaller variance of J S J^T it is s(m) = least
-// + room max(1 - m / (2 room), 0)^2, where room = lowPassPx2 - least: m + s(m) begins at lowPassPx2, never
-// falls and has no kink. The least, 1/12 px^2, is the variance of a pixel's area, which blurs a traced
-// picture as well.
+// The low-pass is widest, lowPassPx2, for splats thinner than a pixel: then sums over pixels hardly depend on
+// the position within a pixel. Thicker splats need less; with more, surfaces seen edge-on would lose opacity
+// that models of opaque matter need. With m the smaller variance of J S J^T it is s(m) = least + room max(1 -
+// m / (2 room), 0)^2, where room = lowPassPx2 - least: m + s(m) begins at lowPassPx2, never falls and has no
+// kink. The least, 1/12 px^2, is the variance of a pixel's area, which blurs a traced picture as well.
 //
-// Where a centre lies far outside of the picture, J grows with the tangent of its angle, and the splat would
-// be smeared over all of the picture. So J is taken at the centre's direction clamped to the picture widened
-// by 0.15 of its size on each side (1.3 times the tangent of half the field of view, as 3DGS does). The mean
-// is not clamped. This is continuous; beyond the border the clamped coordinate has the derivative 0 by
-// position (splat_projection_backward.glsl).
+// For a centre far outside the picture J grows with the tangent of its angle, and the splat would smear over
+// the whole picture. So J is taken at the centre's direction, clamped to the picture widened by 0.15 of its
+// size on each side (1.3 times the tangent of half the field of view, as 3DGS does). The mean is not clamped.
+// This is continuous; beyond the border the derivative of the clamped coordinate with respect to position is
+// 0 (splat_projection_backward.glsl).
 //
-// With parallel rays the map is linear as it is: J is the scale of the picture alone, the same everywhere,
-// and the splat in the picture is exact. `slope` is then x and y in mm, and nothing is clamped.
+// With parallel rays the map is linear: J is just the scale of the picture, the same everywhere, and the
+// projected splat is exact. `slope` is then x and y in mm, and nothing is clamped.
 //
-// Determinants are made of squares only. The area A = sqrt(det(J S J^T)) is the length of the cross product
-// of J's rows, scaled to the splat's axes, and that cross product has a closed form: so a disc seen edge-on
-// and a needle lose no digits.
+// Determinants are computed as sums of squares. The area A = sqrt(det(J S J^T)) is the length of the cross
+// product of J's rows, scaled to the splat's axes, and that cross product has a closed form: so a disc seen
+// edge-on and a needle lose no digits.
 //
 // Needs splat_types.glsl, splat_shape.glsl, picture.glsl.
 
-// What the projection and its derivative share.
+// Intermediate results that the projection and its derivative share.
 struct SplatSight {
     vec3 inCamera;      // mm; along x, y, z of the camera
     vec2 slope;         // x/z, y/z; with parallel rays x, y in mm
@@ -35,7 +34,7 @@ struct SplatSight {
     vec3 normal;  // their cross product: px^2 per mm^2
     SplatAxes axes;
     vec3 deviations;  // mm
-    vec3 spreadX;     // px of the splat's three deviations along x, and along y
+    vec3 spreadX;     // px, of the splat's three deviations along x
     vec3 spreadY;
     vec3 areas;   // px^2 of pairs of deviations: (y, z), (z, x), (x, y)
     float area;   // A, px^2
@@ -48,14 +47,13 @@ struct SplatSight {
     float height;  // det / yy
 };
 
-// What a vector and its length are multiplied by before one is divided by the other, so that no division is
-// by more than 2^126, beyond which graphics cards may give 0 (Vulkan, "Precision of core SPIR-V
-// Instructions").
+// A factor for a vector and its length before one is divided by the other, which keeps divisors below 2^126:
+// beyond it graphics cards may return 0 (Vulkan, "Precision of core SPIR-V Instructions").
 float scaleFor(float size) {
     return size > float(1e30) ? float(7.888609052210118e-31) : float(1.0);  // 2^-100
 }
 
-// v / z, of any distance above 0.
+// v / z, for any z above 0.
 vec2 overDepth(vec2 v, float z) {
     float scale = scaleFor(z);
     return v * scale / (z * scale);
@@ -81,7 +79,7 @@ float lowPassOf(float minor, SplatView view) {
     return view.lowPassLeastPx2 + room * share * share;
 }
 
-// The derivative of lowPassOf by `minor`.
+// The derivative of lowPassOf with respect to `minor`.
 float lowPassSlope(float minor, SplatView view) {
     float room = view.lowPassPx2 - view.lowPassLeastPx2;
     if (!(room > float(0.0))) return float(0.0);
@@ -132,7 +130,7 @@ SplatSight sightOf(Splat splat, SplatView view) {
     return sight;
 }
 
-// Share of the opacity that the low-pass leaves.
+// The factor on opacity that compensates for the low-pass.
 float compensationOf(SplatSight sight, SplatView view) {
     if (view.compensated == 0) return float(1.0);
     return min(sight.area / (sqrt(sight.height) * sqrt(sight.yy)), float(1.0));
@@ -148,8 +146,8 @@ ScreenSplat noSplat() {
     return none;
 }
 
-// Opacity 0 for what has numbers that are not finite, lies before the near plane, is too faint, or reaches no
-// centre of a pixel.
+// Opacity 0 for a splat with numbers that are not finite, in front of the near plane, too faint, or without a
+// pixel centre in reach.
 ScreenSplat projectSplat(Splat splat, SplatView view) {
     ScreenSplat screen = noSplat();
     if (!isFinite(vec4(splat.position, splat.opacityLogit)) || !isFinite(vec4(splat.logScale, float(0.0))) ||
@@ -163,7 +161,7 @@ ScreenSplat projectSplat(Splat splat, SplatView view) {
     vec2 mean = sight.slope * view.focalPx + view.principalPx;
     if (!(opacity > view.minAlpha)) return screen;
 
-    // A little more than exact, for rounding here and where alpha is computed.
+    // A little too large, to allow for rounding here and where alpha is computed.
     float reach = sqrt(float(2.0) * log(opacity / view.minAlpha)) * float(1.0001) + float(0.001);
     vec2 extent = vec2(sqrt(sight.xx), sqrt(sight.yy)) * reach;
     vec2 last = vec2(view.sizePx) - vec2(float(0.5));
@@ -179,7 +177,7 @@ ScreenSplat projectSplat(Splat splat, SplatView view) {
     return screen;
 }
 
-// Columns and rows that a visible splat may touch: first <= pixel < end.
+// The columns and rows that a visible splat may touch: first <= pixel < end.
 void pixelsOf(ScreenSplat screen, ivec2 sizePx, OUT(ivec2) first, OUT(ivec2) end) {
     vec2 size = vec2(sizePx);
     vec2 low = clamp(screen.mean - screen.extent - vec2(float(0.5)), vec2(float(0.0)), size);

@@ -1,5 +1,5 @@
-// The backward pass of splat_projection.glsl: from the derivative of the loss by the projected splat to that
-// by its parameters. The extent has none.
+// The backward pass of splat_projection.glsl: from the derivative of the loss with respect to the projected
+// splat to that with respect to its parameters. The extent has no derivative.
 //
 // Needs splat_projection.glsl.
 
@@ -19,14 +19,14 @@ SplatGradient noSplatGradient() {
     return g;
 }
 
-// By the position where rays are parallel: through the mean and through the depth.
+// With respect to the position, for parallel rays: through the mean and the depth.
 vec3 parallelPositionGradient(SplatView view, ScreenGradient g) {
     return view.right * (g.mean.x * view.focalPx.x) + view.down * (g.mean.y * view.focalPx.y) +
            view.forward * g.depthMm;
 }
 
-// By the position where rays meet in the eye: through J, whose rows and normal have the derivatives that are
-// given, through the mean, and through the depth.
+// With respect to the position, for rays from the eye: through the mean, the depth, and J, whose rows and
+// normal have the given derivatives.
 vec3 perspectivePositionGradient(SplatView view, SplatSight sight, ScreenGradient g, vec3 byRowX, vec3 byRowY,
                                  vec3 byNormal) {
     float z = sight.inCamera.z;
@@ -45,7 +45,7 @@ vec3 perspectivePositionGradient(SplatView view, SplatSight sight, ScreenGradien
     return view.right * across.x + view.down * across.y + view.forward * byZ;
 }
 
-// `screen` is projectSplat(splat, view), and its opacity is above 0; the colour in `g` is not looked at: see
+// `screen` is projectSplat(splat, view), with an opacity above 0; ignores the colour in `g`, see
 // splat_colour.glsl.
 SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen, ScreenGradient g) {
     float two = float(2.0);
@@ -59,8 +59,7 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     float byCompensation = view.compensated == 0 ? float(0.0) : g.opacity * opacityOf(splat.opacityLogit);
 
     // Conic and compensation as functions of xx, xy, yy and the area A, with det = A^2 + s (xx + yy) + s^2
-    // where the low-pass is not in xx and yy. conic = (yy / det, -xy / yy, 1 / yy), compensation = A /
-    // sqrt(det).
+    // with xx and yy before the low-pass. conic = (yy / det, -xy / yy, 1 / yy), compensation = A / sqrt(det).
     float perYy = screen.conic.z;
     float perDet = screen.conic.x * perYy;
     float perRootDet = sqrt(screen.conic.x) * sqrt(perYy);
@@ -70,8 +69,9 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     float byYy = s * byDet + g.conic.x * perDet - (g.conic.y * screen.conic.y + g.conic.z * perYy) * perYy;
     float byXy = -g.conic.y * perYy;
 
-    // The low-pass is a function of the smaller variance, and that, A^2 over the larger, of A, xx, xy and yy.
-    // Of a circle the larger one has no derivative; half of the sum has one of its subgradients.
+    // The low-pass is a function of the smaller variance, which is A^2 over the larger one, and so of A, xx,
+    // xy and yy. For a circle the larger variance has no derivative; that of half the sum, (xx + yy) / 2, is
+    // one of its subgradients.
     float byLowPass = byYy + byDet * (sight.xx + sight.yy - s);
     float byMinor = byLowPass * lowPassSlope(sight.minor, view);
     float perMajor = sight.major > float(0.0) ? float(1.0) / sight.major : float(0.0);

@@ -1,8 +1,8 @@
-// Scale, rotation and opacity of a splat, from the numbers that are trained; and the way back.
+// Scale, rotation and opacity of a splat from its trained parameters; and their derivatives.
 
-// As Splats::kMaxLogScale: beyond, a scale is taken as this. Then nothing below overflows.
+// As Splats::kMaxLogScale: limit of a log scale, so that nothing below overflows.
 #define MAX_LOG_SCALE 20.0
-// A quaternion with no larger component is no rotation at all, and gets no gradient.
+// A quaternion with no component above this counts as the identity, and gets no gradient.
 #define MIN_QUATERNION 1e-12
 
 // Columns: the splat's axes in the world.
@@ -50,7 +50,7 @@ SplatAxes axesOf(vec4 unit) {
     return axes;
 }
 
-// A world vector along the splat's axes, and back.
+// A world vector's components along the splat's axes, and back.
 vec3 alongAxes(SplatAxes axes, vec3 world) {
     return vec3(dot(axes.x, world), dot(axes.y, world), dot(axes.z, world));
 }
@@ -58,7 +58,7 @@ vec3 fromAxes(SplatAxes axes, vec3 along) {
     return axes.x * along.x + axes.y * along.y + axes.z * along.z;
 }
 
-// The derivative by the quaternion as it is stored, from that by the axes.
+// The derivative with respect to the stored quaternion, from that with respect to the axes.
 vec4 quaternionGradient(vec4 q, SplatAxes g) {
     float norm = lengthOf(q);
     if (!(norm > float(0.0))) return vec4(float(0.0));

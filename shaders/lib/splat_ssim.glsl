@@ -1,8 +1,8 @@
 // Structural similarity (Wang et al. 2004) of two pictures x and y by the sum u = x + y and difference v = x
 // - y.
 //
-// So written that equal pictures are equal to the last bit (v is 0), and that nothing is lost where both are
-// bright and alike: with S = mean u, D = mean v, U and V the variances of u and v in the window,
+// Written so that equal pictures give exactly 1 (v is 0), and that no digits are lost where both are bright
+// and similar: with S = mean u, D = mean v, U and V the variances of u and v in the window,
 //   SSIM = ((S^2 - D^2)/2 + C1) / ((S^2 + D^2)/2 + C1) * ((U - V)/2 + C2) / ((U + V)/2 + C2)
 
 #define SSIM_C1 0.0001  // (0.01 L)^2 with the range L = 1
@@ -20,8 +20,8 @@ float ssimTap(int distance) {
                     : float(0.0);
 }
 
-// The result of one window: 1 - SSIM, and what a pixel in it must know of its gradient, which with respect to
-// that pixel's x is tap * (plain + ofSum u + ofDifference v).
+// The result of one window: 1 - SSIM, and its gradient, which with respect to the x of a pixel in the window
+// is tap * (plain + ofSum u + ofDifference v).
 struct SsimWindow {
     vec4 dissimilarity;
     vec4 plain;
@@ -29,7 +29,7 @@ struct SsimWindow {
     vec4 ofDifference;
 };
 
-// Weighted means over the window, of u, v, u^2 and v^2.
+// Takes weighted means over the window of u, v, u^2 and v^2.
 SsimWindow ssimWindow(vec4 u, vec4 v, vec4 uu, vec4 vv) {
     vec4 c1 = vec4(SSIM_C1);
     vec4 c2 = vec4(SSIM_C2);
@@ -44,7 +44,7 @@ SsimWindow ssimWindow(vec4 u, vec4 v, vec4 uu, vec4 vv) {
     vec4 luminances = vec4(1.0) - unlikeMean;
     SsimWindow window;
     window.dissimilarity = unlikeMean + luminances * unlikeStructure;
-    // Derivatives by the variances, then by the means.
+    // Derivatives with respect to the variances, then to the means.
     vec4 slope = luminances * inverse2;
     window.ofSum = -slope * unlikeStructure;
     window.ofDifference = slope * ((varU + c2) * inverse2) * float(2.0);

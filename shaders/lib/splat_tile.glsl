@@ -1,13 +1,11 @@
-// Whether a splat shows anywhere in a rectangle of pixels. Exact but for rounding, which is on the side of
-// yes.
+// Whether a splat shows anywhere in a rectangle of pixels. Exact except for rounding, which errs towards yes.
 //
-// Two kernels ask for the same tiles, one to count them and one to write them down, and must get the same
-// answers: so nothing here may be contracted or reordered in one of them only.
+// One kernel counts a splat's tiles and another lists them, and both must get the same answers: so the
+// compiler must not contract or reorder anything here in one of them only.
 //
 // Needs splat_blend.glsl.
 
-// The least power that rounding can make of an offset: powerAt with its error, relative to the terms of u,
-// taken off.
+// A lower bound of powerAt in spite of rounding: subtracts the error of u, relative to its terms.
 float leastPowerAt(vec3 conic, vec2 offset) {
     PRECISE float sheared = conic.y * offset.y;
     PRECISE float error = float(1e-6) * (abs(offset.x) + abs(sheared));
@@ -29,13 +27,13 @@ float leastPowerIn(vec3 conic, vec2 low, vec2 high) {
     return min(onColumn, onRow);
 }
 
-// Where the power is above this, a splat whose opacity is above 0 shows nothing.
+// The largest power at which a splat, with an opacity above 0, still shows.
 float mostPower(ScreenSplat screen, SplatView view) {
     PRECISE float power = log(screen.opacity / view.minAlpha) * float(1.00001) + float(1e-5);
     return power;
 }
 
-// Pixels first <= pixel < end, at least one; of a splat whose opacity is above 0.
+// For pixels first <= pixel < end, at least one, and a splat with an opacity above 0.
 bool showsIn(ScreenSplat screen, ivec2 first, ivec2 end, SplatView view) {
     vec2 low = vec2(first) + vec2(float(0.5)) - screen.mean;
     vec2 high = vec2(end) - vec2(float(0.5)) - screen.mean;

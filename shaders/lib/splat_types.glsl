@@ -1,4 +1,4 @@
-// The structs of the splat maths. SplatView is the one of shaders/shared/splat_view.h, declared by the host.
+// The structs of the splat maths. The host declares SplatView, as in shaders/shared/splat_view.h.
 
 // One Gaussian.
 struct Splat {
@@ -8,7 +8,7 @@ struct Splat {
     float opacityLogit;
 };
 
-// One Gaussian in the picture. At the offset (x, y) from its mean it hides opacity * exp(-q / 2), where
+// One Gaussian in the picture. At the offset (x, y) from its mean its alpha is opacity * exp(-q / 2), where
 //
 //   q = conic.x (x + conic.y y)^2 + conic.z y^2
 //
@@ -17,12 +17,12 @@ struct Splat {
 struct ScreenSplat {
     vec2 mean;      // px
     vec3 conic;     // 1/px^2, 1, 1/px^2
-    float opacity;  // of the centre, with compensation; 0: nothing of it is in the picture
+    float opacity;  // at the centre, with compensation; 0: it is not in the picture
     float depthMm;  // of the centre along the camera's z
-    vec2 extent;    // px to the left and right, and up and down, where it reaches minAlpha
+    vec2 extent;    // half width and half height, px, of the box in which alpha exceeds minAlpha
 };
 
-// The derivative of a loss by the numbers of a ScreenSplat, and by its colour.
+// The derivative of a loss with respect to a ScreenSplat and its colour.
 struct ScreenGradient {
     vec2 mean;
     vec3 conic;

@@ -1,9 +1,8 @@
-// Values and gradients between voxels by the splines of medium.glsl, for rays that are cast.
+// Values and gradients between voxels by the splines of medium.glsl, for cast rays.
 //
-// Needs, beside cell_walk.glsl and medium.glsl, nothing.
+// Needs only cell_walk.glsl and medium.glsl.
 
-// The 4 x 4 x 4 voxels around a cell, in the walk's coordinates: 16 rows along x, along y faster than along
-// z.
+// The 4 x 4 x 4 voxels around a cell, in the walk's coordinates: 16 rows along x, ordered by y, then by z.
 struct SplineCell {
     vec4 rows[16];
 };
@@ -32,7 +31,7 @@ SplineCell fetchSpline(CellWalk cells) {
     return spline;
 }
 
-// The derivatives of what voxels weigh.
+// The derivatives of splineWeights().
 vec4 splineSlopes(float t) {
     float u = float(1.0) - t;
     vec4 soft = vec4(-u * u, t * (float(3.0) * t - float(4.0)), u * (float(4.0) - float(3.0) * u), t * t) *
@@ -44,7 +43,7 @@ vec4 splineSlopes(float t) {
     return through + (soft - through) * float(1.0 / 3.0);
 }
 
-// At a place between the corners of the cell, 0 to 1 along each axis.
+// Value and slope at a position in the cell, 0 to 1 along each axis.
 SplinePoint splineAt(SplineCell spline, vec3 fraction) {
     vec4 x = splineWeights(fraction.x);
     vec4 y = splineWeights(fraction.y);
@@ -52,7 +51,7 @@ SplinePoint splineAt(SplineCell spline, vec3 fraction) {
     vec4 alongX = splineSlopes(fraction.x);
     vec4 alongY = splineSlopes(fraction.y);
     vec4 alongZ = splineSlopes(fraction.z);
-    // Of each layer of z.
+    // For each layer along z.
     vec4 values = vec4(0.0);
     vec4 slopesX = vec4(0.0);
     vec4 slopesY = vec4(0.0);
@@ -72,11 +71,11 @@ SplinePoint splineAt(SplineCell spline, vec3 fraction) {
     return point;
 }
 
-// Along the ray through a cell: the value as a polynomial that has the spline's values at both ends and in
-// the middle, and its slopes at both ends; the gradient as the parabola through the same three places.
+// The course along the ray through a cell: the value as the polynomial with the spline's values at both ends
+// and in the middle, and its slopes at both ends; the gradient as the parabola through the same three points.
 struct SplineCourse {
     Course value;
-    float least;  // of the voxels: between its three places the polynomial is held to them
+    float least;  // range of the voxels, to which values of the polynomial are clamped
     float most;
     vec3 gradient;  // per voxel, in the walk's coordinates, where the ray enters
     vec3 gradientLinear;
@@ -92,8 +91,8 @@ SplineCourse splineCourse(CellWalk cells) {
     SplinePoint c = splineAt(spline, exit);
     float begins = dot(a.slope, exit - entry);
     float ends = dot(c.slope, exit - entry);
-    // What is above the line that the value begins along: in the middle, at the end, and there per part of
-    // the way.
+    // The value minus its tangent at the start: in the middle and at the end; and the slope of this
+    // difference at the end.
     float middle = b.value - a.value - float(0.5) * begins;
     float end = c.value - a.value - begins;
     float steeper = ends - begins;

@@ -1,24 +1,24 @@
-// Points on what can be seen: rays that find them, how much of it each stands for, what light comes from
-// there, and how matter lies around.
+// Points on visible matter: the rays that find them, the area that each stands for, the light that leaves
+// them, and the matter around them.
 //
-// Rays are even over all lines that cross a cell (a box of the grid): they start anywhere on its surface,
-// with the cosine law. So they meet matter at a place in proportion to its extinction and to how much of all
-// directions it is seen from.
+// Rays are distributed evenly over all lines that cross a cell (a box of the grid): they start anywhere on
+// its surface, with the cosine law. So the probability that they meet matter at a point is proportional to
+// its extinction and to the share of directions from which it is seen.
 //
 // Needs what path.glsl needs, and hasGreyFaces(), a constant.
 
-// What is seen from so large a part of all directions counts in full; less, in proportion. Without this limit
-// what lies open would get more points for the same area than what lies in a groove.
+// A point seen from at least this share of all directions counts in full; others in proportion. Without this
+// limit open surfaces would get more points for the same area than grooves.
 #define SEEN_ENOUGH 0.25
 
-// A face that shows grey values is met by as many rays as the surface of dense matter, but seen from half of
-// all directions throughout, and matter from fewer the deeper it is met: so much more a point of the face
-// weighs, so that both have as many points. It is the integral of min(2 E2(t), 1) over all depths t, times
-// 1/2 over 1/4.
+// The extra weight of points on grey clip faces, which gives them as many points as the surface of dense
+// matter. Both are met by as many rays, but a face is seen from half of all directions everywhere, and matter
+// from fewer the deeper it is met. It is the integral of min(2 E2(t), 1) over all depths t, times 1/2 over
+// 1/4.
 #define FACE_WEIGHT 1.8
 
-// Rounds of a ray after which it is given up, see path_samples.glsl: more than any takes but along the
-// densest of surfaces.
+// After so many rounds a ray is given up, see path_samples.glsl: only rays along very dense surfaces need
+// more.
 #define MANY_SURFACE_ROUNDS 4000
 
 vec3 directionOnSphere(float cosine, float turn) {
@@ -32,8 +32,7 @@ vec3 randomDirection(INOUT(Rng) rng) {
     return directionOnSphere(cosine, random01(rng));
 }
 
-// Whether an eye can be shown anything at a point: not outside of the volume, nor of what clip and mask
-// leave.
+// Whether a point is within the volume and shown by clip and mask.
 bool isShown(vec3 at) {
     vec3 high = vec3(params.volumeSize);
     bool outside = at.x < float(0.0) || at.y < float(0.0) || at.z < float(0.0) || at.x > high.x ||
@@ -53,8 +52,7 @@ float realShare(vec3 at, float majorant, INOUT(Rng) rng) {
     return isMasked(at) ? float(0.0) : real;
 }
 
-// Visitor: transmittance of what an eye is shown, by ratio tracking with roulette. A ray that is given up
-// sees nothing.
+// Visitor: transmittance of the shown matter, by ratio tracking with roulette. 0 for a ray that is given up.
 float seenThrough(BrickWalk walk, INOUT(Rng) rng, INOUT(int) rounds) {
     float transmittance = float(1.0);
     int first = rounds;
@@ -81,8 +79,8 @@ bool meetsMatter(INOUT(BrickWalk) walk, INOUT(Rng) rng, INOUT(int) rounds) {
     return met;
 }
 
-// Whether faces of the clip leave a point to be seen by an eye in direction `outwards` (voxels per mm). A
-// face hides what is behind it; and what is on one is seen only from where the face is met.
+// Whether grey clip faces leave a point visible to an eye in direction `outwards` (voxels per mm). A face
+// hides everything behind it; a point on a face is visible only if the eye's ray meets that face.
 bool isOpen(vec3 at, vec3 outwards, bool onFace) {
     if (!hasGreyFaces()) return true;
     float far = startWalk(at, outwards, nothingClipped()).endMm + voxelMm(outwards);
@@ -103,16 +101,15 @@ float seenFrom(vec3 at, vec3 outwards, bool onFace, INOUT(Rng) rng, INOUT(int) r
     return open ? seen : float(0.0);
 }
 
-// The normal of the faces of voxels across an axis, inwards from their low end; its length is in proportion
-// to their area.
+// The normal of voxel faces across an axis, towards its high end; its length is proportional to their area.
 vec3 acrossFaces(int axis) {
     if (axis == 0) return vec3(params.voxelFromWorldX.x, params.voxelFromWorldY.x, params.voxelFromWorldZ.x);
     if (axis == 1) return vec3(params.voxelFromWorldX.y, params.voxelFromWorldY.y, params.voxelFromWorldZ.y);
     return vec3(params.voxelFromWorldX.z, params.voxelFromWorldY.z, params.voxelFromWorldZ.z);
 }
 
-// A ray from the surface of the box [low, high] into it, even over all lines that cross it. Origin in voxel
-// coordinates, direction in the world.
+// A ray from the surface of the box [low, high] into it, distributed evenly over all lines that cross it.
+// Returns the origin in voxel coordinates; `direction` is in the world.
 vec3 rayInto(vec3 low, vec3 high, INOUT(Rng) rng, OUT(vec3) direction) {
     vec3 size = high - low;
     float areaX = length(acrossFaces(0)) * size.y * size.z;
@@ -125,19 +122,17 @@ vec3 rayInto(vec3 low, vec3 high, INOUT(Rng) rng, OUT(vec3) direction) {
     float v = random01(rng);
     vec3 where = axis == 0 ? vec3(side, u, v) : (axis == 1 ? vec3(u, side, v) : vec3(u, v, side));
     vec3 inwards = normalize(acrossFaces(axis)) * (float(1.0) - float(2.0) * side);
-    vec3 lambert =
-        inwards + randomDirection(rng);  // ends of unit vectors on a ball that touches: the cosine law
+    vec3 lambert = inwards + randomDirection(rng);  // normal plus a random unit vector: the cosine law
     float reach = length(lambert);
     direction = reach > float(1e-4) ? lambert / reach : inwards;
     return low + where * size;
 }
 
-// A place that an eye can see, or none.
+// A point that an eye can see, or none.
 struct Candidate {
-    vec3 at;       // voxel coordinates
-    float weight;  // area for each ray, over a quarter of the surface of all cells; 0: none
-    float
-        density;  // of points, per mm, times the area that each stands for; below 0: on a face of grey values
+    vec3 at;        // voxel coordinates
+    float weight;   // area for which it stands, over a quarter of all cells' surface; 0: none
+    float density;  // of points per mm, times each point's area; below 0: on a grey face
 };
 
 // Finds a candidate by a ray through the cell [low, high], in voxel coordinates within the volume.
@@ -155,9 +150,10 @@ Candidate findCandidate(vec3 low, vec3 high, int directions, INOUT(Rng) rng) {
     vec3 at = walkPositionAt(walk, met ? walk.distanceMm : walk.endMm);
     bool onFace = meetsFace && !met && rounds < MANY_SURFACE_ROUNDS;
 
-    // First what lies before the cell: the place is as likely seen as that lets light pass. Then from how
-    // much of all directions it is seen: by one in each of as many equal zones, a golden angle apart. One
-    // loop, because a kernel with two of them compiles twice as long.
+    // Round 0 finds the transmittance of the matter in front of the cell, which is the probability to keep
+    // the point. Later rounds find the share of directions from which it is seen, with one direction in each
+    // of so many equal zones, a golden angle apart. One loop, because a kernel with two takes twice as long
+    // to compile.
     bool found = onFace;
     float visibility = float(0.0);
     float turn = random01(rng);
@@ -181,7 +177,7 @@ Candidate findCandidate(vec3 low, vec3 high, int directions, INOUT(Rng) rng) {
                            ? min(float(FACE_WEIGHT) / max(visibility, float(1e-3)), float(1.0 / SEEN_ENOUGH))
                            : float(1.0) / max(visibility, float(SEEN_ENOUGH));
     if (!found) candidate.weight = float(0.0);
-    // A ray has seen it, whatever chance has made of the others.
+    // At least one ray has seen it: the lower limit is for points that all other rays missed.
     float entry = trilinearEntry(at);
     float steep = steepAt(at, entry);
     candidate.density = totalOf(mixtureAt(at, entry, steep)) *
@@ -190,9 +186,9 @@ Candidate findCandidate(vec3 low, vec3 high, int directions, INOUT(Rng) rng) {
     return candidate;
 }
 
-// A path from outside towards a point, as far beyond it as it starts before it: what it brings is light that
-// leaves the matter around the point, and whether it met any. `weight` is how well an eye there is seen from
-// all outside; a path of no weight is complete.
+// A path from `radiusMm` outside a point to as far beyond it: its light leaves the matter around the point,
+// and its coverage says whether it met any. `weight` is the transmittance from the point outwards along that
+// path; a path with weight 0 is complete.
 Path startTowards(vec3 at, float radiusMm, bool onFace, Net net, INOUT(Rng) rng, INOUT(int) rounds,
                   OUT(float) weight) {
     vec2 u = netPoint(net, 0u);

@@ -1,4 +1,4 @@
-// Everything the tracer's kernels share, in order. The host declares before: params (TraceParams),
+// Everything the tracer's kernels share, in order. The host must declare before this: params (TraceParams),
 // useTrilinear(), and the fetch functions that the parts name.
 #define PI 3.14159265358979323846
 #define BRICK 8

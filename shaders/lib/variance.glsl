@@ -3,7 +3,7 @@
 //
 // Needs picture.glsl.
 
-// The most: for a larger variance, and for one that is not a number.
+// Replaces a variance that is larger or NaN.
 #define MOST_LIGHT_VARIANCE 1e24
 
 float boundedVariance(float variance) {
@@ -11,8 +11,9 @@ float boundedVariance(float variance) {
                                                                            : float(MOST_LIGHT_VARIANCE);
 }
 
-// From the sums over `count` samples. The square of a single one is, on average, its variance and the square
-// of its mean; light of a path has about as much of both. Without samples nothing is known.
+// From the sums over `count` samples. The square of a single sample is, on average, its variance plus the
+// square of its mean; for a path's light both are about equal, so that half of it counts. Without samples the
+// variance is the largest.
 float varianceOfMean(vec4 sum, uint count, float squares) {
     if (count == uint(0)) return float(MOST_LIGHT_VARIANCE);
     float samples = float(count);

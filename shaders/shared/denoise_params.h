@@ -1,4 +1,4 @@
-// What a dispatch of shaders/denoise is told.
+// Push constants of the kernels in shaders/denoise.
 #ifndef MACULA_SHARED_DENOISE_PARAMS_H
 #define MACULA_SHARED_DENOISE_PARAMS_H
 #include "shared/shared.h"
@@ -8,10 +8,10 @@ struct DenoisePush {
     ivec2 imageSize;       // pixels
     int stride;            // pixels between the taps of this pass
     int last;              // 1: the last pass of the filter
-    float pixelAngle;      // width of a pixel at distance 1, as stored
-    float historySamples;  // the most samples that the history counts for; 0: there is none
+    float pixelAngle;      // width of a stored pixel at distance 1
+    float historySamples;  // the history counts as at most so many samples; 0: no history
     int firstRow;          // of this dispatch
-    // Where the picture is stored larger, see shaders/lib/fovea.glsl; magnification up to 1: nowhere.
+    // The fovea, stored larger: see shaders/lib/fovea.glsl; magnification up to 1: none.
     vec2 planeHalfSize;
     vec2 gaze;
     float foveaRadius;

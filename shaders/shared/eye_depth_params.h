@@ -1,4 +1,4 @@
-// What shaders/hybrid/eye_depth.comp is told.
+// Push constants of shaders/hybrid/eye_depth.comp.
 #ifndef MACULA_SHARED_EYE_DEPTH_PARAMS_H
 #define MACULA_SHARED_EYE_DEPTH_PARAMS_H
 #include "shared/shared.h"
@@ -6,9 +6,9 @@ MACULA_SHARED_BEGIN
 
 struct EyeDepthPush {
     ivec2 size;        // pixels
-    float unitsPerMm;  // of depths; near and far are in the same units
+    float unitsPerMm;  // of depths; nearest and farthest are in the same units
     float nearest;     // becomes 0
-    float farthest;    // becomes 1, and so does what is farther, or nothing
+    float farthest;    // becomes 1, as do pixels that are farther or empty
 };
 
 MACULA_SHARED_END

@@ -1,19 +1,19 @@
-// What a dispatch of shaders/trace/guides.comp is told.
+// Push constants of shaders/trace/guides.comp.
 #ifndef MACULA_SHARED_GUIDE_PARAMS_H
 #define MACULA_SHARED_GUIDE_PARAMS_H
 #include "shared/shared.h"
 MACULA_SHARED_BEGIN
 
 struct GuidePush {
-    vec3 oursMm;  // the eye of the picture, relative to the eye before, world mm
-    vec3 right;   // of the eye before, as in TraceParams
+    vec3 oursMm;  // this picture's eye, relative to the previous eye, world mm
+    vec3 right;   // axes of the previous eye, as in TraceParams
     vec3 up;
     vec3 forward;
-    vec2 planeHalfSize;  // of its picture, and where that is stored larger, likewise
+    vec2 planeHalfSize;  // of its picture and its fovea, as in TraceParams
     vec2 gaze;
     float foveaRadius;
     float foveaMagnification;
-    float parallelMm;  // likewise
+    float parallelMm;  // as in TraceParams
     int firstRow;      // of this dispatch
 };
 

@@ -7,10 +7,11 @@ MACULA_SHARED_BEGIN
 MACULA_SHARED_CONST int kPixelLayers = 8;
 
 struct PixelLayers {
-    vec4 nearMm;  // along the centre ray, to opacity 1/16, 3/16, 5/16, 7/16; negative: never
-    vec4 farMm;   // 9/16, 11/16, 13/16, 15/16
+    vec4 nearMm;  // distance along the centre ray at which opacity reaches 1/16, 3/16, 5/16, 7/16; negative:
+                  // never
+    vec4 farMm;   // likewise 9/16, 11/16, 13/16, 15/16
     float coverage;
-    float meanMm;  // of the matter down to transmittance 1/2; negative: there is none
+    float meanMm;  // of the matter down to transmittance 1/2; negative: no matter
 };
 
 struct LayersPush {

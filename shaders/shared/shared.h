@@ -1,5 +1,5 @@
-// What makes one header both C++ and GLSL. A shared header includes this first and puts its structs between
-// the macros:
+// Makes one header valid in both C++ and GLSL. A shared header includes this first and puts its structs
+// between the macros:
 //
 //   #ifndef MACULA_SHARED_TRACE_PARAMS_H
 //   #define MACULA_SHARED_TRACE_PARAMS_H

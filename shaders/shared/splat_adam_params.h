@@ -1,4 +1,4 @@
-// What the optimiser's kernel is told (shaders/splat/adam.comp).
+// Parameters of the optimiser's kernel (shaders/splat/adam.comp).
 #ifndef MACULA_SHARED_SPLAT_ADAM_PARAMS_H
 #define MACULA_SHARED_SPLAT_ADAM_PARAMS_H
 #include "shared/splat_layout.h"
@@ -8,7 +8,7 @@ struct SplatAdamParams {
     uint count;     // of splats
     uint capacity;  // of the arrays
     int components;
-    uint lastCorrection;  // index of the table's last entry, which is for all later steps too
+    uint lastCorrection;  // index of the table's last entry, which all later steps use too
     float beta1;
     float beta2;
     float epsilon;

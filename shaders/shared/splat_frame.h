@@ -1,4 +1,4 @@
-// What the kernels that draw splats are told, and how what they pass on is laid out.
+// Parameters of the kernels that draw splats, and the layout of the data that they pass on.
 #ifndef MACULA_SHARED_SPLAT_FRAME_H
 #define MACULA_SHARED_SPLAT_FRAME_H
 #include "shared/splat_view.h"
@@ -9,26 +9,26 @@ struct SplatFrame {
     SplatView view;
     uint count;     // of splats
     uint capacity;  // of the arrays of their parameters, see splat_layout.h
-    ivec2 tiles;    // of the picture: columns and rows of them
+    ivec2 tiles;    // columns and rows of tiles in the picture
     int tileRows;   // pixels of a tile, from top to bottom
 };
 
 MACULA_SHARED_CONST int kTileColumns = 8;  // pixels of a tile, from left to right
 
-// A splat in the picture takes so many vec4: mean, conic.xy | conic.z, opacity, depth, extent.x | colour,
+// A projected splat takes so many vec4: mean, conic.xy | conic.z, opacity, depth, extent.x | colour,
 // extent.y.
 MACULA_SHARED_CONST int kScreenTexels = 3;
 
-// What a tile tells about a splat: mean, conic, opacity, colour as in ScreenGradient; the sum of its weights;
-// the sum over pixels of how strongly each pulls at the mean, so that pixels that pull against each other do
+// The values that a tile sums for a splat: gradients of mean, conic, opacity and colour as in ScreenGradient;
+// the splat's blending weights; and the absolute pull of each pixel on the mean, so that opposite pulls do
 // not cancel.
 MACULA_SHARED_CONST int kPairValues = 11;
 
-// What is gathered of a splat over views, for deciding where more are needed and which are not.
+// Statistics of a splat over views, which decide where to add splats and which to remove.
 struct SplatStatistics {
-    float views;       // in which the splat showed
+    float views;       // number of views in which the splat showed
     float weight;      // sum of its blending weights over pixels and views
-    float pull;        // sum over pixels of the absolute derivatives by its place in the picture, in pixels
+    float pull;        // sum over pixels of the absolute derivatives with respect to its mean, in pixels
     float mostWeight;  // the largest sum of its blending weights in one view
 };
 

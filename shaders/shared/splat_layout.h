@@ -2,7 +2,7 @@
 // moments alike.
 //
 // One float array of components; component k of splat i is at k * capacity + i, so that neighbouring threads,
-// a splat each, read neighbouring numbers. What they mean: src/pipeline/splat/model/splats.h.
+// a splat each, read neighbouring numbers. For their meaning see src/pipeline/splat/model/splats.h.
 #ifndef MACULA_SHARED_SPLAT_LAYOUT_H
 #define MACULA_SHARED_SPLAT_LAYOUT_H
 #include "shared/shared.h"

@@ -1,4 +1,4 @@
-// What splats are drawn with: the eye, the picture, and how they blend. Made by
+// The parameters that splats are drawn with: eye, picture and blending. Made by
 // src/pipeline/splat/draw/raster_view.h.
 #ifndef MACULA_SHARED_SPLAT_VIEW_H
 #define MACULA_SHARED_SPLAT_VIEW_H
@@ -16,17 +16,18 @@ struct SplatView {
     vec2 focalPx;
     vec2 principalPx;
     ivec2 sizePx;
-    vec2 lowestSlope;   // x/z and y/z of the edges of the picture, and a little beyond: for what lies farther
-    vec2 highestSlope;  // out, splats are projected as they would be there
-    float nearMm;       // a splat whose centre is nearer along z is not drawn
-    float lowPassPx2;   // added to the variance in the picture, along x and y, of what is thin
-    float lowPassLeastPx2;   // of what is not thin: at most lowPassPx2, see lib/splat_projection.glsl
-    int compensated;         // 1: opacity is lowered as the low-pass widens; 0: it is not
+    vec2 lowestSlope;        // x/z and y/z a little beyond the edges of the picture: splats farther out are
+    vec2 highestSlope;       // projected with the shape that they would have there
+    float nearMm;            // a splat whose centre is nearer along z is not drawn
+    float lowPassPx2;        // low-pass added to the projected variance of thin splats, along x and y
+    float lowPassLeastPx2;   // the same for splats that are not thin: at most lowPassPx2, see
+                             // lib/splat_projection.glsl
+    int compensated;         // 1: opacity is lowered by as much as the low-pass widens a splat; 0: it is not
     int parallel;            // 1: parallel rays along `forward`, and focalPx is per mm; 0: rays from the eye
-    float maxAlpha;          // no splat hides more of a pixel than this
-    float minAlpha;          // what hides no more than this is not drawn
-    float fringe;            // alpha is at most fringe * (alpha - minAlpha): above 1; very large: a hard edge
-    float minTransmittance;  // a pixel that less shines through is finished
+    float maxAlpha;          // upper limit of a splat's alpha in a pixel
+    float minAlpha;          // a splat with no more alpha in a pixel is skipped there
+    float fringe;            // above 1: limits alpha to fringe * (alpha - minAlpha); very large: a hard edge
+    float minTransmittance;  // a pixel is finished when its transmittance falls below this
 };
 
 MACULA_SHARED_END

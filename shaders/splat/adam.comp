@@ -1,8 +1,7 @@
-// One step of Adam for the splats that were seen. A thread for each splat. Of positions the moments are along
-// the splat's axes, and the rate is in its deviations there (optimizer_options.h).
+// One step of Adam for the splats that showed in the view. A thread for each splat. Moments of a position are
+// along the splat's axes, and its rate is relative to the standard deviations there (optimizer_options.h).
 //
-// The loops skip what need not be done (an `if` would not, on lavapipe), and carry out of them only what
-// texelFetch gave.
+// The loops skip work (on lavapipe an `if` would not), and only results of texelFetch leave them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -16,7 +15,7 @@ layout(binding = 0, scalar) readonly buffer Params {
     SplatAdamParams params;
 };
 layout(binding = 1) uniform samplerBuffer corrections;  // by step
-layout(binding = 2) uniform samplerBuffer gradients;    // these and the next by splat_layout.h
+layout(binding = 2) uniform samplerBuffer gradients;    // like the next three in the layout of splat_layout.h
 layout(binding = 3, scalar) readonly buffer Visible {
     uint visible[];
 };
@@ -36,7 +35,7 @@ layout(binding = 8, scalar) buffer Skipped {
     uint skipped;
 };
 
-// What Adam does to the number at `at` of the moments.
+// Updates the moments at index `at`, and returns the change of the parameter.
 float learnt(uint at, float gradient, float rate, vec2 correction) {
     AdamStep next = adamStep(gradient, firsts[at], seconds[at], correction, rate, params.beta1, params.beta2,
                              params.epsilon);
@@ -81,7 +80,7 @@ void main() {
     for (int once = seen && !usable ? 1 : 0; once > 0; --once) atomicAdd(skipped, 1u);
     uint step = steps[splat] + 1u;
     vec2 correction = texelFetch(corrections, int(min(step, params.lastCorrection))).xy;
-    // First, by the axes as they were when the gradients were taken.
+    // Positions first, along the axes for which the gradients were computed.
     for (int once = usable ? 1 : 0; once > 0; --once) movePosition(splat, correction);
     last = usable ? params.components : 0;
     for (int k = kSplatLogScale; k < last; ++k) {

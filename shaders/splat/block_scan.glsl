@@ -1,4 +1,4 @@
-// Sums over the threads of a workgroup. Without subgroups: the same on every device.
+// Sums over the threads of a workgroup. Uses no subgroups, so that it is the same on every device.
 #extension GL_EXT_control_flow_attributes : require
 
 #include "shared/splat_lists.h"
@@ -10,8 +10,8 @@ uint saturatingSum(uint a, uint b) {
     return sum < a ? 0xffffffffu : sum;
 }
 
-// The exclusive prefix sum: of the values of the threads before this one (Hillis and Steele 1986). The sum of
-// all is then in scanned[kListThreads - 1], until a barrier and the next call. All threads must call it.
+// The exclusive prefix sum, over the values of the threads before this one (Hillis and Steele 1986). Leaves
+// the sum of all in scanned[kListThreads - 1]; put a barrier before the next call. All threads must call it.
 uint sumBefore(uint value) {
     uint thread = gl_LocalInvocationID.x;
     scanned[thread] = value;

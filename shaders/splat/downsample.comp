@@ -1,4 +1,4 @@
-// A smaller picture: see lib/splat_downsample.glsl.
+// Makes a smaller picture: see lib/splat_downsample.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

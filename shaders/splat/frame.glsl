@@ -1,4 +1,4 @@
-// What all kernels that draw splats begin with.
+// Declarations that all kernels that draw splats share.
 #extension GL_EXT_control_flow_attributes : require
 #define OUT(type) out type
 #define INOUT(type) inout type
@@ -7,7 +7,7 @@
 #include "shared/splat_frame.h"
 #include "shared/splat_layout.h"
 
-// Not a uniform block: lavapipe would compile it into the shader, anew for each picture.
+// Not a uniform block: lavapipe would compile its values into the shader, again for each picture.
 layout(binding = 0, scalar) readonly buffer Frame {
     SplatFrame frame;
 };

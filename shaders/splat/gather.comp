@@ -1,4 +1,4 @@
-// Gathers the gradient by the parameters of each splat from those of its pairs with tiles.
+// Sums each splat's gradients over its tiles, and turns them into gradients with respect to its parameters.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,5 +1,5 @@
-// Fourth step of the loss: the derivatives of the SSIM windows, summed along columns. A thread for each strip
-// of a column.
+// Fourth step of the loss: sums the derivatives of SSIM windows along columns. A thread for each strip of a
+// column.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_strips.glsl"

@@ -1,5 +1,5 @@
-// Second step of the loss: what SSIM needs of a window, summed along the columns. A thread for each strip of
-// a column.
+// Second step of the loss: sums the moments that SSIM needs along columns of its windows. A thread for each
+// strip of a column.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_strips.glsl"

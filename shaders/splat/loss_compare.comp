@@ -1,5 +1,5 @@
-// First step of the loss: sum and difference of the two pictures, as they are compared. What is not finite in
-// either is taken to be equal, and black if it is in the target.
+// First step of the loss: sum and difference of the two pictures, as they are compared. Pixels that are not
+// finite in either picture count as equal; as black in both if the target's is not finite.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_setup.glsl"

@@ -1,11 +1,11 @@
-// Last step of the loss: along rows too, then from what is compared back to the premultiplied pixel. A thread
-// for each strip of a row.
+// Last step of the loss: sums the derivatives along rows too, then takes them back to the premultiplied
+// pixel. A thread for each strip of a row.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_strips.glsl"
 
 layout(constant_id = 1) const bool kDisplay = false;
-layout(constant_id = 2) const bool kSimilar = true;  // SSIM takes part
+layout(constant_id = 2) const bool kSimilar = true;  // the loss includes SSIM
 
 layout(binding = 1) uniform samplerBuffer summed;
 layout(binding = 2) uniform samplerBuffer pairs;
@@ -15,7 +15,7 @@ layout(binding = 5, scalar) writeonly buffer Gradients {
     vec4 gradients[];
 };
 layout(binding = 6, scalar) writeonly buffer Parts {
-    vec4 parts[];  // over a strip: |difference|, its square; pixels of the render that are not finite; 0
+    vec4 parts[];  // lossPartOf, summed over a strip
 };
 
 void main() {

@@ -1,5 +1,5 @@
-// Third step of the loss: the sums along rows too, and what each window says of its pixels' gradients. A
-// thread for each strip of a row.
+// Third step of the loss: sums along rows too, and computes each window's SSIM and its terms of its pixels'
+// gradients. A thread for each strip of a row.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_strips.glsl"
@@ -8,7 +8,7 @@ layout(binding = 1) uniform samplerBuffer means;
 layout(binding = 2) uniform
     samplerBuffer windows;  // 1 / the taps on known pixels; 0 where the pixel is unknown
 layout(binding = 3, scalar) writeonly buffer Terms {
-    vec4 terms[];  // plain, of the sum, of the difference, for each pixel, divided by its window's taps
+    vec4 terms[];  // for each pixel plain, ofSum, ofDifference (SsimWindow), divided by its window's taps
 };
 layout(binding = 4, scalar) writeonly buffer Parts {
     float parts[];  // 1 - SSIM, summed over a strip

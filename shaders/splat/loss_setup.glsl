@@ -1,4 +1,4 @@
-// What all kernels of the loss begin with: the parameters, and what is compared of a pixel.
+// Declarations that all kernels of the loss share: the parameters, and the comparison of two pixels.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 
@@ -37,8 +37,8 @@ LossPair pairOf(vec4 render, vec4 truth, bool known, bool display) {
     return LossPair(x + y, difference);
 }
 
-// The gradient by a finite premultiplied pixel of a known one; `ofSimilarity` is that of 1 - SSIM by the
-// pixel as compared.
+// The gradient of the loss with respect to a finite premultiplied pixel whose target is known; `ofSimilarity`
+// is the gradient of 1 - SSIM with respect to the compared pixel.
 vec4 gradientOf(vec4 render, vec4 difference, vec4 ofSimilarity, bool display) {
     vec4 back = params.l1Scale * sign(difference) + 2.0 * params.squareScale * difference +
                 params.dssimScale * ofSimilarity;
@@ -46,7 +46,7 @@ vec4 gradientOf(vec4 render, vec4 difference, vec4 ofSimilarity, bool display) {
     return comparedPixelBack(over, back, params.background, params.exposure, display);
 }
 
-// What a pixel adds to the sums of the loss: |difference|, its square; 1 where the render is not finite; 0.
+// A pixel's terms of the sums of the loss: |difference|, its square; 1 if the render is not finite; 0.
 vec4 lossPartOf(vec4 render, vec4 difference) {
     return vec4(dot(abs(difference), vec4(1.0)), dot(difference, difference), isFinite(render) ? 0.0 : 1.0,
                 0.0);

@@ -1,15 +1,16 @@
 // SSIM by tiles, for graphics cards: a group reads the kTile^2 pixels of its threads and those around them
-// once, and sums over windows in its own memory, along columns and then along rows, in the order of the
-// strips (loss_strips.glsl): gradients differ by rounding, the loss also by the order of its parts.
+// once, and sums over windows in shared memory, along columns and then along rows, in the same order as
+// strips do (loss_strips.glsl). The results of the two differ only by rounding; the loss is also summed in
+// another order.
 //
 // The wide tile has the pixels of the threads and kReach more on each side, row by row.
 //
-// Needs: vec4 windowed(at, which), the value to sum of place `at` in the wide tile; `which` is that of
-// windowSum.
+// Needs: vec4 windowed(at, which), the value to sum at index `at` of the wide tile; `which` is the argument
+// of windowSum.
 #include "splat/loss_setup.glsl"
 
 const int kTile = 16;
-const int kReach = 5;  // of a window, to each side
+const int kReach = 5;  // pixels of a window to each side
 const int kWide = kTile + 2 * kReach;
 const int kThreads = kTile * kTile;
 layout(local_size_x = kTile, local_size_y = kTile) in;
@@ -22,7 +23,7 @@ int thread() {
     return int(gl_LocalInvocationIndex);
 }
 
-// Of the first pixel of the wide tile.
+// Coordinates of the first pixel of the wide tile.
 ivec2 wideCorner() {
     return ivec2(gl_WorkGroupID.xy) * kTile - kReach;
 }
@@ -39,10 +40,10 @@ int indexOf(ivec2 pixel) {
     return pixel.y * params.imageSize.x + pixel.x;
 }
 
-// The sum over the window of the thread's pixel. All threads of the group call it together, once what
-// windowed() reads is there.
+// The sum over the window of the thread's pixel. All threads of the group must call it together, after they
+// have written what windowed() reads.
 vec4 windowSum(int which) {
-    barrier();  // the last sums have been read, and what windowed() reads is written
+    barrier();  // earlier sums have been read, and windowed()'s data is written
     for (int at = thread(); at < kTile * kWide; at += kThreads) {
         vec4 sum = vec4(0.0);
         [[unroll]] for (int i = 0; i <= 2 * kReach; ++i) sum +=
@@ -64,7 +65,7 @@ vec4 sumOfTile(vec4 part) {
         barrier();
         if (thread() < step) columnSums[thread()] += columnSums[thread() + step];
     }
-    return columnSums[0];  // its own
+    return columnSums[0];  // thread 0 wrote it
 }
 
 int tileIndex() {

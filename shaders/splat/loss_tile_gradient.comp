@@ -1,11 +1,11 @@
-// Second step of the loss by tiles: the derivatives of the SSIM windows, summed, and from what is compared
-// back to the premultiplied pixel. It stands for loss_back_columns and loss_gradient.
+// Second step of the loss by tiles: sums the derivatives of SSIM windows, and takes them back to the
+// premultiplied pixel. It replaces loss_back_columns and loss_gradient.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_tile.glsl"
 
 layout(constant_id = 1) const bool kDisplay = false;
-layout(constant_id = 2) const bool kSimilar = true;  // SSIM takes part
+layout(constant_id = 2) const bool kSimilar = true;  // the loss includes SSIM
 
 layout(binding = 1) uniform samplerBuffer terms;
 layout(binding = 2) uniform samplerBuffer pairs;
@@ -25,7 +25,7 @@ vec4 windowed(int at, int which) {
 }
 
 vec4 sumOfTerms(int which) {
-    barrier();  // the last ones have been read
+    barrier();  // the previous terms have been read
     for (int at = thread(); at < kWide * kWide; at += kThreads) {
         ivec2 pixel = widePixel(at);
         wide[at] = isInPicture(pixel) ? texelFetch(terms, 3 * indexOf(pixel) + which) : vec4(0.0);

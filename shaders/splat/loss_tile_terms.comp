@@ -1,5 +1,5 @@
-// First step of the loss by tiles: both pictures as they are compared, and what each window of SSIM says of
-// its pixels' gradients. It stands for loss_compare, loss_columns and loss_rows, and keeps their sums out of
+// First step of the loss by tiles: compares both pictures, and computes each window's SSIM and its terms of
+// its pixels' gradients. It replaces loss_compare, loss_columns and loss_rows, and keeps their sums out of
 // the device's memory.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -15,7 +15,7 @@ layout(binding = 4, scalar) writeonly buffer Pairs {
     vec4 pairs[];  // sum, difference
 };
 layout(binding = 5, scalar) writeonly buffer Terms {
-    vec4 terms[];  // plain, of the sum, of the difference, for each pixel, divided by its window's taps
+    vec4 terms[];  // for each pixel plain, ofSum, ofDifference (SsimWindow), divided by its window's taps
 };
 layout(binding = 6, scalar) writeonly buffer Parts {
     float parts[];  // 1 - SSIM, summed over a tile

@@ -1,11 +1,11 @@
-// Sums over strips or tiles to sums over the picture, always in the same order. One group.
+// Adds the sums of strips or tiles up to sums over the picture, always in the same order. One work group.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/splat_loss_params.h"
 
 layout(local_size_x = 256) in;
 
-layout(constant_id = 0) const bool kSimilar = true;  // SSIM takes part
+layout(constant_id = 0) const bool kSimilar = true;  // the loss includes SSIM
 
 layout(binding = 0, scalar) readonly buffer Params {
     SplatLossParams params;

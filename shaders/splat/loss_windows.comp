@@ -1,5 +1,5 @@
-// Once for each target: 1 / the taps of the SSIM window around a pixel that fall on known pixels; 0 where the
-// pixel itself is not finite. By tiles.
+// Once for each target: for each pixel 1 / the sum of the taps of its SSIM window that fall on finite pixels;
+// 0 where the pixel itself is not finite. By tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_tile.glsl"

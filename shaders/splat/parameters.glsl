@@ -21,7 +21,7 @@ Splat fetchSplat(int splat) {
     return s;
 }
 
-// The sum over bands, before visibleColour (lib/splat_colour.glsl) cuts off what is below 0.
+// The sum over bands, before visibleColour (lib/splat_colour.glsl) clamps it at 0.
 vec3 colourSumOf(int splat, vec3 direction) {
     vec3 sum = colourOfBand0(fetchParameters3(kSplatDc, splat));
     if (kDegree >= 1)

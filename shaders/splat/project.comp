@@ -1,4 +1,4 @@
-// From splats in space to splats in the picture.
+// Projects splats in space to splats in the picture. A thread for each splat.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,4 +1,4 @@
-// A picture of splats: for each tile those that show in it, front to back.
+// Draws a picture of splats: each tile blends the splats that show in it, front to back.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,6 +1,6 @@
-// The derivative of a loss by the splats in the picture: for each pair of a tile and a splat in it the sum
-// over the tile's pixels, in a place of its own. Nothing is added to by two, so that the sums are the same
-// each time.
+// The derivative of a loss with respect to the projected splats: for each pair of a tile and a splat in it,
+// the sum over the tile's pixels, in a separate place. No two threads add to the same number, so that the
+// sums are the same each time.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -12,15 +12,15 @@
 #include "splat/tiles.glsl"
 
 layout(constant_id = 3) const int kSlots = 1;  // subgroups of a tile
-layout(constant_id = 4) const int kLanes = 8;  // of a subgroup that are threads of a tile: 8 to 64
+layout(constant_id = 4) const int kLanes = 8;  // threads of a tile in a subgroup: 8 to 64
 
-layout(binding = 4) uniform samplerBuffer pictureTexels;   // as raster.comp has drawn it
-layout(binding = 5) uniform samplerBuffer gradientTexels;  // of the loss by the picture
+layout(binding = 4) uniform samplerBuffer pictureTexels;   // the output of raster.comp
+layout(binding = 5) uniform samplerBuffer gradientTexels;  // of the loss with respect to the picture
 layout(binding = 6, scalar) writeonly buffer Pairs {
     float pairs[];
 };
 
-// Sums each of eight values over the lanes: lane j of each eight gets the sum of value j.
+// Sums eight values over all lanes: lane j of every eight gets the sum of value j.
 float sumsOfEight(float v[8]) {
     uint lane = gl_SubgroupInvocationID;
     bool high4 = (lane & 4u) != 0u;
@@ -39,12 +39,12 @@ float sumsOfEight(float v[8]) {
     return sum;
 }
 
-// Where the sums of a pair are, of the subgroup that the thread is in.
+// The index of a pair's sums for the thread's subgroup.
 uint placeOf(uint pair) {
     return (pair * uint(kSlots) + gl_SubgroupID) * uint(kPairValues);
 }
 
-// The three values of the lane whose number differs in the bits of `mask`.
+// The values of the lane whose number differs in the bits of `mask`.
 vec3 ofLane(vec3 v, uint mask) {
     return vec3(subgroupShuffleXor(v.x, mask), subgroupShuffleXor(v.y, mask), subgroupShuffleXor(v.z, mask));
 }
@@ -75,8 +75,8 @@ void main() {
     }
     uvec2 range = entriesOfTile();
     uint at = range.x;
-    // Once all pixels are below minTransmittance nothing counts. All lanes of a subgroup go on together: they
-    // share sums.
+    // Stops when all pixels are below minTransmittance. All lanes of a subgroup continue together, because
+    // they share sums.
     for (float most = 1.0; at < range.y && subgroupAny(most >= view.minTransmittance); ++at) {
         uvec2 entry = texelFetch(entryTexels, int(at)).xy;
         Shown shown = fetchShown(int(entry.x));

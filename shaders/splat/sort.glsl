@@ -1,6 +1,6 @@
-// A stable radix sort by the lowest bits first, a byte of the key in each pass. A pass counts the digits of
-// each block, turns counts into places, and moves the items there. No workgroup waits for another, and
-// nothing depends on who comes first: the result is the same bits each time.
+// A stable radix sort, lowest bits first, one byte of the key in each pass. A pass counts the digits of each
+// block, turns counts into positions, and moves the items there. No workgroup waits for another, and nothing
+// depends on their order: the result is the same to the bit each time.
 #include "shared/splat_lists.h"
 
 layout(local_size_x = kListThreads) in;

@@ -1,4 +1,4 @@
-// How many keys of a block have each digit.
+// Counts the keys of a block that have each digit.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

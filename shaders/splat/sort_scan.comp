@@ -1,4 +1,5 @@
-// A prefix sum: for one digit, how many items in the blocks before each have it. A workgroup for each digit.
+// Prefix sums: for each digit and block, how many items in the blocks before have that digit. A workgroup for
+// each digit.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

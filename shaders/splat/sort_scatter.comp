@@ -1,5 +1,5 @@
-// Moves the items of a block to where their digit belongs. First they are sorted within the block, by half a
-// digit after the other, so that equal digits lie together and keep their order.
+// Moves the items of a block to the positions of their digits. First sorts them within the block, by the
+// lower and then the upper half of the digit, so that equal digits lie together and keep their order.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -9,12 +9,13 @@
 layout(binding = 1, scalar) readonly buffer Items {
     uvec2 items[];  // key, value
 };
-layout(constant_id = 0) const bool kScanned = true;  // sort_scan was here; else each block sums what it
-                                                     // needs: of few blocks that is less than a dispatch
+// sort_scan has run; if not, each block sums the counts that it needs: for few blocks cheaper than a
+// dispatch.
+layout(constant_id = 0) const bool kScanned = true;
 
 layout(binding = 2, scalar) readonly buffer Counts {
-    uint counts[];  // by digit, then by block: of the same digit in the blocks before, or if not kScanned in
-                    // the block
+    uint counts[];  // by digit, then by block: items with the digit in the blocks before; if not kScanned, in
+                    // the block itself
 };
 layout(binding = 3, scalar) readonly buffer Totals {
     uint totals[];  // by digit, if kScanned
@@ -23,16 +24,16 @@ layout(binding = 4, scalar) writeonly buffer Sorted {
     uvec2 sorted[];
 };
 
-const uint kOwn = kSortBlock / kListThreads;  // items of a thread, one after the other
+const uint kOwn = kSortBlock / kListThreads;  // consecutive items of a thread
 const uint kHalf = 16u;                       // values of half a digit
 
 shared uint keys[kSortBlock];
 shared uint values[kSortBlock];
 shared uint places[kHalf * kListThreads];  // by half digit, then by thread
-shared uint firstOfDigit[kSortDigits];     // in the block
-shared uint digitBase[kSortDigits];        // in the result, of this block
+shared uint firstOfDigit[kSortDigits];     // its first item in the block
+shared uint digitBase[kSortDigits];        // position in the result of this block's first item
 
-// Turns counts into places by a prefix sum, in the order in which they lie.
+// Turns the counts in `places` into positions by a prefix sum.
 void scanPlaces(uint thread) {
     uint sum = 0u;
     [[unroll]] for (uint i = 0u; i < kHalf; ++i) sum += places[thread * kHalf + i];
@@ -45,7 +46,7 @@ void scanPlaces(uint thread) {
     barrier();
 }
 
-// Items of a digit: all of them, and those in the blocks before this one.
+// Counts the items of a digit: all of them, and those in the blocks before this one.
 void countDigit(uint digit, out uint total, out uint before) {
     uint first = digit * state.blocks;
     if (kScanned) {
@@ -71,7 +72,7 @@ void main() {
     [[unroll]] for (uint i = 0u; i < kOwn; ++i) {
         uint at = thread * kOwn + i;
         uvec2 item = items[begin + min(at, count - 1u)];
-        key[i] = at < count ? item.x : 0xffffffffu;  // stays behind all others
+        key[i] = at < count ? item.x : 0xffffffffu;  // is sorted behind all others
         value[i] = item.y;
     }
     [[unroll]] for (uint shift = 0u; shift < 8u; shift += 4u) {

@@ -1,11 +1,11 @@
-// How many tiles show each splat, and how many pairs of both a workgroup has.
+// Counts the tiles in which each splat shows, and the pairs of splats and tiles of each workgroup.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
 #include "splat/tile_walk.glsl"
 
 layout(binding = 3, scalar) writeonly buffer TileCounts {
-    uint tileCounts[];  // by place in the order of depth, and part
+    uint tileCounts[];  // by rank in the order of depth, then by part
 };
 layout(binding = 4, scalar) writeonly buffer GroupCounts {
     uint groupCounts[];

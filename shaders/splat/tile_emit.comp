@@ -1,11 +1,11 @@
-// The pairs of splats and tiles, numbered in the order of depth and of tiles.
+// Writes the pairs of splats and tiles, numbered in the order of depth, then of tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
 #include "splat/tile_walk.glsl"
 
 layout(binding = 3, scalar) readonly buffer TileCounts {
-    uint tileCounts[];  // by place in the order of depth, and part
+    uint tileCounts[];  // by rank in the order of depth, then by part
 };
 layout(binding = 4, scalar) readonly buffer GroupStarts {
     uint groupStarts[];
@@ -36,9 +36,9 @@ void main() {
         bool shows = fits && walk.screen.opacity > 0.0;
         pairRanges[splat] = shows ? uvec2(start, scanned[thread + kTileParts - 1u] - before) : uvec2(0u);
     }
-    // Writes as many pairs as were counted, whatever this kernel finds: others' places are not written, and
-    // no own is left as it was. Should it find fewer, because it was compiled to round otherwise, some tile
-    // has the splat once more.
+    // Writes exactly as many pairs as were counted, so that it neither overwrites other threads' pairs nor
+    // leaves one of its own unset. If it finds fewer, because it was compiled to round differently, a tile
+    // gets the splat twice.
     uint end = fits ? start + count : start;
     uint tileCount = uint(frame.tiles.x * frame.tiles.y);
     ivec2 tile = walk.first;

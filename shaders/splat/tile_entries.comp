@@ -1,4 +1,4 @@
-// What tiles show, from the sorted pairs.
+// Writes the splats of each tile, front to back, from the sorted pairs.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

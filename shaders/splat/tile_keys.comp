@@ -1,5 +1,5 @@
-// What splats are sorted by: the bits of their depth, which is above 0, so that they are in its order. Those
-// that do not show come last.
+// Writes the keys by which splats are sorted: the bits of their depth, which order like the depth because it
+// is above 0. Splats that do not show come last.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

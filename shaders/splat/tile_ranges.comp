@@ -1,4 +1,4 @@
-// Where the entries of each tile lie. A thread for each tile.
+// Finds the range of each tile's entries. A thread for each tile.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -17,8 +17,8 @@ layout(binding = 3, scalar) writeonly buffer Ranges {
     uvec2 ranges[];  // first entry, and one after the last
 };
 
-// The first pair of that tile or a later one. All threads take as many rounds, so that nobody leaves the loop
-// early.
+// The first pair of this tile or a later one, by bisection. All threads take the same number of rounds, so
+// that they stay together.
 uint firstOf(uint tile, uint count) {
     uint low = 0u;
     uint high = count;

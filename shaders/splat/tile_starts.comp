@@ -1,5 +1,5 @@
-// A prefix sum: from how many pairs each workgroup has to where they begin, and whether there is room for
-// all. One workgroup.
+// A prefix sum that turns the number of pairs of each workgroup into their start, and checks whether there is
+// room for all. One workgroup.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

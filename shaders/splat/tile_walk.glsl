@@ -1,5 +1,4 @@
-// The tiles of a splat, row by row. kTileParts threads share them, each some rows, because a splat may fill
-// the picture.
+// The tiles of a splat, row by row. kTileParts threads share the rows, because a splat may fill the picture.
 #include "splat/frame.glsl"
 #include "splat/screen.glsl"
 #include "splat/block_scan.glsl"
@@ -14,16 +13,16 @@ struct TileWalk {
     ScreenSplat screen;
     ivec2 first;  // tiles: first <= tile < end
     ivec2 end;
-    bool one;    // there is one, and it is known to show something
-    float most;  // power above which nothing shows
+    bool one;    // there is only one tile, in which the splat is known to show
+    float most;  // mostPower(): above it the splat does not show
 };
 
-// The place in the order of depth that the thread works on.
+// The rank, in the order of depth, of the thread's splat.
 uint rankOfThread() {
     return gl_GlobalInvocationID.x / kTileParts;
 }
 
-// Empty when the splat does not show.
+// The thread's part of the tiles of its splat; empty when the splat does not show.
 TileWalk walkOfThread(out uint splat) {
     TileWalk walk;
     uint rank = rankOfThread();
@@ -49,7 +48,8 @@ bool showsInTile(TileWalk walk, ivec2 tile) {
     ivec2 size = ivec2(kTileColumns, frame.tileRows);
     ivec2 low = tile * size;
     ivec2 high = min(low + size, frame.view.sizePx);
-    // As showsIn, whose logarithm is the same for all tiles. Both kernels that ask must get the same answer.
+    // As showsIn, but computes mostPower() only once for all tiles. Both kernels that call this must get the
+    // same answer.
     precise vec2 fromMeanToLow = vec2(low) + vec2(0.5) - walk.screen.mean;
     precise vec2 fromMeanToHigh = vec2(high) - vec2(0.5) - walk.screen.mean;
     return walk.one || leastPowerIn(walk.screen.conic, fromMeanToLow, fromMeanToHigh) <= walk.most;

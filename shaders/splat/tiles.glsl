@@ -1,9 +1,8 @@
-// Which splats a tile shows, front to back, and the pixels of a thread: kRows of one column, one below the
-// other. On a CPU a thread has all rows of its column, so that eight lanes are the eight columns of a tile
-// and what a splat costs is shared by all of its rows; on a graphics card a few, so that there are enough
-// threads.
+// The splats of a tile, front to back, and the pixels of a thread: kRows of one column, one below the other.
+// On a CPU a thread has all rows of its column, so that the eight lanes are the eight columns of a tile and
+// all rows share the cost of a splat; on a graphics card only a few rows, so that there are enough threads.
 layout(constant_id = 1) const int kRows = 8;
-layout(local_size_x_id = 2) in;  // kTileColumns beside each other, then those of the rows below
+layout(local_size_x_id = 2) in;  // kTileColumns in a row of threads, then the next rows
 
 layout(binding = 2) uniform usamplerBuffer rangeTexels;  // of a tile: first entry, and one after the last
 layout(binding = 3) uniform usamplerBuffer entryTexels;  // splat; number of this pair of splat and tile

@@ -1,5 +1,5 @@
-// Adds to the picture what path_side.comp has traced: pixel by pixel, in the order of the samples, as
-// path_samples.glsl does.
+// Adds the samples that path_side.comp has traced to the picture: for each pixel in the order of the samples,
+// as path_samples.glsl does.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

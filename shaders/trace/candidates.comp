@@ -1,5 +1,5 @@
-// Candidates for surface points: where rays from all sides meet visible matter, and how much of it each
-// stands for.
+// Finds candidates for surface points: where rays from all sides meet visible matter, with the area that each
+// stands for. A thread for each ray.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -9,7 +9,7 @@
 
 layout(local_size_x = 64) in;
 
-const int kDirections = 8;  // that a place is looked at from
+const int kDirections = 8;  // from which the visibility of a point is estimated
 
 layout(binding = 16, scalar) readonly buffer Cells {
     SurfaceCell cells[];

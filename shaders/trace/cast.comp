@@ -1,5 +1,5 @@
-// Adds samples to the pixels of some blocks of the picture, by ray casting: the counterpart of path.comp
-// without chance.
+// Adds samples to the pixels of some blocks of the picture, by ray casting: the deterministic counterpart of
+// path.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "trace/film.glsl"
 
-// See path_samples.glsl. A ray takes some thousand rounds, and neighbours about as many.
+// See path_samples.glsl. A ray takes some thousands of rounds, and neighbouring rays about as many.
 layout(constant_id = 1) const int kMaxRounds = 16000;
 
 void main() {

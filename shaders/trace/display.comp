@@ -1,5 +1,5 @@
-// From sums to what is shown: mean, background, exposure, tone map, display encoding. The last thing that
-// happens to a pixel.
+// Turns sums of samples into display colours: mean, exposure, tone map, background, display encoding. The
+// last step of a pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -33,7 +33,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(picture);
     if (any(greaterThanEqual(pixel, size))) return;
-    // A binomial filter over premultiplied means: the weights of Pascal's triangle, 1 for radius 0.
+    // A binomial filter over premultiplied means: the weights of Pascal's triangle; none at radius 0.
     vec4 sum = vec4(0.0);
     float total = 0.0;
     for (int dy = -push.smoothing; dy <= push.smoothing; ++dy) {

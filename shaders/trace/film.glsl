@@ -10,8 +10,7 @@ layout(binding = 18, scalar) buffer Counts {
 };
 #include "trace/faults.glsl"
 layout(binding = 20, scalar) buffer Squares {
-    vec2 squares[];  // sum of squares of luminance, and its compensation. Coverage is 0 or 1, and its own
-                     // square.
+    vec2 squares[];  // sum of squares of luminance, and its compensation; coverage is 0 or 1, its own square
 };
 layout(binding = 21, scalar) readonly buffer Plan {
     PlannedBlock planned[];  // by work group

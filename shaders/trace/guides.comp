@@ -1,4 +1,4 @@
-// The guides of a picture: for each pixel what its centre ray meets, see lib/guides.glsl.
+// Computes the guides of a picture from the centre ray of each pixel, see lib/guides.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -14,7 +14,7 @@ layout(binding = 17, scalar) writeonly buffer Matters {
     vec4 matters[];  // albedo, coverage
 };
 layout(binding = 18, scalar) writeonly buffer Motions {
-    vec4 motions[];  // motion, confidence, distance from the eye before
+    vec4 motions[];  // motion, confidence, distance from the previous eye
 };
 layout(push_constant, scalar) uniform Push {
     GuidePush push;

@@ -1,5 +1,5 @@
-// What shaders/lib needs from its host, on the GPU: tables in texel buffers, which are by far the fastest
-// read-only arrays on CPU devices and as good as any on others. The C++ counterpart is
+// What shaders/lib needs from its host, for devices: tables in texel buffers, by far the fastest read-only
+// arrays on CPU devices, and as fast as any on others. The C++ counterpart is
 // src/pipeline/trace/reference_host.inl.
 #define OUT(type) out type
 #define INOUT(type) inout type
@@ -19,11 +19,11 @@ layout(constant_id = 17) const bool kSteep = false;
 layout(constant_id = 18) const bool kSteepDensity = false;
 layout(constant_id = 5) const bool kShading = false;
 layout(constant_id = 6) const int kCast = 0;
-layout(constant_id = 8) const bool kCoarse = true;  // some blocks are kept coarsely
+layout(constant_id = 8) const bool kCoarse = true;  // some blocks of voxels are kept coarsely
 layout(constant_id = 9) const bool kSecond = false;
 layout(constant_id = 10) const bool kTints = false;
 layout(constant_id = 11) const int kPoolViews = 1;      // 1 to 4
-layout(constant_id = 12) const int kPoolViewShift = 0;  // each but the last has 2^that values
+layout(constant_id = 12) const int kPoolViewShift = 0;  // log2 of the values in each view but the last
 #ifdef OF_SURFACE_POINTS
 layout(constant_id = 7) const bool kGreyFaces = false;
 #else
@@ -31,29 +31,28 @@ const bool kGreyFaces = false;  // only kernels of surface points ask for it
 #endif
 
 // Not a uniform block: lavapipe (Mesa 22.3) compiles a uniform that decides a branch into the shader, and so
-// would compile anew, for a tenth of a second, whenever the camera moves.
+// would compile it again, for a tenth of a second, whenever the camera moves.
 layout(binding = 0, scalar) readonly buffer Params {
     TraceParams params;
 };
 layout(binding = 1) uniform usamplerBuffer poolTexels;  // the pool: voxels of blocks, as table entries
 layout(binding = 2) uniform samplerBuffer
-    extinctionTexels;  // per mm, by entry; then the gradient opacity; then steep matter's
+    extinctionTexels;  // per mm, by entry; then gradient opacities; then extinctions of steep matter
 layout(binding = 3) uniform samplerBuffer
-    albedoTexels;  // by entry; w: extinction per mm; then of steep matter
+    albedoTexels;  // by entry, extinction per mm in w; then the same of steep matter
 layout(binding = 4) uniform samplerBuffer boundTexels;        // by brick
 layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pdf per steradian, by texel
 layout(binding = 6) uniform samplerBuffer cumulativeTexels;   // see environment.glsl
 layout(binding = 7) uniform usamplerBuffer
     blockTexels;  // by brick, words of four blocks: level and place in the pool
 layout(binding = 8) uniform usamplerBuffer maskTexels;  // a bit for each voxel: whether the mask shows it
-layout(binding = 9) uniform usamplerBuffer
-    secondPoolTexels;  // of a second volume, as the two of the first one
+layout(binding = 9) uniform usamplerBuffer secondPoolTexels;  // of a second volume, as poolTexels
 layout(binding = 10) uniform usamplerBuffer secondBlockTexels;
 layout(binding = 11) uniform samplerBuffer
-    additionTexels;  // its albedo and extinction by entry; then colours of segments
+    additionTexels;  // albedo and extinction of the second volume by entry; then colours of segments
 layout(binding = 12) uniform usamplerBuffer
     tintTexels;  // four voxels of segments in a word: which colour, 0: none
-layout(binding = 13) uniform usamplerBuffer poolTexels1;  // more of the pool, where one view does not hold it
+layout(binding = 13) uniform usamplerBuffer poolTexels1;  // more views of the pool, if it needs them
 layout(binding = 14) uniform usamplerBuffer poolTexels2;
 layout(binding = 15) uniform usamplerBuffer poolTexels3;
 
@@ -69,14 +68,14 @@ uint poolValue(int index) {
     return value;
 }
 
-// Voxels are kept in blocks of 8 x 8 x 8. A word says at which level one is kept, 0 to 3 halvings of its edge
-// (bits 30 and 31), and where in the pool, in units of 8 values; or, at level 3, its one value. What no
-// visible brick touches has such a value too: one of its own, so that even where rounding carries a point
-// across a face there is nothing to be met (src/pipeline/volume/voxel_blocks.h).
-const uint kOneValue = 3u;  // the level
+// Voxels are kept in blocks of 8 x 8 x 8. The word of a block has its level, 0 to 3 halvings of its edge
+// (bits 30 and 31), and its place in the pool, in units of 8 values; or, at level 3, its single value. A
+// block that no visible brick touches also has a single value, one of its own, so that even a point that
+// rounding carries across a face meets no matter there (src/pipeline/volume/voxel_blocks.h).
+const uint kOneValue = 3u;  // the level of a block with a single value
 
-// Tells where in the pool the value of a voxel lies. A block of one value has none there, and gets a place
-// that can be read.
+// The index in the pool of a voxel's value. A block with a single value has none there, and gets index 0,
+// which can be read.
 int placeIn(uint word, ivec3 within) {
     int level = int(word >> 30);
     int inside = (within.z << 6) | (within.y << 3) | within.x;
@@ -93,13 +92,13 @@ float valueOf(uint word, uint inPool) {
 float valueIn(uint word, ivec3 within) {
     return valueOf(word, poolValue(placeIn(word, within)));
 }
-// The same of the second volume.
+// The same for the second volume.
 float secondValueIn(uint word, ivec3 within) {
     return valueOf(word, texelFetch(secondPoolTexels, placeIn(word, within)).x);
 }
 
-// The table has four words in a texel, which costs little more than one: for brick (x, y) those of the blocks
-// (x - 1, y - 1), (x, y - 1), (x - 1, y), (x, y), in layers of blocks along z.
+// A texel of the table has four words, which costs little more to fetch than one: for brick (x, y) those of
+// the blocks (x - 1, y - 1), (x, y - 1), (x - 1, y), (x, y), in layers of blocks along z.
 int tableIndex(ivec2 brick, int layer) {
     return (layer * params.gridSize.y + brick.y) * params.gridSize.x + brick.x;
 }
@@ -113,8 +112,8 @@ void fetchCorners(ivec3 low, ivec3 high, out vec4 near, out vec4 far) {
     ivec2 brick = (low.xy + ivec2(1)) >> 3;
     uvec4 nearWords = texelFetch(blockTexels, tableIndex(brick, low.z >> 3));
     uvec4 farWords = texelFetch(blockTexels, tableIndex(brick, high.z >> 3));
-    // A low corner may lie in the block before. A high one never does: where the volume ends, both words are
-    // the same.
+    // A low corner may lie in the previous block. A high one never does: at the end of the volume both words
+    // are the same.
     ivec3 inLow = low & ivec3(7);
     ivec3 inHigh = high & ivec3(7);
     if (inLow.x < 7) {
@@ -133,11 +132,11 @@ void fetchCorners(ivec3 low, ivec3 high, out vec4 near, out vec4 far) {
                valueIn(farWords.z, ivec3(inLow.x, inHigh.y, inHigh.z)), valueIn(farWords.w, inHigh));
 }
 
-// The words of the blocks that a brick lies in, as in the table: at the low end of z, and at its high end.
+// The words of the blocks in which a brick lies, as in the table: at the low end of z, and at the high end.
 struct Blocks {
     uvec4 near;
     uvec4 far;
-    ivec3 high;  // the first voxel of the high ones
+    ivec3 high;  // the first voxel of the high blocks
 };
 Blocks blocksOfBrick(ivec3 brick) {
     Blocks blocks;
@@ -244,9 +243,9 @@ bool hasGreyFaces() {
     return kGreyFaces;
 }
 
-#ifdef INDIRECT_BINDING  // the first of three: of kernels that trace paths
+#ifdef INDIRECT_BINDING  // first of three bindings, in kernels that trace paths
 layout(constant_id = 13) const bool kIndirect = false;
-layout(binding = INDIRECT_BINDING) uniform usamplerBuffer indirectTags;       // of four cells, by bucket
+layout(binding = INDIRECT_BINDING) uniform usamplerBuffer indirectTags;       // tags of four cells, by bucket
 layout(binding = INDIRECT_BINDING + 1) uniform usamplerBuffer indirectCells;  // sums of light, and samples
 layout(binding = INDIRECT_BINDING + 2, scalar) writeonly buffer IndirectRecords {
     IndirectRecord indirectRecords[];
@@ -275,7 +274,8 @@ uvec4 fetchIndirectCell(int cell) {
 #include "lib/trace_lib.glsl"
 
 #ifdef INDIRECT_BINDING
-// Keeps what the last path of a pixel that went on from its first vertex has found; of some pixels.
+// Records the indirect light of the pixel's last path that continued from its first vertex; only for one
+// pixel in each stride.
 void tellIndirect(ivec2 pixel, IndirectRecord record) {
     ivec2 at = pixel + ivec2(params.seed % 61u, params.seed % 59u);
     if (record.cells.y == 0u || at.x % params.indirectStride != 0 || at.y % params.indirectStride != 0)

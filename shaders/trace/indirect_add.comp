@@ -1,6 +1,6 @@
-// Adds what paths have found to the cache of indirect light, and takes it off the list. A cell gets a place
-// when something is first added to it; where its bucket has none left, what was found is dropped, and
-// counted.
+// Adds the recorded light of paths to the cache of indirect light, and clears the records. A cell gets a
+// place in its bucket when light is first added to it; if the bucket is full, the light is dropped, and
+// counted as such.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -12,10 +12,10 @@ layout(binding = 0, scalar) buffer Records {
     IndirectRecord records[];
 };
 layout(binding = 1, scalar) buffer Tags {
-    uint tags[];  // kIndirectWays of each bucket; 0: free
+    uint tags[];  // kIndirectWays for each bucket; 0: free
 };
 layout(binding = 2, scalar) buffer Cells {
-    uint cells[];  // four of each: sums of red, green and blue, and samples
+    uint cells[];  // four numbers each: sums of red, green and blue, and samples
 };
 layout(binding = 3, scalar) buffer Dropped {
     uint dropped;

@@ -1,4 +1,4 @@
-// The layers of a picture: for each pixel where its light comes from, see lib/layers.glsl.
+// Finds the layers of a picture: the depths from which each pixel's light comes, see lib/layers.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,4 +1,4 @@
-// How noisy each block of the picture is so far: see lib/noise.glsl. A thread for each block.
+// Estimates how noisy each block of the picture is so far: see lib/noise.glsl. A thread for each block.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

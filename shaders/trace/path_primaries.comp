@@ -1,5 +1,5 @@
-// Adds the same samples to a picture as path.comp, and tells where each has met matter, and what light left
-// there towards the eye. Of parallel views nobody asks for them: src/pipeline/hybrid/light/lit_view.cpp.
+// Adds the same samples to a picture as path.comp, and keeps where each met matter, and the light that left
+// there towards the eye. Not for parallel views, which never need it: src/pipeline/hybrid/light/lit_view.cpp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -9,22 +9,22 @@
 #include "shared/primary_vertex.h"
 
 layout(binding = 25, scalar) writeonly buffer Primaries {
-    PrimaryVertex primaries[];  // of kPrimarySamples samples, picture after picture; what is not written was
-                                // cleared before
+    PrimaryVertex primaries[];  // a picture for each of kPrimarySamples samples; cleared before, so that
+                                // unwritten ones are 0
 };
 
-vec3 metMm;  // where the sample under way met matter, from the eye
+vec3 metMm;  // where the current sample met matter, relative to the eye
 
-// The primary vertices of complete samples. They are written when all samples are complete: with a store
-// inside the loop lavapipe takes two fifths longer.
+// The primary vertices of complete samples, written after the loop: with a store inside it lavapipe takes two
+// fifths longer.
 PrimaryVertex found[kPrimarySamples];
 uint isFound = 0u;  // a bit for each
 
-// As extendPath.
+// As extendPath, but keeps the primary vertex.
 bool extendSample(inout Path path, inout Rng rng) {
     if (!follow(path, rng)) return true;
     bool isFirst = path.vertices == 0 && !path.shadow;
-    // Where nothing has stopped it there may be a face of a clip, where the walk ends.
+    // A ray that met no matter may have met a clip face, at the end of its walk.
     float wayMm = path.transmittance > 0.0 ? path.walk.endMm : path.walk.distanceMm;
     metMm = isFirst ? path.direction * wayMm : metMm;
     return decide(path, rng);

@@ -1,19 +1,19 @@
 // Adds samples to the pixels of some blocks of the picture.
 //
-// Needs trace/host.glsl, and from its host: EXTEND_SAMPLE(path, rng), which is extendPath or ends sooner,
-// TELL_SAMPLE(path, sampleIndex) for what becomes of each that is complete and finite, and
-// TELL_PIXEL(pixelIndex) when all are.
+// Needs trace/host.glsl, and from its host: EXTEND_SAMPLE(path, rng), which is extendPath or a variant of it,
+// TELL_SAMPLE(path, sampleIndex), called for each complete, finite sample, and TELL_PIXEL(pixelIndex), called
+// after the last.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "trace/film.glsl"
 
-// lavapipe (Mesa 22.3) ends every loop after 65535 rounds of all loops together, and says nothing. It counts
-// for the eight lanes of a group as one, which run up to 3.4 times the rounds of each (measured on the
-// phantom): the host sets a limit well below a quarter there, and takes smaller portions when it is met.
+// lavapipe (Mesa 22.3) silently ends every loop after 65535 rounds of all loops together. It counts the eight
+// lanes of a group as one, which together run up to 3.4 times the rounds of each (measured on the phantom):
+// the host sets a limit well below a quarter there, and takes smaller portions when paths reach it.
 layout(constant_id = 1) const int kMaxRounds = 16000;
 
 void main() {
-    // Not push constants: lavapipe would compile each number of samples into the shader.
+    // Not push constants: lavapipe would compile the shader again for each number of samples.
     PlannedBlock plan = planned[gl_WorkGroupID.x];
     int block = int(plan.block);
     int columns = (params.imageSize.x + 7) / 8;
@@ -27,7 +27,7 @@ void main() {
     uint finite = 0u;
     uint done = 0u;
     int rounds = 0;  // of the samples done
-    int above = 0;   // likewise, Path.aboveBound
+    int above = 0;   // likewise, sum of Path.aboveBound
     IndirectRecord record = IndirectRecord(uvec4(0u), vec3(0.0));
     Rng rng;
     Path path = startSample(pixel, plan.firstSample, rng);
@@ -48,7 +48,7 @@ void main() {
             path = startSample(pixel, plan.firstSample + done, rng);
         }
     }
-    if (done < plan.sampleCount) above += path.aboveBound;  // of the one that is given up
+    if (done < plan.sampleCount) above += path.aboveBound;  // of the path that is given up
     sums[index] = sum;
     lost[index] = compensation;
     squares[index] = square;

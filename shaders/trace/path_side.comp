@@ -1,9 +1,9 @@
-// Traces the samples of the pixels of some blocks, and keeps what each of them brings: add_samples.comp adds
-// it to the picture. The samples are those of path.comp. src/pipeline/trace/side_by_side.h says what for.
+// Traces the samples of the pixels of some blocks, and stores the light of each: add_samples.comp adds it to
+// the picture. The samples are those of path.comp. For the purpose see src/pipeline/trace/side_by_side.h.
 //
-// A thread takes one sample after another, of whichever pixel comes next, until none is left: it is never
-// idle while others follow long paths (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal on
-// GPUs": persistent threads). Which thread traces a sample does not change it.
+// A thread takes the next sample of any pixel until none is left, so that it is never idle while others
+// follow long paths (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs": persistent
+// threads). A sample does not depend on the thread that traces it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -13,8 +13,8 @@
 layout(local_size_x = 64) in;
 
 layout(constant_id = 1) const int kMaxRounds = 16000;  // as in path_samples.glsl
-// Each thread takes no more than its share. Where groups run one after another the first would take all, and
-// lavapipe would end its loop.
+// Each thread takes at most its share. Without that, where groups run one after another, the first would take
+// all samples, and lavapipe would end its loop.
 layout(constant_id = 14) const bool kShares = false;
 
 #define FAULTS_BINDING 18
@@ -27,21 +27,21 @@ layout(binding = 17, scalar) writeonly buffer Traced {
                     // coverage -1: abandoned
 };
 layout(binding = 22, scalar) buffer Taken {
-    uint taken;  // samples, of the first of each pixel, then of the second, and so on; some are of no pixel
-                 // or beyond its plan
+    uint taken;  // number of samples taken: the first of each pixel, then the second, and so on; including
+                 // some outside the picture or beyond a block's plan
 };
 layout(push_constant, scalar) uniform Push {
     SidePush push;
 };
 
 struct Sample {
-    uint item;  // as they are taken
+    uint item;  // its number among those taken
     ivec2 pixel;
-    uint number;  // of the sample, from the first of the plan on
+    uint number;  // of the sample within the block's plan
     uint index;   // for the random sequence
 };
 
-// False when none is left, for this thread or at all.
+// False when no sample is left, or this thread's share is used up.
 bool takeSample(inout uint mayTake, out Sample next) {
     uint places = 64u * push.blockCount;
     int columns = (params.imageSize.x + 7) / 8;
@@ -70,8 +70,8 @@ void main() {
         uint threads = 64u * gl_NumWorkGroups.x;
         mayTake = (64u * push.blockCount * push.mostSamples + threads - 1u) / threads;
     }
-    int rounds = 0;  // of the samples done; where there are shares
-    int above = 0;   // of all samples, Path.aboveBound
+    int rounds = 0;  // of the samples done; counted only with shares
+    int above = 0;   // sum of Path.aboveBound over all samples
     Rng rng;
     Sample next;
     bool hasSample = takeSample(mayTake, next);

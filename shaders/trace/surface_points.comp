@@ -1,4 +1,4 @@
-// The light that comes from points of matter, and how matter lies around them. Several threads share a point.
+// Measures the light that leaves points of matter, and the matter around them. Several threads share a point.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -11,11 +11,11 @@ layout(local_size_x = 64) in;
 // As in path_samples.glsl.
 layout(constant_id = 1) const int kMaxRounds = 16000;
 
-const int kTaps = 8;            // of a thread
-const float kFaceDepth = 20.0;  // of a face, in a radius: nothing shines through
+const int kTaps = 8;            // taps of a thread
+const float kFaceDepth = 20.0;  // optical depth behind a face over one radius: opaque
 
 layout(binding = 16, scalar) readonly buffer Points {
-    vec4 points[];  // voxel coordinates; radius of what lies around, mm, below 0: on a face of grey values
+    vec4 points[];  // voxel coordinates; radius of the surroundings in mm, negative: on a grey face
 };
 layout(binding = 17, scalar) writeonly buffer Sums {
     SurfaceSums sums[];
@@ -30,7 +30,7 @@ void main() {
     vec4 point = points[index / kSurfaceLanes];
     float radius = abs(point.w);
     bool onFace = point.w < 0.0;
-    // The paths of a point are one net.
+    // All paths of a point form one net.
     uint net = hashOf(push.base + index / kSurfaceLanes, params.seed ^ 0x2545f491u);
     uint before = (push.pass * kSurfaceLanes + lane) * kSurfacePaths;
     Rng rng = makeRng(push.base + index / kSurfaceLanes, lane, 8u + push.pass, params.seed ^ 0x5f0f1e5du);
@@ -47,7 +47,7 @@ void main() {
     bool complete = true;
     while (done < kSurfacePaths && rounds + path.rounds < kMaxRounds) {
         rounds += 1;
-        while (complete) {  // a loop, not an if: those are not skipped on lavapipe
+        while (complete) {  // a loop, because lavapipe does not skip an if
             rounds += path.rounds;
             path = startTowards(point.xyz, radius, onFace, Net(before + done, net), rng, rounds, weight);
             complete = false;
@@ -65,8 +65,8 @@ void main() {
     }
     found.lost = float(kSurfacePaths - finite);
 
-    // Taps lie evenly in the ball: shells of equal volume, by the R2 sequence (Roberts 2018). Behind a face
-    // all is as dense as the face.
+    // Taps fill the ball evenly: shells of equal volume, by the R2 sequence (Roberts 2018). Behind a grey
+    // face everything counts as opaque.
     const int all = kTaps * int(kSurfaceLanes);
     found.taps = float(kTaps);
     found.mass = 0.0;

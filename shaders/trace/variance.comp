@@ -1,4 +1,4 @@
-// How noisy each pixel of the film is: see lib/variance.glsl.
+// Estimates how noisy each pixel of the film is: see lib/variance.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

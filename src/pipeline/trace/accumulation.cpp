@@ -99,13 +99,14 @@ Result<void> Accumulation::record(gpu::Recorder& recorder, const SceneView& scen
 Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, const TraceVariant& variant,
                                 int bounces, double ms) {
     Work work{.variant = variant, .bounces = bounces, .isAdaptive = plan_.isAdaptive()};
-    // Side by side a block has up to hundreds of threads for each pixel, and one fills a small card.
+    // Side by side a block has up to hundreds of threads for each pixel, so that one block can fill a small
+    // card.
     const std::uint32_t least = std::clamp(sideBySide_.leastBlocks(variant.isSideBySide, plan_.passMost()),
                                            device_->isCpu() ? kMinBlocksCpu : 1u, kMaxBlocks);
     const auto planned = plan_.next(pace_.perMs(work) * ms, least, kMaxBlocks);
     const auto blocks = static_cast<std::uint32_t>(planned.size());
     double samples = 0.0;
-    std::uint32_t most = 0;  // of a block
+    std::uint32_t most = 0;  // samples of a block
     for (const shared::PlannedBlock& block : planned) {
         samples += block.sampleCount;
         most = std::max(most, block.sampleCount);
@@ -116,7 +117,7 @@ Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, c
     if (variant.isSideBySide) MACULA_TRY_VOID(makeRoomForTraced(std::uint64_t(blocks) * most));
     MACULA_TRY_VOID(scene.scene().indirect().makeBindable());
     MACULA_TRY(const TraceKernels::Found found, kernels.samples(variant));
-    // Nothing reads it now: each dispatch is waited for.
+    // The device does not read it now: each dispatch is waited for.
     std::memcpy(planned_->mapped().data(), planned.data(), planned.size() * sizeof(shared::PlannedBlock));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "trace"));
     MACULA_TRY_VOID(record(recorder, scene, kernels, *found.kernel, variant, blocks, most));
@@ -126,8 +127,8 @@ Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, c
     MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY([[maybe_unused]] const bool done, device_->waitFor(ticket));
     const double took = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    // The first dispatch of a kernel compiles it, and says nothing about the pace. Nor does what was left
-    // over of a pass, where that is too little to keep the device busy.
+    // The first dispatch of a kernel compiles it, and says nothing about the pace. Nor does the rest of a
+    // pass if it is too small to keep the device busy.
     const bool tells = !work.leavesIdle || blocks == plan_.blockCount();
     if (!found.isNew && tells) pace_.learn(work, samples, took);
     deviceMs_ += took;

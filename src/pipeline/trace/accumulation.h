@@ -1,4 +1,4 @@
-// The samples of one picture: added in short dispatches, and looked at for how noisy they are.
+// The samples of one picture: adds them in short dispatches, and measures how noisy they are.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,8 @@
 
 namespace macula::trace {
 
-// Used by one thread at a time, the one that uses the device. After begin or step has failed, begin is next.
+// Used by one thread at a time, the one that uses the device. After begin or step has failed, call begin
+// next.
 class Accumulation {
   public:
     explicit Accumulation(std::shared_ptr<gpu::Device> device)
@@ -30,33 +31,34 @@ class Accumulation {
           pace_(device_->isCpu() ? Pace::Guess{} : Pace::graphicsCard()),
           sideBySide_(device_->info().threadsAtOnce) {}
 
-    // A picture without samples. What is known of the device's pace stays. outOfMemory.
+    // Begins a picture, without samples yet; keeps what it has learnt about the device's pace. outOfMemory.
     Result<void> begin(int width, int height);
 
-    // Whoever begins passes decides how many samples they have; step() does them.
+    // The caller begins passes here, and so decides how many samples they have; step() traces them.
     SamplingPlan& plan() { return plan_; }
     const SamplingPlan& plan() const { return plan_; }
     SideBySide& sideBySide() { return sideBySide_; }
-    // Whether the samples of a pixel of this picture are traced side by side, in a variant that says so.
+    // Whether this picture's samples of a pixel are traced side by side; a path tracing variant must then say
+    // so.
     bool isSideBySide() const { return sideBySide_.isFor(plan_.blockCount()); }
     // The most samples of a pixel in one pass, of which a thread takes at most `perThread`.
     std::uint32_t mostSamples(const TraceVariant& variant, std::uint32_t perThread) const;
-    // How long a pass of one sample for each pixel takes, as far as is known.
+    // How long a pass of one sample for each pixel will take, by the pace measured so far.
     double passMs(const TraceVariant& variant, int bounces) const;
 
-    // One dispatch of the pass under way, which takes about `ms`; waits. `scene`
-    // looks at the picture's view. Where it fails, nobody knows what the film holds.
+    // Runs one dispatch of the pass under way, sized to take about `ms`; waits. `scene` must look at the
+    // picture's view. After a failure the content of the film is undefined.
     Result<void> step(const SceneView& scene, TraceKernels& kernels, const TraceVariant& variant, int bounces,
                       double ms);
-    // Begins to keep the primary vertex of samples too: where each first meets matter, for kPrimarySamples
-    // samples of each pixel in a row, in steps whose variant tells it. Clears what was kept before.
-    // outOfMemory.
+    // From now on steps whose variant has tellsPrimaries also keep the primary vertex of each sample, where
+    // its path first meets matter: for up to kPrimarySamples successive samples of a pixel. Clears earlier
+    // ones. outOfMemory.
     Result<void> clearPrimaries();
     Result<std::vector<shared::PrimaryVertex>> readPrimaries() const;  // waits; after clearPrimaries
     const gpu::Buffer& primaries() const { return *primaries_; }       // likewise
 
-    // Whether paths were lost to the device's limit that smaller portions than those of the last pass would
-    // keep. To leave out long paths only, which are those through dense matter, would darken the picture.
+    // Whether the device's limit on rounds cut off paths that smaller portions than those of the last pass
+    // would keep. The longest paths lead through dense matter: a picture without them would be too dark.
     Result<bool> hasLostPaths() const;
 
     const Film& film() const { return *film_; }
@@ -68,7 +70,7 @@ class Accumulation {
     // One dispatch towards an error estimate of the samples traced so far; waits.
     Result<void> measureSome(const Settings& settings);
     bool isMeasured() const { return estimate_ && measuredEdition_ == edition_; }
-    // The last estimate since begin(), which may be of fewer samples than there are.
+    // The last estimate since begin(), made perhaps when there were fewer samples.
     const std::optional<ErrorEstimate>& estimate() const { return estimate_; }
     // The noise of each block behind that estimate.
     const std::vector<shared::BlockNoise>& noises() const { return noises_; }
@@ -84,8 +86,8 @@ class Accumulation {
     SideBySide sideBySide_;
     std::optional<Film> film_;
     std::optional<gpu::Buffer> planned_;    // PlannedBlock: what the dispatch under way does
-    std::optional<gpu::Buffer> traced_;     // vec4: what samples that go side by side bring
-    std::optional<gpu::Buffer> taken_;      // uint: how many of these threads have taken
+    std::optional<gpu::Buffer> traced_;     // vec4: the light of samples that are traced side by side
+    std::optional<gpu::Buffer> taken_;      // uint: how many of those samples threads have taken
     std::optional<gpu::Buffer> primaries_;  // PrimaryVertex: kPrimarySamples for each pixel
     SamplingPlan plan_;
     std::uint64_t edition_ = 0;
@@ -93,7 +95,7 @@ class Accumulation {
     std::uint32_t dispatches_ = 0;
 
     std::optional<NoiseMap> noiseMap_;
-    std::uint64_t measuredEdition_ = 0;  // edition of the film that the noise map measures, or has measured
+    std::uint64_t measuredEdition_ = 0;  // the film's edition that the noise map measures or has measured
     std::vector<shared::BlockNoise> noises_;
     std::optional<ErrorEstimate> estimate_;
 };

@@ -1,4 +1,4 @@
-// What is beside the volume (additions.h), as tables on the device.
+// The second volume's optics and the coloured segments (additions.h), as tables on the device.
 #pragma once
 
 #include <memory>
@@ -12,20 +12,20 @@ namespace macula::trace {
 
 class AdditionTables {
   public:
-    // Makes those that are not there. Each is one element of nothing where there is nothing.
+    // Makes the tables that are missing. One with nothing to hold gets a single 0: a binding cannot be empty.
     Result<void> make(const std::shared_ptr<gpu::Device>& device, const Additions& additions);
     bool areMade(const Additions& additions) const {
         return table_ && noBlocks_ && (tints_ || !additions.tints);
     }
 
     void forget();
-    // Keeps what `next` has too: the segments of each voxel, where they are in the same box.
+    // Forgets all but what `next` has too: the segments of each voxel, if both have the same box of them.
     void forgetFor(const Additions& next, const Additions& before);
 
-    // When made. Optics of the second volume, and colours of segments (additionTable).
+    // Once they are made. Optics of the second volume, and colours of segments (additionTable).
     const gpu::TexelBuffer& optics() const { return *table_; }
     const gpu::TexelBuffer& segments() const { return tints_ ? *tints_ : *noWords_; }
-    // Where there is no second volume.
+    // To be bound where there is no second volume.
     const gpu::TexelBuffer& noEntries() const { return *noEntries_; }
     const gpu::TexelBuffer& noBlocks() const { return *noBlocks_; }
 
@@ -34,7 +34,7 @@ class AdditionTables {
 
     std::optional<gpu::TexelBuffer> noWords_;
     std::optional<gpu::TexelBuffer> noEntries_;
-    std::optional<gpu::TexelBuffer> noBlocks_;  // the last that is made of these
+    std::optional<gpu::TexelBuffer> noBlocks_;  // made last of these three
     std::optional<gpu::TexelBuffer> table_, tints_;
 };
 

@@ -15,12 +15,12 @@ namespace macula::trace {
 
 namespace {
 
-// Strides of the passes. Two sweeps: where edges left a pixel few neighbours, its own noise weighs most after
-// the first, and the second spreads that.
+// Strides of the passes. Two sweeps: where edges leave a pixel few neighbours, its own noise dominates after
+// the first sweep, and the second spreads it.
 constexpr std::array kStrides{1, 2, 4, 8, 16, 1, 2, 4, 8};
 constexpr int kFirstSweep = 5;  // strides in the first sweep
 
-// Gather, prepare, specks, the passes of the filter, specks; Denoising::little leaves specks.
+// Gather, prepare, specks, the passes of the filter, specks; Denoising::little skips both stages of specks.
 struct Stages {
     explicit Stages(Denoising how)
         : takesSpecks(how != Denoising::little),
@@ -34,7 +34,7 @@ struct Stages {
     int count;
 };
 
-// In which of two buffers the filter leaves the noise, after one sweep as after both.
+// The buffer of two in which the filter leaves the noise, after one sweep or both.
 constexpr std::size_t kNoiseIsIn = 1;
 static_assert(kFirstSweep % 2 == kNoiseIsIn && kStrides.size() % 2 == kNoiseIsIn);
 
@@ -47,7 +47,7 @@ Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, 
                  .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
 }
 
-// Of the first pass from the first row.
+// Push constants of the first pass from the first row.
 shared::DenoisePush pushOf(const glm::ivec2& sizePx, float pixelAngle, float historySamples,
                            const FoveaInPlane& fovea, bool doubts) {
     return {.imageSize = sizePx,
@@ -172,7 +172,7 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     if (stage_ == 0 && row_ == 0) ran_ = false;
     for (bool goesOn = true; stage_ < stages.count && goesOn;) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "denoise"));
-        std::int64_t pixels = 0;  // of the largest picture all stages have more than an int holds
+        std::int64_t pixels = 0;  // summed over stages: the largest pictures exceed an int
         do {
             pixels += std::int64_t(std::min(portion.rowsAtOnce, height_ - row_)) * width_;
             recordSome(recorder);
@@ -199,7 +199,7 @@ Result<const gpu::Buffer*> Denoiser::variances(const Guides& now) {
         MACULA_TRY(variances_, gpu::Buffer::create(device, {.label = "variances of filtered light",
                                                             .bytes = pixels * sizeof(float)}));
     }
-    // The device keeps what is compiled.
+    // Cheap: the device caches compiled kernels.
     MACULA_TRY(const gpu::Kernel kernel, gpu::Kernel::create(device, shaders::denoise_variance_comp));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "variances"));
     recorder.dispatch(kernel, {static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_)},

@@ -16,7 +16,7 @@ namespace macula::trace {
 
 namespace {
 
-// What a look needs of the scene beside its transfer function.
+// The projection of a look; nothing for looks that show matter.
 std::optional<Projection> projectionOf(Look look) {
     switch (look) {
         case Look::mip:
@@ -33,7 +33,7 @@ std::optional<Projection> projectionOf(Look look) {
     return std::nullopt;
 }
 
-// The normals of guides steer the denoiser.
+// The denoiser needs them for the normals of guides.
 bool takesGradients(const Settings& settings) {
     return isDenoised(settings) || (settings.look == Look::dvr && settings.shading == Shading::headlight);
 }
@@ -77,7 +77,7 @@ Result<void> DeviceScene::setClip(const Clip& clip) {
     return volume_ && function_ ? makeTables() : Result<void>();
 }
 
-// A mask is one word of nothing when there is none.
+// Without a mask it is a single 0, because a binding cannot be empty.
 Result<void> DeviceScene::makeMask() {
     if (mask_) return {};
     if (clip_.mask) {
@@ -132,7 +132,7 @@ Result<void> DeviceScene::showVoxels() {
     std::vector<std::uint8_t> alsoShown = bricksAtGreyFaces(clip_, *volume_, grid_);
     if (!projection_ && (hasGradientOpacity() || hasSteep() || hasSurfaces() || gradients_))
         addReachOfGradients(grid_, medium_.bounds, alsoShown);
-    // Where the second volume alone is seen, values of this one need not be there: none of them has any
+    // Where only the second volume is visible, this volume's voxels need not be uploaded: they have no
     // extinction.
     return voxels_->show(grid_, medium_.ownBounds(), alsoShown, medium_.mostPerMm());
 }
@@ -141,7 +141,7 @@ Result<void> DeviceScene::makeTables() {
     ++edition_;
     MACULA_TRY_VOID(makeMask());
     const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
-    extinction_.reset();  // all or none: tables of different length must never meet
+    extinction_.reset();  // all or none: tables of different lengths must never be used together
     albedo_.reset();
     bounds_.reset();
     MACULA_TRY_VOID(showSecond());
@@ -189,7 +189,8 @@ Result<void> DeviceScene::makeReadyFor(const Settings& settings) {
     MACULA_CHECK(isComplete());
     const bool gradients = takesGradients(settings);
     const auto projection = projectionOf(settings.look);
-    // Bounds that reach further hold for all filters, but a picture would depend on those drawn before.
+    // Majorants with a larger reach would hold for all filters, but then the bits of a path-traced picture
+    // would depend on the filters of earlier pictures.
     const int reach = reachOf(filterOf(settings.look, settings.filter));
     if (isPathTraced(settings.look) ? grid_.reach != reach : grid_.reach < reach) {
         grid_ = makeBrickGrid(*volume_, reach);
@@ -208,8 +209,7 @@ Result<void> DeviceScene::keepForGradients() {
     if (gradients_) return {};
     gradients_ = true;
     if (projection_ || hasGradientOpacity() || hasSteep() || hasSurfaces()) return {};
-    // What was there before stays as it is, and so does what was seen of it, unless something has to become
-    // coarser.
+    // Blocks on the device stay as they are, and pictures with them, unless some have to become coarser.
     if (voxels_->isCoarse()) return makeTables();
     MACULA_TRY_VOID(showVoxels());
     return voxels_->isCoarse() ? makeTables() : Result<void>();
@@ -263,7 +263,7 @@ std::vector<Message> DeviceScene::messages() const {
 
 std::vector<gpu::Binding> DeviceScene::bindings() const {
     MACULA_CHECK(isComplete());
-    // Those beyond the last are not read.
+    // Shaders do not read views beyond the last: these bind the first one.
     const gpu::TexelBuffer& pool = voxels_->pool();
     const auto poolView = [&pool](std::size_t view) {
         return gpu::Binding(pool, view < pool.viewCount() ? view : 0);

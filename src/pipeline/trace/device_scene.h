@@ -1,4 +1,4 @@
-// What is traced, on the device: voxels, optical tables, bounds and light. One for all views of it
+// The traced scene on the device: voxels, optical tables, majorants and light. All views of it share one
 // (scene_view.h).
 #pragma once
 
@@ -25,31 +25,31 @@
 
 namespace macula::trace {
 
-// Used by one thread at a time, the one that uses the device. What is replaced is dropped first, so that only
-// one of it is ever there: after a setter has failed the scene is not complete.
+// Used by one thread at a time, the one that uses the device. A setter drops the old tables before it makes
+// new ones, so that the device never holds both: after a setter has failed the scene is not complete.
 class DeviceScene {
   public:
     explicit DeviceScene(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits = {})
         : device_(std::move(device)), limits_(limits), indirect_(device_) {}
 
     const std::shared_ptr<gpu::Device>& device() const { return device_; }
-    // Grows whenever bindings() gives something else, or something else can be seen: pictures of an earlier
-    // edition begin anew.
+    // Grows whenever bindings() changes, or what can be seen: pictures of an earlier edition have to start
+    // over.
     std::uint64_t edition() const { return edition_; }
 
-    // Uploads no voxels yet: only the transfer function, which has to be set again, tells which can be seen.
+    // Uploads no voxels yet: which can be seen depends on the transfer function, which has to be set again.
     // outOfMemory when the device cannot hold the grid of the volume.
     Result<void> setVolume(std::shared_ptr<const Volume> volume);
-    // After setVolume. Rebuilds the tables and the bound on extinction of every brick, and uploads the voxels
-    // that have become visible. outOfMemory when the device cannot hold even the coarsest.
+    // After setVolume. Rebuilds the tables and the majorant of every brick, and uploads the voxels that have
+    // become visible. outOfMemory when the device cannot hold even the coarsest.
     Result<void> setTransferFunction(const TransferFunction& function);
     Result<void> setEnvironment(const Environment& environment);
 
-    // Shows all of it again when the clip is nothing. After setVolume it stays.
+    // An empty clip shows all of the volume again. The clip stays when another volume is set.
     Result<void> setClip(const Clip& clip);
-    // A second volume and coloured segments, or nothing; of projections neither counts. Both belong to the
-    // volume: a new one has none until they are set again. Where segments have other colours alone, a table
-    // of these is all that is made anew. outOfMemory as setTransferFunction.
+    // A second volume and coloured segments, or nothing; projections show neither. Both belong to the volume:
+    // a new one has none until they are set again. If only the colours of segments change, only their table
+    // is rebuilt. outOfMemory as setTransferFunction.
     Result<void> setAdditions(const Additions& additions);
     LightFrame lightFrame() const { return environment_ ? environment_->frame() : LightFrame::patient; }
     // What kernels are specialised for.
@@ -58,10 +58,10 @@ class DeviceScene {
         return (voxels_ && voxels_->holdsCoarseBlocks()) ||
                (second_ && second_->voxels().holdsCoarseBlocks());
     }
-    // Of the pool of voxels (kPoolViews in shaders/trace/host.glsl).
+    // Views of the pool of voxels (kPoolViews in shaders/trace/host.glsl).
     int poolViews() const { return voxels_ && voxels_->isShown() ? int(voxels_->pool().viewCount()) : 1; }
     int poolViewShift() const { return voxels_ ? voxels_->viewShift() : 0; }
-    // In the look that makeReadyFor() prepared last.
+    // These two are for the look that makeReadyFor() prepared last.
     bool hasSecond() const { return additions_.second.has_value() && !projection_; }
     bool hasTints() const { return additions_.tints.has_value() && !projection_; }
     bool isMasked() const { return clip_.mask.has_value(); }
@@ -74,40 +74,41 @@ class DeviceScene {
     // Whether there is gradient opacity in the look that makeReadyFor() prepared last.
     bool hasGradientOpacity() const { return !medium_.gradientOpacity.empty(); }
 
-    // Whether steep matter has curves of its own in that look.
+    // Whether steep matter has its own curves in that look.
     bool hasSteep() const { return !medium_.steep.empty(); }
-    // Whether it is denser or thinner by them anywhere, and not of another colour alone.
+    // Whether these curves change its density anywhere, and not only its colour.
     bool hasSteepDensity() const { return hasSteepDensity_; }
 
     bool isComplete() const;
-    // Majorants and empty distances by brick (Medium::bounds), in that look as well.
+    // Majorants and empty distances by brick (Medium::bounds), also for that look.
     std::span<const float> bounds() const { return medium_.bounds; }
     const std::shared_ptr<const Volume>& volume() const { return volume_; }
 
     // Makes the tables and majorants that the look needs. When complete.
     Result<void> makeReadyFor(const Settings& settings);
-    // The voxels that gradients reach, of whatever can be seen (addReachOfGradients), are there from now on,
-    // as they are for settings that take gradients; until the next volume. Its edition stays while nothing is
-    // coarse. When complete.
+    // From now on, until the next volume, the device also keeps the voxels from which the gradients of
+    // visible matter are taken (addReachOfGradients), as it does for settings that need gradients. The
+    // edition does not change as long as no block is coarse. When complete.
     Result<void> keepForGradients();
     bool keepsForGradients() const { return gradients_; }
-    // When made ready for them, see makeTraceParams.
+    // makeTraceParams() for this scene, after makeReadyFor(settings).
     Result<shared::TraceParams> params(const View& view, const Settings& settings) const;
 
-    // What is known of its indirect light. It is no part of the scene, which stays as it is while that grows.
+    // The cache of its indirect light. It is not part of the scene's state: it grows while the scene is
+    // const.
     IndirectCache& indirect() const { return indirect_; }
 
-    // Where an eye sees anything of it, LPS mm (visibleBoxMm): what a clip has removed is not in it, though
-    // it may cast shadow. Empty, low > high, when there is nothing. When complete, and ready for a
-    // path-traced look.
+    // The box of all that an eye can see, LPS mm (visibleBoxMm), without what a clip has removed, even if
+    // that casts shadow. Empty, low > high, when there is nothing. When complete, and ready for a look that
+    // shows matter.
     Box seenMm() const;
 
     // The outline of its matter (visibleHullMm), whatever the look. When complete.
     std::vector<glm::dvec3> outlineMm() const;
 
-    // What the voxels take; nothing without a volume.
+    // The memory of the voxels; all 0 without a volume.
     VoxelMemory voxelMemory() const;
-    // What a person has to know about what is shown.
+    // What a person has to know about the picture, such as that voxels are coarse.
     std::vector<Message> messages() const;
 
     // When complete: bindings 1 to 15 of shaders/trace/host.glsl.
@@ -129,8 +130,8 @@ class DeviceScene {
     BrickGrid grid_;
     Medium medium_;
     bool hasSteepDensity_ = false;
-    std::optional<Projection> projection_;      // what medium_ is for; nothing: matter
-    bool gradients_ = false;                    // whether what these reach is kept
+    std::optional<Projection> projection_;      // that medium_ was made for; nothing: for matter
+    bool gradients_ = false;                    // whether voxels that gradients reach are kept
     std::optional<TransferFunction> function_;  // as it was given
     Clip clip_;
     Additions additions_;

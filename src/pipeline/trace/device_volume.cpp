@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kSlotBytes = kSlotValues * sizeof(std::uint16_t);
 constexpr std::uint64_t kUnitBytes = 8 * sizeof(std::uint16_t);
-constexpr std::size_t kBlocksPerTask = 64;  // so that taking a task costs little beside it
+constexpr std::size_t kBlocksPerTask = 64;  // so that the cost of starting a task is negligible
 
 glm::ivec3 blockAt(const BrickGrid& grid, std::size_t index) {
     const auto x = static_cast<std::size_t>(grid.blocks.x);
@@ -33,12 +33,12 @@ std::uint64_t bytesOf(std::uint8_t level) {
     return poolValues(level) * sizeof(std::uint16_t);
 }
 
-// The number of texels of the table: a layer of texels by brick for each layer of blocks.
+// The number of texels of the table: for each layer of blocks, a layer with one texel for each brick.
 std::size_t tableTexels(const BrickGrid& grid) {
     return grid.index(0, 0, grid.blocks.z);
 }
 
-// body(i) for each i below count, in tasks of kBlocksPerTask, on all cores.
+// Calls body(i) for each i below count, in tasks of kBlocksPerTask, on all cores.
 template <class Body>
 void forEachOf(std::size_t count, const Body& body) {
     parallelFor((count + kBlocksPerTask - 1) / kBlocksPerTask, [&](std::size_t task) {
@@ -80,7 +80,7 @@ Result<void> DeviceVolume::show(const BrickGrid& grid, std::span<const float> bo
     memory_.shownBlocks = static_cast<std::uint64_t>(std::count(wanted.begin(), wanted.end(), 1));
     MACULA_TRY_VOID(device_->waitForAll());
 
-    // The pool that is held already may be used, even if the device has become short of memory meanwhile.
+    // The present pool may always be used, even if the device has become short of memory meanwhile.
     PoolRoom allowed =
         poolRoom(limits_, device_->info(), device_->memoryAvailableBytes(), room_.slots() * kSlotBytes);
     allowed.slotCount = std::max(allowed.slotCount, room_.slots());
@@ -93,7 +93,7 @@ Result<void> DeviceVolume::show(const BrickGrid& grid, std::span<const float> bo
         pool_.reset();
         room_ = {};
         forgetAll(grid);
-        // The device has less than it said: then that has to do.
+        // The device has less memory than it reported: try with half.
         if (brought.error().code != ErrorCode::outOfMemory || plan_.slots < 2) return brought;
         allowed = {.slotCount = plan_.slots / 2, .bound = PoolBound::memory};
     }
@@ -107,7 +107,7 @@ Result<void> DeviceVolume::bring(const BrickGrid& grid, std::uint64_t slotsAllow
     MACULA_TRY_VOID(makeRoom(grid, slotsAllowed));
     std::vector<Upload> uploads;
     if (!placeAll(grid, uploads)) {
-        // The free room is fragmented. All blocks are placed anew, full ones first, which wastes nothing.
+        // The free room is fragmented. Places all blocks again, full ones first, which leaves no gaps.
         forgetAll(grid);
         const std::uint64_t slots = room_.slots();
         room_ = {};
@@ -124,12 +124,11 @@ Result<void> DeviceVolume::bring(const BrickGrid& grid, std::uint64_t slotsAllow
     return uploadTable(grid);
 }
 
-// A pool with room for what is planned. What is in the old one moves over, unless the device cannot hold
-// both.
+// Makes a pool with room for the plan. Copies the content of the old one, unless the device cannot hold both.
 Result<void> DeviceVolume::makeRoom(const BrickGrid& grid, std::uint64_t slotsAllowed) {
     const std::uint64_t needed = std::max<std::uint64_t>(plan_.slots, 1);  // a binding cannot be empty
     if (pool_ && needed <= room_.slots()) return {};
-    // Who grows once often grows again: a little more, so that not every change moves all.
+    // A pool that grows once often grows again: an eighth more, so that not every change copies all blocks.
     const std::uint64_t slots =
         pool_ ? std::max(needed, std::min(needed + needed / 8, slotsAllowed)) : needed;
     if (pool_) {
@@ -160,8 +159,8 @@ Result<void> DeviceVolume::growPool(std::uint64_t slots) {
     return {};
 }
 
-// Finds a place for all that is planned and not resident, full blocks first, driving out what is not visible
-// when there is no other room. False when there is no room even so.
+// Finds a place for all planned blocks that are not resident, full ones first, and evicts invisible blocks
+// when there is no other room. False when there is no room even then.
 bool DeviceVolume::placeAll(const BrickGrid& grid, std::vector<Upload>& uploads) {
     uploads.clear();
     std::vector<std::size_t> unseen;
@@ -232,8 +231,8 @@ Result<void> DeviceVolume::uploadBlocks(const BrickGrid& grid, std::span<const U
     return {};
 }
 
-// Uploads through a staging buffer, a portion at a time; blocks that are neighbours there and here in one
-// copy.
+// Uploads through a staging buffer, a portion at a time; one copy for blocks that are adjacent both there and
+// in the pool.
 Result<void> DeviceVolume::uploadStaged(const BrickGrid& grid, std::span<const Upload> uploads) {
     if (uploads.empty()) return {};
     constexpr std::uint64_t kPortionBytes = std::uint64_t{16} << 20;
@@ -286,7 +285,7 @@ Result<void> DeviceVolume::uploadTable(const BrickGrid& grid) {
     parallelFor(static_cast<std::size_t>(end - first), [&](std::size_t layer) {
         const int z = first + static_cast<int>(layer);
         for (int y = 0; y < grid.size.y; ++y) {
-            // Beyond the volume its last block goes on; before it nothing is read.
+            // Past the end of the volume its last block is repeated; entries before its start are never read.
             const int ys[] = {std::max(y - 1, 0), std::min(y, grid.blocks.y - 1)};
             for (int x = 0; x < grid.size.x; ++x) {
                 const int xs[] = {std::max(x - 1, 0), std::min(x, grid.blocks.x - 1)};

@@ -19,34 +19,34 @@ namespace macula::trace {
 
 // Used by one thread at a time, the one that uses the device.
 //
-// A pool holds blocks, a table says where each of them is: see fetchStored in shaders/trace/host.glsl. What
-// is no longer visible stays in the pool until its room is needed, so that going back costs nothing; the pool
-// grows with what is visible, and never beyond what is allowed.
+// A pool holds blocks, a table says where each of them is: see fetchStored in shaders/trace/host.glsl. A
+// block that is no longer visible stays in the pool until its room is needed, so that going back costs
+// nothing. The pool grows with the visible blocks, up to the memory allowed.
 class DeviceVolume {
   public:
-    // Nothing is shown yet. `grid` is of the volume. outOfMemory when the device cannot hold the table.
+    // Nothing is shown yet. `grid` is the volume's. outOfMemory when the device cannot hold the table.
     static Result<DeviceVolume> create(std::shared_ptr<gpu::Device> device,
                                        std::shared_ptr<const Volume> volume, const BrickGrid& grid,
                                        const MemoryLimits& limits);
 
-    // Uploads what blocksToShow(grid, bounds, alsoShown) names and is not there yet, coarsely where
-    // not all fits: then, and only then, levels() are not all kFullLevel, kSingle or kAbsent, and message()
-    // says so. On all cores; waits for the device. After a failure nothing is shown, and the next call begins
-    // anew.
+    // Uploads the blocks of blocksToShow(grid, bounds, alsoShown) that are not there yet. If they do not all
+    // fit, some are coarse: only then levels() has others than kFullLevel, kSingle and kAbsent, and message()
+    // says so. On all cores; waits for the device. After a failure nothing is shown, and the next call starts
+    // over.
     Result<void> show(const BrickGrid& grid, std::span<const float> bounds,
                       std::span<const std::uint8_t> alsoShown, std::span<const float> extinctionPerMm);
 
     bool isShown() const { return pool_.has_value(); }
-    // What shaders/trace/host.glsl reads by fetchCorners: R16_UINT, when shown; and words of blocks,
-    // RGBA32_UINT.
+    // The pool and the table that fetchCorners in shaders/trace/host.glsl reads: values, R16_UINT, once
+    // shown; and words of blocks, RGBA32_UINT.
     const gpu::TexelBuffer& pool() const { return *pool_; }
-    // Its views: log2 of the values of each but the last.
+    // log2 of the number of values in each view of the pool but the last.
     int viewShift() const { return poolViewShift(limits_, device_->info()); }
     const gpu::TexelBuffer& table() const { return table_; }
 
     std::span<const std::uint8_t> levels() const { return plan_.levels; }  // by block
     bool isCoarse() const { return plan_.coarse > 0; }
-    // Whether any block in the pool is coarse, also of those that are hidden now.
+    // Whether any block in the pool is coarse, even one that is hidden now.
     bool holdsCoarseBlocks() const { return holdsCoarse_; }
     const std::optional<Message>& message() const { return message_; }
     VoxelMemory memory() const;
@@ -78,11 +78,11 @@ class DeviceVolume {
     MemoryLimits limits_;
     gpu::TexelBuffer table_;
     std::optional<gpu::TexelBuffer> pool_;
-    BlockPool room_;                      // of pool_
+    BlockPool room_;                      // free room in pool_
     std::vector<std::uint8_t> resident_;  // by block: its level in the pool, or kAbsent
     bool holdsCoarse_ = false;
-    std::vector<std::uint32_t> words_;  // what table_ has, or is to have
-    std::size_t firstStale_ = 0;        // first word that table_ lacks; none when not before endStale_
+    std::vector<std::uint32_t> words_;  // content of table_, once it is uploaded
+    std::size_t firstStale_ = 0;        // words from here to endStale_ are still to be uploaded
     std::size_t endStale_ = 0;
     Coarsening plan_;
     std::optional<Message> message_;

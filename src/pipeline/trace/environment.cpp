@@ -27,8 +27,8 @@ double luminance(const glm::dvec3& c) {
     return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
 }
 
-// Where each share of the unit interval begins, in proportion to `weights`; even shares when there is no
-// weight.
+// Appends where each share of the unit interval begins; shares are proportional to `weights`, or even if all
+// weights are 0.
 void appendShares(std::vector<float>& begins, std::span<const double> weights) {
     const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
     double sum = 0.0;
@@ -38,7 +38,7 @@ void appendShares(std::vector<float>& begins, std::span<const double> weights) {
     }
 }
 
-// The width of a share as its stored floats have it.
+// The width of a share, from the stored floats, so that the pdf is that of the actual sampling.
 double widthOfShare(std::span<const float> begins, std::size_t i) {
     return (i + 1 < begins.size() ? double(begins[i + 1]) : 1.0) - double(begins[i]);
 }

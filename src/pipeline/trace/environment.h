@@ -42,22 +42,23 @@ struct LightRig {
 
 struct EnvironmentTexel {
     glm::vec3 radiance{0.0f};
-    float pdfPerSr = 0.0f;  // of a direction in this texel, under sampling; the solid-angle Jacobian is in it
+    float pdfPerSr = 0.0f;  // of sampling a direction in this texel, per steradian: the Jacobian is in it
 
     bool operator==(const EnvironmentTexel&) const = default;
 };
 
 // Equirectangular, piecewise constant per texel, laid out as a panorama that is looked at from inside. Frame:
 // y up and, for patient rigs, (x, y, z) = (Left, Superior, Anterior); for camera rigs x right in the picture
-// and z towards the viewer. Row 0 is the zenith; the middle column looks along +z, and columns grow to the
-// right of who looks so: towards -x. Rows are uniform in the polar angle, so solid angles shrink towards the
+// and z towards the viewer. Row 0 is the zenith; the middle column is at +z, and columns grow to the right as
+// seen from inside: towards -x. Rows are uniform in the polar angle, so solid angles shrink towards the
 // poles; they are computed exactly.
 class Environment {
   public:
     static constexpr int kMaxWidth = 1024;
 
-    // `radiance` has width * height RGB triples, row 0 at the zenith. Larger pictures are averaged down by
-    // whole factors, energy kept. Fails with inputNotUsable for an empty, negative or non-finite one.
+    // `radiance` has width * height RGB triples, row 0 at the zenith. Pictures larger than kMaxWidth on a
+    // side are averaged down, weighted by solid angle, so that their energy stays. Fails with inputNotUsable
+    // for an empty, negative or non-finite one.
     static Result<Environment> fromImage(int width, int height, std::span<const glm::vec3> radiance,
                                          LightFrame frame = LightFrame::patient);
     static Environment fromRig(const LightRig& rig);
@@ -67,8 +68,8 @@ class Environment {
     int height() const { return height_; }
     LightFrame frame() const { return frame_; }
     std::span<const EnvironmentTexel> texels() const { return texels_; }
-    // The cumulative distribution by which texels are importance-sampled by power: for each row where its
-    // share of the unit interval begins; after them, for each texel, where its share of its row begins.
+    // The cumulative distribution for importance sampling of texels by power: for each row, where its share
+    // of the unit interval begins; after the rows, for each texel, where its share of its row begins.
     std::span<const float> cumulative() const { return cumulative_; }
 
     // The luminance (Rec. 709) of its light, averaged over all directions.

@@ -1,4 +1,4 @@
-// The film: on it samples are summed, pixel by pixel.
+// The film, which sums samples pixel by pixel.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace macula::trace {
 
-// On the device; row 0 on top. Used by one thread at a time, the one that uses the device.
+// Lies on the device, row 0 on top. Used by one thread at a time, the one that uses the device.
 class Film {
   public:
     static Result<Film> create(const std::shared_ptr<gpu::Device>& device, int width, int height);
@@ -25,16 +25,16 @@ class Film {
 
     const gpu::Buffer& sums() const { return sums_; }       // vec4: premultiplied radiance and coverage
     const gpu::Buffer& counts() const { return counts_; }   // uint: finite samples
-    const gpu::Image& picture() const { return picture_; }  // RGBA8, what display() makes of it
+    const gpu::Image& picture() const { return picture_; }  // RGBA8, as PathTracer::display() makes it
 
     const gpu::Buffer& squares() const {
         return squares_;
     }  // vec2: sum of squares of luminance, and its compensation
 
     struct Faults {
-        std::uint32_t nonFinite = 0;   // samples that were not a number
-        std::uint32_t abandoned = 0;   // paths that would have taken too many rounds
-        std::uint32_t aboveBound = 0;  // collisions in matter that was denser than the bound of its brick
+        std::uint32_t nonFinite = 0;   // samples that were not finite, which the sums leave out
+        std::uint32_t abandoned = 0;   // paths cut off at the limit of rounds (kMaxRounds)
+        std::uint32_t aboveBound = 0;  // collisions in matter denser than its brick's majorant
     };
     Result<Faults> faults() const;  // waits
     const gpu::Buffer& faultsBuffer() const { return faults_; }

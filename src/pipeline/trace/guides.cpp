@@ -71,7 +71,7 @@ Result<std::vector<float>> Guides::readCoverage() const {
 }
 
 Result<std::vector<GuidePixel>> Guides::read() const {
-    gpu::Reading reading;  // all at once, because dozens of small pictures are read to choose views
+    gpu::Reading reading;  // all at once: choosing views reads dozens of small pictures
     MACULA_TRY_VOID(reading.begin({&surfaces_.buffer(), &matters_.buffer(), &motions_.buffer()}));
     MACULA_TRY_VOID(reading.finish());
     const auto surfaces = reading.part<glm::vec4>(0);

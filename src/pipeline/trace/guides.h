@@ -16,7 +16,7 @@ namespace macula::trace {
 
 class SceneView;
 
-// On the device; row 0 on top. Used by one thread at a time, the one that uses the device.
+// Lie on the device, row 0 on top. Used by one thread at a time, the one that uses the device.
 class Guides {
   public:
     static Result<Guides> create(const std::shared_ptr<gpu::Device>& device, int width, int height);
@@ -24,13 +24,13 @@ class Guides {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // Another picture: nothing of it is known yet.
+    // Begins another picture, of which no row is computed yet.
     void begin() { rows_ = 0; }
     bool isWhole() const { return rows_ >= height_; }
-    // Computes the rows that are left of the view of `scene`, by guides.comp as compiled for it
-    // (TraceKernels). Motion is towards `before`; the picture's own view gives none. `keepGoing` is asked
-    // between dispatches of some 40 ms, which are waited for, and the next call goes on where it said no;
-    // when it is empty nothing is waited for.
+    // Computes the rows that are left, for the view of `scene`, by guides.comp as compiled for that scene
+    // (TraceKernels). Motion is towards `before`; the picture's own view gives no motion. Calls `keepGoing`
+    // between dispatches of some 40 ms, and waits for each; when it returns false, the next call continues
+    // there. With an empty `keepGoing` it waits for nothing.
     Result<void> compute(const SceneView& scene, const gpu::Kernel& kernel, const shared::GuidePush& before,
                          const std::function<bool()>& keepGoing = {});
 
@@ -40,7 +40,7 @@ class Guides {
     const gpu::TexelBuffer& motions() const { return motions_; }    // motion, confidence, distance before
 
     Result<std::vector<GuidePixel>> read() const;     // waits
-    Result<std::vector<float>> readCoverage() const;  // likewise: a third of the bytes
+    Result<std::vector<float>> readCoverage() const;  // waits; a third of the bytes of read()
 
   private:
     Guides(int width, int height, gpu::TexelBuffer surfaces, gpu::TexelBuffer matters,
@@ -48,7 +48,7 @@ class Guides {
 
     int width_;
     int height_;
-    int rows_ = 0;  // that are computed
+    int rows_ = 0;  // computed so far
     gpu::TexelBuffer surfaces_;
     gpu::TexelBuffer matters_;
     gpu::TexelBuffer motions_;

@@ -11,7 +11,8 @@ namespace macula::trace {
 
 namespace {
 
-// Records that found no place, from which on the table begins anew: by then it holds what is no longer seen.
+// After so many records without a free place the cache is cleared: most cells then hold light that is out of
+// view.
 constexpr std::uint32_t kMostDropped = 1u << 12;
 
 std::uint32_t dividedUp(int a, int b) {
@@ -68,7 +69,7 @@ Result<void> IndirectCache::prepare(const LightOfScene& light) {
     return {};
 }
 
-// As of some dispatch before: nobody waits for it.
+// As of some earlier dispatch, because it does not wait for the device.
 bool IndirectCache::isFull() const {
     std::uint32_t dropped = 0;
     std::memcpy(&dropped, tables_->dropped.mapped().data(), sizeof(dropped));

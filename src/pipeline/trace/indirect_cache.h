@@ -1,5 +1,6 @@
-// A cache of indirect light on the device: what arrives at the first vertices of paths from other matter, by
-// place (shaders/lib/indirect.glsl). Paths that go on from their first vertex fill it, and others end there.
+// A cache of indirect light on the device: the light that reaches the first vertices of paths from other
+// matter, by position (shaders/lib/indirect.glsl). Some paths continue from their first vertex and fill it;
+// others end there and read it.
 #pragma once
 
 #include <cstdint>
@@ -18,42 +19,43 @@
 
 namespace macula::trace {
 
-// What the light of a scene depends on, beside what kind of scene it is.
+// What the light of a scene depends on: when it changes, the cache is out of date.
 struct LightOfScene {
     std::uint64_t sceneEdition = 0;
     int bounces = 1;
     double strength = 1.0;
     double rotationDeg = 0.0;
-    double exposure = 1.0;               // 1 where it changes no light
-    ToneMap toneMap = ToneMap::neutral;  // likewise
+    double exposure = 1.0;               // 1 unless it changes light (grey faces)
+    ToneMap toneMap = ToneMap::neutral;  // neutral unless it changes light
 
     bool operator==(const LightOfScene&) const = default;
 };
 
-// One for each scene, whichever tracers look at it. Used by one thread at a time, the one that uses the
-// device. It takes 7 MB once it is used.
+// Each scene has one, which all its tracers share. Used by one thread at a time, the one that uses the
+// device. It takes 7 MB from its first use on.
 class IndirectCache {
   public:
     explicit IndirectCache(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
-    // For a picture that uses it: forgets what it knows of other light. outOfMemory.
+    // For a picture that uses the cache: clears it if it holds other light, or is full. outOfMemory.
     Result<void> prepare(const LightOfScene& light);
-    // Something to bind for a picture that does not. outOfMemory.
+    // For a picture that does not use the cache: makes tiny tables to bind. outOfMemory.
     Result<void> makeBindable();
 
-    // Three bindings of kernels that trace paths, in the order of shaders/trace/host.glsl. After prepare or
-    // makeBindable.
+    // Appends the three bindings of kernels that trace paths, in the order of shaders/trace/host.glsl. After
+    // prepare or makeBindable.
     void appendTo(std::vector<gpu::Binding>& bindings) const;
-    // Adds what the paths of a picture with these parameters have told since the last time.
+    // Adds the light that paths of a picture with these parameters have recorded since the last call.
     Result<void> add(gpu::Recorder& recorder, const shared::TraceParams& params);
 
-    // By cell, kIndirectWays in each bucket: its tag, 0 for none; and sums of light in units, and samples.
+    // By cell, kIndirectWays in each bucket: its tag, 0 if it is empty; the sums of its light, in units; and
+    // its samples.
     struct Content {
         std::vector<std::uint32_t> tags;
         std::vector<glm::uvec4> cells;
     };
     Result<Content> read() const;  // waits; after prepare
-    // For tests: as if that had been read. After prepare.
+    // For tests: makes this the content of the cache. After prepare.
     Result<void> write(const Content& content);
 
   private:
@@ -70,7 +72,7 @@ class IndirectCache {
     std::optional<Tables> tables_;
     bool isUsable_ = false;  // the tables have their full size
     std::optional<gpu::Kernel> add_;
-    std::optional<LightOfScene> light_;  // that the tables know; nothing: they have to be cleared
+    std::optional<LightOfScene> light_;  // whose light the tables hold; nothing: they have to be cleared
 };
 
 }  // namespace macula::trace

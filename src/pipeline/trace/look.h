@@ -10,21 +10,21 @@ namespace macula::trace {
 
 enum class Look {
     cinematic,  // path traced: light scatters as often as Settings::bounces says
-    clear,      // path traced, scattered once: no light from matter to matter, so nothing glows
-    dvr,        // ray cast: matter emits its colour and absorbs, no light is needed
+    clear,      // path traced, scattered once: no light passes from matter to matter, so nothing glows
+    dvr,        // ray cast: matter emits its colour and absorbs, without lights
     mip,        // the largest value along a ray, through a window
     minip,      // the smallest
     average,    // the mean over the length, as in an X-ray
 };
 
-// What makes the pictures of a look.
+// How a look's pictures are made.
 enum class LookKind {
     paths,   // random light paths: path.comp
-    matter,  // matter under a transfer function, marched without chance: cast.comp
-    values,  // values through a window, marched without chance: cast.comp
+    matter,  // matter under a transfer function, ray-marched deterministically: cast.comp
+    values,  // values through a window, ray-marched deterministically: cast.comp
 };
 
-// The one table of looks. `--look`, the window's menu and docs/presets.md are made from it or held to it.
+// The one table of looks. `--look` and the window's menu are made from it.
 struct LookTraits {
     Look look;
     LookKind kind;

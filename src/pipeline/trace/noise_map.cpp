@@ -11,12 +11,12 @@ namespace macula::trace {
 
 namespace {
 
-// Blocks of one dispatch on a CPU device, where one takes a few microseconds: short enough for a cancel.
+// Blocks of one dispatch on a CPU device, where a block takes a few microseconds: short enough for a cancel.
 constexpr std::uint32_t kBlocksPerDispatchCpu = 1 << 12;
-// Eight blocks for each group, because some graphics cards allow no more than 65535 groups.
+// A work group has eight blocks: within 65535 groups, the most that some graphics cards allow.
 constexpr std::uint32_t kBlocksPerDispatchGpu = 1 << 18;
 
-// 18 % grey: a backdrop as may lie behind a picture with an alpha channel.
+// 18 % grey: a backdrop that may lie behind a picture with an alpha channel.
 constexpr float kBackdrop = 0.18f;
 
 }  // namespace
@@ -38,7 +38,7 @@ Result<void> NoiseMap::measureSome(const Film& film, const Settings& settings) {
     const auto& device = noises_.device();
     std::uint32_t count = blocks_ - measured_;
     count = std::min(count, device->isCpu() ? kBlocksPerDispatchCpu : kBlocksPerDispatchGpu);
-    // Only for light paths is coverage a random 0 or 1, with the noise of that.
+    // Only light paths have a random coverage of 0 or 1, whose noise shows against a backdrop.
     const shared::NoisePush push{.imageSize = {width_, height_},
                                  .firstBlock = measured_,
                                  .exposure = static_cast<float>(settings.exposure),

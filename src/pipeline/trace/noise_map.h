@@ -1,4 +1,4 @@
-// How noisy each block of a picture is so far, measured on the device from what its samples say.
+// How noisy each block of a picture is so far, estimated on the device from its samples.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +22,12 @@ class NoiseMap {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // Measures again, from the first block; what was measured is no more of use.
+    // Starts to measure again, from the first block; earlier results are void.
     void begin() { measured_ = 0; }
     bool isWhole() const { return measured_ == blocks_; }
-    // One short dispatch: the next blocks, all that are left on a graphics card. Waits.
+    // One short dispatch over the next blocks; on a graphics card usually over all that are left. Waits.
     Result<void> measureSome(const Film& film, const Settings& settings);
-    // The noise of the blocks of the picture, row by row; waits. Only when whole.
+    // The noise of each block of the picture, row by row; waits. Only when whole.
     Result<std::vector<shared::BlockNoise>> read() const;
 
   private:

@@ -6,7 +6,7 @@ namespace macula::trace {
 
 namespace {
 
-constexpr double kDenser = 0.5;  // the pace of adaptive passes, as a part of that of even ones
+constexpr double kDenser = 0.5;  // first guess of an adaptive pass's pace, as a fraction of an even one's
 
 }  // namespace
 
@@ -17,7 +17,8 @@ double Pace::perMs(const Work& work) const {
     return kDenser * perMs({.variant = work.variant, .bounces = work.bounces, .leavesIdle = work.leavesIdle});
 }
 
-// Slower is believed at once, faster only by and by: a few blocks may be empty, and the next ones not.
+// Accepts a slower pace at once, but a faster one only gradually: a few blocks may be empty, and the next
+// ones not.
 void Pace::learn(const Work& work, double blockSamples, double ms) {
     if (!(blockSamples > 0.0)) return;  // no samples: nothing to learn from
     const double known = perMs(work);

@@ -1,4 +1,4 @@
-// The measured pace of the device, by kind of dispatch. It decides how large the next dispatch may be.
+// The measured pace of the device, by kind of dispatch, from which the size of the next dispatch follows.
 #pragma once
 
 #include <map>
@@ -8,13 +8,13 @@
 
 namespace macula::trace {
 
-// A kind of dispatch, whose pace is learnt apart from that of others.
+// A kind of dispatch; the pace of each kind is learnt separately.
 struct Work {
     TraceVariant variant;
     int bounces = 1;
-    bool isAdaptive = false;  // of blocks that noise chooses, which take longer
-    // Has fewer threads than the device holds. It takes as long as the longest row of samples of one thread,
-    // and tells nothing about how fast a device is that is busy.
+    bool isAdaptive = false;  // on blocks chosen for their noise, which take longer
+    // The dispatch has fewer threads than the device holds. It then takes as long as the slowest thread,
+    // which says nothing about the pace of a device that is fully busy.
     bool leavesIdle = false;
 
     bool operator<(const Work& b) const {
@@ -25,18 +25,18 @@ struct Work {
 
 class Pace {
   public:
-    // What is known of a device before anything is measured.
+    // The pace assumed for a device before anything is measured.
     struct Guess {
-        double perMs = 0.1;   // samples of a block: those of a very slow CPU
-        double faster = 2.0;  // at most so much larger is a dispatch than the one before
+        double perMs = 0.1;   // samples of a block, on a very slow CPU
+        double faster = 2.0;  // the most by which a dispatch may exceed the last one
     };
     Pace() = default;
     explicit Pace(const Guess& guess) : guess_(guess) {}
-    // Of a graphics card of ten years ago. From the guess for a CPU on it would take a card of today some
-    // fifteen dispatches, each as long as a path is, until one keeps all of it busy.
+    // For a graphics card of ten years ago. From the guess for a CPU, a card of today would need some fifteen
+    // dispatches, each as long as its longest path, to reach one that keeps it busy.
     static constexpr Guess graphicsCard() { return {.perMs = 20.0, .faster = 8.0}; }
 
-    // Samples of one block per millisecond; a careful guess until something was learnt.
+    // Samples of one block per millisecond; a cautious guess until learn() has measured some.
     double perMs(const Work& work) const;
     void learn(const Work& work, double blockSamples, double ms);
 

@@ -12,7 +12,7 @@ namespace {
 
 const glm::dvec3 kLuminance(0.2126, 0.7152, 0.0722);  // Rec. 709
 
-// The variance of the means of luminance and of coverage, which is 0 or 1 in each sample and so its own
+// The variances of the means of luminance and of coverage. A sample's coverage is 0 or 1, and so its own
 // square.
 glm::vec2 varianceOfMean(const glm::vec4& sums, float squares, std::uint32_t count) {
     if (count < 2) return glm::vec2(std::numeric_limits<float>::infinity());

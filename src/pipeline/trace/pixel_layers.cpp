@@ -13,7 +13,7 @@ Result<void> findLayers(const std::shared_ptr<gpu::Device>& device, const SceneV
     const std::uint64_t pixels = std::uint64_t(width) * std::uint64_t(height);
     const std::uint64_t bytes = pixels * sizeof(shared::PixelLayers);
     if (!layers || layers->bytes() != bytes) {
-        layers.reset();  // both at once may be more than there is room for
+        layers.reset();  // first: there may be no room for both
         MACULA_TRY(layers, gpu::Buffer::create(device, {.label = "layers", .bytes = bytes}));
     }
     const int rows = rowsToMarchAtOnce(device->isCpu(), width, height);

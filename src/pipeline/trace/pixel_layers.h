@@ -1,5 +1,5 @@
-// The depths at which the centre ray of each pixel has lost an eighth more of its light
-// (shaders/lib/layers.glsl).
+// The depths of eight layers along the centre ray of each pixel, each of which takes an eighth of the ray's
+// light (shaders/lib/layers.glsl).
 #pragma once
 
 #include <memory>
@@ -14,9 +14,8 @@
 
 namespace macula::trace {
 
-// Finds them for the view of the scene, by layers.comp as compiled for that scene (TraceKernels): a
-// shared::PixelLayers for each pixel, row 0 on top. A buffer of that size is used again: many
-// views share one.
+// Finds the layers for the view of the scene, by layers.comp as compiled for that scene (TraceKernels): a
+// shared::PixelLayers for each pixel, row 0 on top. Reuses a buffer of the right size: many views share one.
 Result<void> findLayers(const std::shared_ptr<gpu::Device>& device, const SceneView& scene,
                         const gpu::Kernel& kernel, int width, int height, std::optional<gpu::Buffer>& layers);
 

@@ -11,10 +11,10 @@ namespace macula::trace {
 
 namespace {
 
-// Both are where the error of the first picture is least, as for InitialSplatOptions: noise of 32 paths
-// weighs more than detail between neighbours.
+// Both minimise the error of the first picture, as InitialSplatOptions do: the noise of 32 paths matters more
+// than detail between neighbours.
 constexpr float kReach = 3.0f;   // in radii of the point
-constexpr double kFacing = 2.0;  // exponent of the cosine between the ways two points face
+constexpr double kFacing = 2.0;  // exponent of the cosine between the directions that two points face
 
 // Cells of space that hold indices of points.
 class Neighbours {
@@ -24,7 +24,7 @@ class Neighbours {
             cells_[keyOf(cellOf(points[i].positionMm))].push_back(i);
     }
 
-    // Visits all points within a cell of `positionMm`, and some a little farther.
+    // Visits all points within one cell width of `positionMm`, and some a little farther.
     template <class Visit>
     void visit(const glm::vec3& positionMm, const Visit& visit) const {
         const glm::ivec3 home = cellOf(positionMm);
@@ -55,8 +55,8 @@ float medianRadius(std::span<const SurfacePoint> points) {
     return *middle;
 }
 
-// 1 for points that face the same way, 0 for those that face away from each other. A point in the middle of
-// its matter faces nowhere, and shares with none.
+// 1 for points that face the same way, 0 from a right angle on. A point at the centre of its matter faces
+// nowhere, and shares with none.
 double alike(const SurfacePoint& a, const SurfacePoint& b) {
     const double lengths = double(glm::length(a.centreMm)) * double(glm::length(b.centreMm));
     if (!(lengths > 0.0)) return 0.0;
@@ -68,7 +68,7 @@ double alike(const SurfacePoint& a, const SurfacePoint& b) {
 void shareLight(std::span<SurfacePoint> points, std::span<const GatheredLight> gathered) {
     MACULA_CHECK_EQ(points.size(), gathered.size());
     if (points.empty()) return;
-    // Radii differ in translucent matter: a cell of the usual one bounds the work.
+    // In translucent matter radii differ: cells of the median radius bound the work.
     const float cellMm = kReach * medianRadius(points);
     const Neighbours neighbours(points, cellMm);
     for (SurfacePoint& point : points) {

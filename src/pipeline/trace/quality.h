@@ -19,8 +19,8 @@ struct Quality {
     Denoising denoising = Denoising::off;
 };
 
-// Fails with inputNotUsable; the message tells the line or the key, the hint what was expected. `where` is
-// the file, for the error.
+// Fails with inputNotUsable: the message names the line or the key, the hint says what was expected. `where`
+// is the file, for the error.
 Result<Quality> qualityFromJson(std::string_view text, const std::string& where);
 
 }  // namespace macula::trace

@@ -83,7 +83,7 @@ struct Host : GlslInCpp<double> {
 #undef INOUT
 #undef PRECISE
 
-// body(host, pixel, index) for each pixel.
+// Calls body(host, pixel, index) for each pixel.
 template <class Body>
 void forEachPixel(const Host& prototype, const Body& body) {
     parallelFor(static_cast<std::size_t>(prototype.denoise.imageSize.y), [&](std::size_t row) {

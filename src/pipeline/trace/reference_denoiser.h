@@ -9,7 +9,7 @@
 
 namespace macula::trace {
 
-// What the kernels read and write, by pixel, row 0 on top. All of one size.
+// The buffers that the kernels read and write, by pixel, row 0 on top. All have one size.
 struct DenoiseGuides {
     std::vector<glm::dvec4> surfaces;  // as shaders/trace/guides.comp writes them
     std::vector<glm::dvec4> matters;
@@ -29,7 +29,7 @@ struct DenoiseState {
     std::vector<glm::dvec4> noises;
 };
 
-// `before` and `memory` are of the view before; not read when push.historySamples is 0.
+// `before` and `memory` belong to the previous view; not read when push.historySamples is 0.
 DenoiseRecord denoiseGather(const shared::DenoisePush& push, const DenoiseFilm& film,
                             const DenoiseGuides& now, const DenoiseGuides& before,
                             const DenoiseRecord& memory);
@@ -44,7 +44,7 @@ std::vector<glm::dvec4> denoiseSpecksFirst(const shared::DenoisePush& push, cons
                                            const std::vector<glm::dvec4>& masses);
 std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const DenoiseState& state,
                                       const DenoiseGuides& now, const std::vector<glm::dvec4>& masses);
-// How far that may be off: the mean square error of luminance; after the last pass.
+// The mean square error of the luminance of the filtered picture; after the last pass.
 std::vector<double> denoiseVariances(const shared::DenoisePush& push, const DenoiseRecord& record,
                                      const DenoiseState& state, const DenoiseGuides& now,
                                      const std::vector<glm::dvec4>& masses);

@@ -1,6 +1,6 @@
-// The class that shaders/lib becomes in C++. Included twice, with MACULA_HOST its name and MACULA_REAL float or double:
-// a class, because the shader functions read tables and parameters as globals; by inclusion and not as a template,
-// because `float` in the shaders must mean MACULA_REAL.
+// The class that shaders/lib becomes in C++. Included three times, with MACULA_HOST its name and MACULA_REAL
+// float or double: a class, because the shader functions read tables and parameters as globals; by inclusion
+// and not as a template, because `float` in the shaders must mean MACULA_REAL.
 //
 // No include guard, no namespace: the including file gives both.
 
@@ -68,7 +68,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 
     Params params;
 
-    // Every voxel, whatever the device keeps: the truth it is held to.
+    // Reads every voxel at full resolution: the truth that the device is tested against.
     Real fetchStored(const ivec3& voxel) const {
         const ivec3& size = params.volumeSize;
         return Real(entries_[(std::size_t(voxel.z) * std::size_t(size.y) + std::size_t(voxel.y)) *
@@ -194,7 +194,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     const glm::vec4* additions_;
     std::span<const std::uint8_t> tints_;  // empty: none
     bool hasGradientOpacity_;
-    std::span<const std::uint32_t> indirectTags_;  // empty: all is traced
+    std::span<const std::uint32_t> indirectTags_;  // empty: no cache
     std::span<const glm::uvec4> indirectCells_;
 };
 

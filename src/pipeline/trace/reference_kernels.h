@@ -1,4 +1,5 @@
-// The reference tracer's loops over pixels, over one precision's host. Internal to reference_tracer*.cpp.
+// The reference tracer's loops over pixels, for a host of either precision. Internal to
+// reference_tracer*.cpp.
 #pragma once
 
 #include "base/glsl_in_cpp.h"
@@ -86,7 +87,7 @@ std::vector<GuideOf<double>> guidesOn(Host prototype, const shared::GuidePush& b
     const int width = prototype.params.imageSize.x;
     std::vector<GuideOf<double>> pixels(std::size_t(width) * std::size_t(prototype.params.imageSize.y));
     parallelFor(std::size_t(prototype.params.imageSize.y), [&](std::size_t row) {
-        Host host = prototype;  // each row has its own: a march writes its layerMm
+        Host host = prototype;  // a copy for each row, because a march writes to layerMm
         const typename Host::Eye eye{
             before.oursMm,
             before.right,
@@ -116,7 +117,7 @@ std::vector<ReferenceTracer::Layers> layersOn(Host prototype) {
     std::vector<ReferenceTracer::Layers> pixels(std::size_t(width) *
                                                 std::size_t(prototype.params.imageSize.y));
     parallelFor(std::size_t(prototype.params.imageSize.y), [&](std::size_t row) {
-        Host host = prototype;  // each row has its own: it keeps the layers of the ray under way
+        Host host = prototype;  // a copy for each row, because it holds the layers of the current ray
         for (int x = 0; x < width; ++x) {
             const auto ray = host.layersOf({Real(x) + Real(0.5), Real(row) + Real(0.5)});
             ReferenceTracer::Layers& pixel = pixels[row * std::size_t(width) + std::size_t(x)];

@@ -18,7 +18,7 @@ namespace {
 #define MACULA_REAL float
 #include "pipeline/trace/reference_host.inl"
 
-// Calls use(host) with the host of a precision.
+// Calls use(host) with the host of the given precision.
 template <class Use>
 auto withHost(const ReferenceTracer::Tables& tables, const shared::TraceParams& params, Filter filter,
               Precision precision, const Use& use) {

@@ -25,7 +25,8 @@ class ReferenceTracer {
     ReferenceTracer(const Volume& volume, const Medium& medium, const Environment& environment,
                     const MaskBits* mask = nullptr, const Additions& additions = {});
 
-    // trace() uses a cache of indirect light from now on, as IndirectCache::Content has it; nothing: none.
+    // From now on trace() uses a cache of indirect light with this IndirectCache::Content; with none if both
+    // are empty.
     void useIndirect(std::vector<std::uint32_t> tags, std::vector<glm::uvec4> cells);
 
     // Sum over samples [firstSample, firstSample + sampleCount) of premultiplied radiance and coverage, for
@@ -33,11 +34,11 @@ class ReferenceTracer {
     std::vector<glm::dvec4> trace(const shared::TraceParams& params, Filter filter, Precision precision,
                                   std::uint32_t firstSample, std::uint32_t sampleCount) const;
 
-    // The same for ray casting. The medium must have been made for what is cast: matter, or that projection.
+    // The same for ray casting. The medium must have been made for the same kind: matter, or that projection.
     struct Cast {
         int kind = shared::kCastMatter;  // of trace_params.h
         bool shading = false;
-        Filter filter = Filter::trilinear;  // what filterOf() gives
+        Filter filter = Filter::trilinear;  // as filterOf() returns it
     };
     std::vector<glm::dvec4> cast(const shared::TraceParams& params, const Cast& what, Precision precision,
                                  std::uint32_t firstSample, std::uint32_t sampleCount) const;
@@ -51,8 +52,8 @@ class ReferenceTracer {
                           const glm::dvec3& originVoxel, const glm::dvec3& worldDirection,
                           std::uint32_t samples) const;
 
-    // The mean over `samples` of the gradients that paths take the normal of a surface from, by chance: table
-    // entries per mm along the axes of the world. The point is in voxels with integers at faces.
+    // The mean over `samples` of the random gradients from which paths take the normal of a surface: table
+    // entries per mm along the world's axes. The point is in voxel coordinates, integers at voxel faces.
     glm::dvec3 meanGradient(const shared::TraceParams& params, Filter filter, Precision precision,
                             const glm::dvec3& pointVoxel, std::uint32_t samples) const;
 
@@ -76,7 +77,8 @@ class ReferenceTracer {
     std::vector<Segment> segments(const shared::TraceParams& params, Precision precision,
                                   const glm::dvec3& originVoxel, const glm::dvec3& worldDirection) const;
 
-    // Steradians that a unit of area of the stored picture shows: see shaders/lib/fovea.glsl.
+    // Steradians shown by a unit of area of the stored picture at the point `stored`: see
+    // shaders/lib/fovea.glsl.
     double seenSolidAngle(const shared::TraceParams& params, const glm::dvec2& stored) const;
 
     struct Light {
@@ -96,10 +98,10 @@ class ReferenceTracer {
         std::vector<float> bounds;
         std::vector<EnvironmentTexel> environment;
         std::vector<float> cumulative;
-        std::vector<std::uint32_t> mask;           // empty: none
-        std::vector<std::uint16_t> secondEntries;  // of a second volume; empty: none
-        std::vector<glm::vec4> additions;          // what it and segments are made of: additionTable
-        std::vector<std::uint8_t> tints;           // of segments, in their box; empty: none
+        std::vector<std::uint32_t> mask;           // a bit for each voxel; empty: no mask
+        std::vector<std::uint16_t> secondEntries;  // of a second volume; empty: there is none
+        std::vector<glm::vec4> additions;          // of the second volume and segments: additionTable
+        std::vector<std::uint8_t> tints;           // segment of each voxel, in their box; empty: none
         std::vector<std::uint32_t> indirectTags;   // see useIndirect
         std::vector<glm::uvec4> indirectCells;
     };

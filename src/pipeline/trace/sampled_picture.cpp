@@ -14,11 +14,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kLeastDispatchMs = 4.0;  // less is mostly overhead
-// Several samples of a pixel in one thread keep a lane busy while its neighbours' paths are longer. Not too
-// many vertices in all: see kMaxRounds in path_samples.glsl.
+// With several samples of a pixel in one thread a lane stays busy while its neighbours' paths are longer. The
+// limit on all their vertices is explained at kMaxRounds in path_samples.glsl.
 constexpr int kMaxVerticesPerDispatch = 64;
-constexpr std::uint32_t kMaxRaysPerDispatch = 4;  // samples of a pixel that is cast
-// A pass that adapts adds so much to the samples there are: then it is time to look again where noise is.
+constexpr std::uint32_t kMaxRaysPerDispatch = 4;  // samples of a pixel, for cast rays
+// An adaptive pass adds this fraction of the present samples: after it noise is measured again.
 constexpr double kGrowth = 0.5;
 
 }  // namespace
@@ -27,7 +27,7 @@ Error nothingToTrace() {
     return {ErrorCode::usage, Text("There is nothing to trace yet."), {}, Text("Open a study first.")};
 }
 
-// Other light arrives from each point of what is shown, along other paths.
+// The light that arrives from each point has changed, so that the history is void too.
 void SampledPicture::looksOther() {
     history_.forget();
     stale_ = true;
@@ -35,14 +35,14 @@ void SampledPicture::looksOther() {
 
 Result<void> SampledPicture::setSettings(const Settings& settings) {
     const Settings before = std::exchange(settings_, settings);
-    // Samples stay while only what is shown of them differs, and how many are enough. The same settings once
-    // more begin anew.
+    // Samples stay valid if only the denoising or the error threshold differs. Setting equal settings again
+    // starts the picture over.
     Settings sameSamples = before;
     sameSamples.denoising = settings.denoising;
     sameSamples.errorThreshold = settings.errorThreshold;
     if (settings != sameSamples || settings == before) stale_ = true;
-    // The light that arrives from each point stays what it was while these differ besides. Grey faces are
-    // another light for each exposure and tone map, so that they look the same.
+    // If only these differ as well, the light that arrives from each point stays the same, and so the history
+    // valid. But grey faces emit other light for each exposure and tone map, so that they look the same.
     Settings sameLight = sameSamples;
     sameLight.seed = settings.seed;
     sameLight.indirect = settings.indirect;
@@ -69,7 +69,7 @@ void SampledPicture::setSideBySide(std::uint32_t samples) {
     stale_ = true;
 }
 
-// Whether the cache of indirect light is good for anything.
+// Whether paths use the cache of indirect light.
 bool SampledPicture::usesIndirect() const {
     if (settings_.indirect == Indirect::traced || !isPathTraced(settings_.look)) return false;
     if (verticesOf(settings_) < 2 || scene_.scene().lightFrame() == LightFrame::camera) return false;
@@ -144,7 +144,7 @@ Result<void> SampledPicture::step(double ms) {
     if (accumulation_.plan().hasPass()) return {};
     MACULA_TRY(const bool tooLong, accumulation_.hasLostPaths());
     if (!tooLong) return {};
-    // Paths were lost to the device's limit: the picture begins again, with smaller portions.
+    // The device's limit on rounds cut off paths: the picture starts over, with smaller portions.
     mostSamples_ = accumulation_.plan().passMost() / 2;
     stale_ = true;
     restarting_ = true;
@@ -160,7 +160,7 @@ Result<bool> SampledPicture::trace(std::uint32_t samplesPerPixel, const std::fun
     MACULA_TRY_VOID(prepare());
     SamplingPlan& plan = accumulation_.plan();
     if (plan.isAdaptive()) plan.dropPass();
-    // A pass that was interrupted is part of what was asked for.
+    // The samples of an interrupted pass count towards this call's.
     const std::uint32_t underWay = plan.hasPass() ? plan.passMost() : 0;
     const std::uint32_t target = plan.leastSamples() + std::max(samplesPerPixel, underWay);
     while (!plan.hasAll(target)) {
@@ -207,7 +207,7 @@ Result<std::vector<shared::PrimaryVertex>> SampledPicture::tracePrimaries(
     return found;
 }
 
-// Noise decides about the next pass, or about whether there is one.
+// Whether the next pass, or whether there is one, depends on noise that is not measured yet.
 bool SampledPicture::needsEstimate() const {
     if (accumulation_.plan().leastSamples() < kEvenSamples || accumulation_.isMeasured()) return false;
     return isPathTraced(settings_.look) || settings_.errorThreshold > 0.0;
@@ -225,7 +225,8 @@ void SampledPicture::beginPass(double leftMs) {
         plan.beginAdaptive(accumulation_.noises(), kGrowth * plan.meanSamples(), mostPerDispatch());
         return;
     }
-    // As many samples of every pixel as fit the time that is left; the first picture comes soonest with one.
+    // As many samples of every pixel as fit the time that is left; only one at first, for an early first
+    // picture.
     const double fitting = least == 0 ? 1.0 : leftMs / accumulation_.passMs(variant(), settings_.bounces);
     beginEvenPass(least < kEvenSamples ? std::min(fitting, double(kEvenSamples - least)) : fitting);
 }

@@ -1,5 +1,5 @@
-// The picture of one view of a scene, which samples are added to: what PathTracer traces, and when it begins
-// anew.
+// The picture of one view of a scene, to which samples are added: decides for PathTracer what to trace, and
+// when the picture starts over.
 #pragma once
 
 #include <cstdint>
@@ -25,11 +25,11 @@
 
 namespace macula::trace {
 
-// Something was never set, or could not be: why is told by the error of that call.
+// The error when a part of the scene was never set, or could not be: then its setter returned the reason.
 Error nothingToTrace();
 
-// Used by one thread at a time, the one that uses the device. Methods with the name of one of PathTracer do
-// what its comment says.
+// Used by one thread at a time, the one that uses the device. Methods named like those of PathTracer do what
+// is documented there.
 class SampledPicture {
   public:
     explicit SampledPicture(SceneView scene)
@@ -53,7 +53,7 @@ class SampledPicture {
     const Settings& settings() const { return settings_; }
     const View& view() const { return view_; }
 
-    // Something has changed since the samples were traced.
+    // Whether anything has changed since the samples were traced.
     bool isStale() const { return stale_ || !scene_.isCurrent(); }
     // Brings the device up to what was set, and starts a new accumulation when anything changed.
     Result<void> prepare();
@@ -63,7 +63,8 @@ class SampledPicture {
     Result<void> addPrimaries(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing);
     Result<std::vector<shared::PrimaryVertex>> tracePrimaries(std::uint32_t samplesPerPixel,
                                                               const std::function<bool()>& keepGoing);
-    // How many samples of a pixel addPrimaries has told, where it began at a multiple of kPrimarySamples.
+    // The samples of a pixel whose vertices addPrimaries left; 0 unless it began at a multiple of
+    // kPrimarySamples.
     std::uint32_t primarySamples() const { return firstPrimary_ == 0 ? primarySamples_ : 0; }
     Result<ErrorEstimate> estimateError();
     bool converged() const;
@@ -76,7 +77,7 @@ class SampledPicture {
     Result<TracedLight> light();
     Result<TracedLight> noisyLight();
 
-    // The search that is under way in what is looked at; nothing once that has changed.
+    // The search for surface points under way; nothing once the scene, the view or the settings have changed.
     std::optional<SurfacePointSearch>& search() { return search_; }
 
   private:
@@ -96,13 +97,13 @@ class SampledPicture {
     Settings settings_;
     View view_;
     TraceKernels kernels_;
-    double dispatchMs_ = 40.0;                // a cancel is quick, and no watchdog fires
-    bool stale_ = true;                       // view or settings have changed: accumulation starts again
-    bool restarting_ = false;                 // nothing has changed: only the portions were too large
-    bool tellsPrimaries_ = false;             // the samples under way tell their primary vertices
-    std::uint32_t firstPrimary_ = 0;          // where those begin that were told last
-    std::uint32_t primarySamples_ = 0;        // how many they are
-    std::uint32_t mostSamples_ = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
+    double dispatchMs_ = 40.0;          // a cancel is quick, and no watchdog fires
+    bool stale_ = true;                 // view or settings have changed: accumulation starts again
+    bool restarting_ = false;           // the picture starts over only because portions were too large
+    bool tellsPrimaries_ = false;       // the samples under way also keep their primary vertices
+    std::uint32_t firstPrimary_ = 0;    // index of the first sample of the last ones, modulo kPrimarySamples
+    std::uint32_t primarySamples_ = 0;  // their number
+    std::uint32_t mostSamples_ = UINT32_MAX;  // for one dispatch; lowered when paths turn out too long
     Accumulation accumulation_;
     ViewHistory history_;
     VarianceMap variances_;

@@ -13,19 +13,19 @@ namespace {
 
 constexpr int kBlock = shared::kBlockEdge;
 
-// Shares of the mean weight of the blocks that show something. A block that shows something is never left to
-// chance; one that shows nothing, and nor do those around it, is looked at now and then.
+// Fractions of the mean weight of the blocks that show something. A block always gets samples if it or a
+// neighbour shows something; others get a few now and then.
 constexpr double kLeastWeight = 0.25;
 constexpr double kLeastWeightUnseen = 1.0 / 16.0;
 constexpr double kMostWeight = 8.0;
 
-// kRoom: the average samples of a block in an adaptive pass, in parts of the most that one may get. kWorthIt:
-// a block is visited for no fewer samples than this part of the mean over the picture.
+// kRoom: the average samples of a block in an adaptive pass, as a fraction of the most that a block may get.
+// kWorthIt: a block is not visited for fewer samples than this fraction of the mean over the picture.
 constexpr double kRoom = 0.25;
 constexpr double kWorthIt = 0.25;
 
 constexpr double kNearlyWorst = 0.95;
-// A converged picture has its 95th percentile at no more than so many times the threshold.
+// The 95th percentile of a converged picture is at most so many times the threshold.
 constexpr double kNearlyWorstFactor = 2.0;
 
 // A step through `blocks` that visits each once and spreads any few of them evenly: near the golden section
@@ -45,9 +45,8 @@ double known(float squaredError) {
     return squaredError >= 0.0f && squaredError <= 1.0f ? static_cast<double>(squaredError) : 1.0;
 }
 
-// The samples that a block gets now when `owed` are planned for it: whole nets, if there is room for one.
-// Little is not worth a visit: lanes of a SIMD group wait for the longest of its paths, which many samples
-// even out.
+// The samples that a block gets now if it is `owed` so many: whole nets, if there is room for one. A few are
+// not worth a visit: lanes of a SIMD group wait for its longest path, which many samples even out.
 double visit(double owed, double worthIt, double most) {
     const double grain = most < shared::kNetSamples ? 1.0 : shared::kNetSamples;
     return owed < worthIt ? 0.0 : std::floor(std::min(owed, most) / grain) * grain;
@@ -149,10 +148,10 @@ void SamplingPlan::beginAdaptive(std::span<const shared::BlockNoise> noises, dou
     constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
     const std::vector<float> weights = samplingWeights(blocks_, noises, samples_);
     const double limit = std::clamp(most, 1u, kMost);
-    // In a larger pass all blocks would reach their limit, and sampling would be even.
+    // In a larger pass so many blocks would reach their limit that sampling would be nearly even.
     const double wanted = std::min(mean, kRoom * limit) * blockCount();
     const double worthIt = std::clamp(kWorthIt * meanSamples(), 1.0, std::max(0.5 * limit, 1.0));
-    // Each block is to have come to level * weight: how high, so that the pass is as large as it should be?
+    // Each block should end at level * weight samples. Finds the level at which the pass has the wanted size.
     const auto sizeAt = [&](double level) {
         double sum = 0.0;
         for (std::size_t i = 0; i < weights.size(); ++i)
@@ -192,7 +191,7 @@ std::vector<shared::PlannedBlock> SamplingPlan::next(double blockSamples, std::u
         samples_[block] += count;
         sum += count;
     }
-    // What is left may be nothing at all: then the pass is over.
+    // If the remaining blocks get no samples, the pass is over.
     while (hasPass() && !counts_.empty() && counts_[std::uint64_t(position_) * stride_ % blockCount()] == 0) {
         ++position_;
     }

@@ -13,15 +13,16 @@ namespace macula::trace {
 
 namespace {
 
-// Of light that is scattered once, a deep white wall under an even sky of 1 returns (1 - ln 2) / 2 = 0.15
-// along its normal; with all that follows it would be near 1. Three times the light makes the clear look
+// With single scattering, a deep white wall under a uniform sky of 1 returns (1 - ln 2) / 2 = 0.15 along its
+// normal; with all further scattering it would return nearly 1. Three times the light makes the clear look
 // about as bright as the cinematic one.
 constexpr double kClearGain = 3.0;
-// Under the same sky the same wall returns 2 (ln 2 - 1/2) = 0.39 when all of it scatters like a surface.
+// Under the same sky a wall that scatters like a surface returns 2 (ln 2 - 1/2) = 0.39.
 constexpr double kSurfaceReturns = 0.39;
 constexpr double kCloudReturns = 0.15;
-// Where the cache of indirect light is a control variate, a path goes on from its first vertex with at least
-// this probability: a lower one saves little time, and weighs the paths that go on so much that noise grows.
+// Where the cache of indirect light is a control variate, a path continues from its first vertex with at
+// least this probability: a lower one saves little time, and gives the continuing paths so much weight that
+// noise grows.
 constexpr double kIndirectLeast = 0.25;
 
 // Voxel coordinates have integers at faces: centres are half a voxel on.
@@ -91,7 +92,7 @@ void writeCast(const Settings& settings, const Medium& medium, const Volume& vol
     params.diffuse = medium.diffuse;
 }
 
-// Both volumes have integers at faces there: centres are half a voxel on.
+// Voxel coordinates of both volumes have integers at faces: centres are half a voxel on.
 void writeAdditions(const Additions& additions, const Volume& volume, shared::TraceParams& params) {
     if (additions.second) {
         const DrawnSecondVolume& second = *additions.second;

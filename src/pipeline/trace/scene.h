@@ -1,4 +1,4 @@
-// From what a person sets (camera, lights, settings) to the numbers the kernels read.
+// Turns what a person sets (camera, lights, settings) into the numbers that the kernels read.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -22,22 +22,23 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
                                             const Settings& settings, const Clip& clip = {},
                                             const Additions& additions = {});
 
-// What a usable view stores where in its picture, for shaders/lib/fovea.glsl.
+// How a usable view maps directions to positions in its stored picture, for shaders/lib/fovea.glsl.
 struct FoveaInPlane {
     glm::dvec2 halfSize{1.0};  // of the picture, at distance 1
     glm::dvec2 gaze{0.0};
     double radius = 0.0;
     double magnification = 1.0;
-    // Of a parallel view: at this distance an eye would see as much as it shows; 0: it is no parallel view.
+    // For a parallel view: the distance at which an eye with this field of view would see as much; 0
+    // otherwise.
     double parallelMm = 0.0;
 };
 FoveaInPlane foveaInPlane(const View& view);
 
-// Pixels of a picture tell what they find of indirect light, one of so many along each side
-// (indirect_cache.h).
+// Only every n-th pixel along each side of a picture records indirect light for the cache (indirect_cache.h):
+// returns n.
 int indirectStride(int width, int height);
 
-// Whether rays have to be clipped at all.
+// Whether there is any shape to clip rays by.
 bool isClipped(const shared::TraceParams& params);
 
 }  // namespace macula::trace

@@ -7,7 +7,7 @@
 namespace macula::trace {
 
 Result<SceneView> SceneView::create(std::shared_ptr<DeviceScene> scene) {
-    // On the device, not in memory for uploads: a graphics card would read that over its bus, for every path.
+    // In device memory, not upload memory, which a graphics card would read over its bus for every path.
     MACULA_TRY(gpu::Buffer params,
                gpu::Buffer::create(scene->device(),
                                    {.label = "trace params", .bytes = sizeof(shared::TraceParams)}));

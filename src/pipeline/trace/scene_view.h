@@ -13,8 +13,8 @@
 
 namespace macula::trace {
 
-// One of many views of the same scene: it has a block of parameters of its own, and all else is the scene's.
-// Used by one thread at a time, the one that uses the device.
+// One of many views of the same scene: it has its own block of parameters, and everything else belongs to the
+// scene. Used by one thread at a time, the one that uses the device.
 class SceneView {
   public:
     static Result<SceneView> create(std::shared_ptr<DeviceScene> scene);
@@ -23,13 +23,14 @@ class SceneView {
     DeviceScene& scene() { return *scene_; }
     const DeviceScene& scene() const { return *scene_; }
 
-    // When the scene is complete. What was submitted before still reads the last parameters.
+    // Sets the view and its settings. When the scene is complete. Work submitted before still reads the
+    // earlier parameters.
     Result<void> look(const View& view, const Settings& settings);
-    const shared::TraceParams& params() const { return looked_; }  // of the view that was looked at last
-    // Nobody has changed the scene since it was looked at.
+    const shared::TraceParams& params() const { return looked_; }  // as look() made them
+    // Whether the scene has not changed since the last look().
     bool isCurrent() const { return edition_ == scene_->edition(); }
 
-    // When it is current: bindings 0 to 15 of shaders/trace/host.glsl.
+    // While it is current: bindings 0 to 15 of shaders/trace/host.glsl.
     std::vector<gpu::Binding> bindings() const;
 
   private:
@@ -39,7 +40,7 @@ class SceneView {
     std::shared_ptr<DeviceScene> scene_;
     gpu::Buffer params_;
     shared::TraceParams looked_{};
-    std::uint64_t edition_ = UINT64_MAX;  // of the scene, when it was looked at
+    std::uint64_t edition_ = UINT64_MAX;  // of the scene, at the last look()
 };
 
 }  // namespace macula::trace

@@ -17,10 +17,10 @@ Result<SecondOnDevice> SecondOnDevice::create(const std::shared_ptr<gpu::Device>
     return SecondOnDevice(std::move(second), std::move(grid), std::move(voxels));
 }
 
-// Its gradients are there too: the filter and the shading take them where it is what is seen.
+// Uploads the voxels of its gradients too: denoiser and shading need them where this volume dominates.
 Result<void> SecondOnDevice::show(const DrawnSecondVolume& shown, const Volume& volume,
                                   const BrickGrid& grid) {
-    // Another curve of the volume itself changes nothing here.
+    // A change of the first volume's transfer function changes nothing here.
     if (shownAs_ == shown) return {};
     shownAs_.reset();
     made_.medium = makeMedium(*volume_, made_.grid, *shown.function);

@@ -1,4 +1,4 @@
-// The second volume of a scene: its voxels on the device, and what it adds to the bounds of the volume.
+// The second volume of a scene: its voxels on the device, and what it adds to the majorants of the volume.
 #pragma once
 
 #include <memory>
@@ -16,12 +16,12 @@ namespace macula::trace {
 // Used by one thread at a time, the one that uses the device.
 class SecondOnDevice {
   public:
-    // Nothing of it is shown yet. outOfMemory when the device cannot hold its grid.
+    // Nothing is shown yet. outOfMemory when the device cannot hold the grid of `second`.
     static Result<SecondOnDevice> create(const std::shared_ptr<gpu::Device>& device,
                                          std::shared_ptr<const Volume> second, const MemoryLimits& limits);
 
-    // Brings it to the device, as far as its curve shows it, and finds what it adds to each brick of
-    // `volume`. `shown` is of that second volume. outOfMemory as DeviceVolume::show.
+    // Uploads the voxels that its transfer function shows, and finds what they add to the majorant of each
+    // brick of `volume`. `shown` must refer to that second volume. outOfMemory as DeviceVolume::show.
     Result<void> show(const DrawnSecondVolume& shown, const Volume& volume, const BrickGrid& grid);
 
     const std::shared_ptr<const Volume>& volume() const { return volume_; }
@@ -35,7 +35,7 @@ class SecondOnDevice {
     std::shared_ptr<const Volume> volume_;
     SecondMedium made_;
     std::vector<float> bounds_;
-    std::optional<DrawnSecondVolume> shownAs_;  // what both are of; nothing: they are still to be made
+    std::optional<DrawnSecondVolume> shownAs_;  // that made_ and bounds_ are for; nothing: still to be made
     DeviceVolume voxels_;
 };
 

@@ -1,5 +1,4 @@
-// The colours that a display shows of light that lies in host memory: what PathTracer::display does on the
-// device.
+// The display colours of light in host memory: PathTracer::display does the same on the device.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +10,8 @@
 
 namespace macula::trace {
 
-// RGBA8, opaque, display-encoded, of linear premultiplied radiance over `background` (linear), by exposure
-// and tone map of the settings.
+// Composes linear premultiplied radiance over `background` (linear), with the settings' exposure and tone
+// map; returns display-encoded, opaque RGBA8.
 std::vector<std::uint8_t> shownColours(std::span<const glm::vec4> radiance, const glm::vec3& background,
                                        const Settings& settings);
 

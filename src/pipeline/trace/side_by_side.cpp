@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::uint32_t kThreadsOfBlock = shared::kBlockEdge * shared::kBlockEdge;
 
-// Of threads through the device: from so many on, those that are done make room for others nearly all the
-// time, and a picture is traced as fast by one thread for each pixel.
+// How often a dispatch's threads fill the device: from so many times on, finished threads nearly always make
+// room for others, and one thread for each pixel is as fast.
 constexpr std::uint32_t kRounds = 4;
-// For each pixel: far below what a dispatch may have.
+// For each pixel: far below the limit of a dispatch.
 constexpr std::uint32_t kMostThreads = 256;
 
 std::uint32_t dividedUp(std::uint32_t a, std::uint32_t b) {

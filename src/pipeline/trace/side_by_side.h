@@ -1,15 +1,14 @@
-// How many samples of a pixel are traced side by side, each by a thread of its own.
+// How many samples of a pixel are traced side by side, each by its own thread.
 //
-// One thread takes all samples of a pixel, one after another, where the pixels alone keep a graphics card
-// busy for long. A smaller picture, as that for a fovea, takes as long as the longest row of samples of one
-// thread, while most of the card is idle; so there a thread takes
-// one sample after another, of whichever pixel comes next. Measured on an H200
+// Where the pixels alone keep a graphics card busy, one thread traces all samples of a pixel, one after
+// another. A smaller picture, such as that of a fovea, would take as long as its slowest thread, with most of
+// the card idle; so there a thread that is done takes the next sample of any pixel. Measured on an H200
 // (docs/measurements/gpu.md): up to twice as fast at 720 x 720, some 7 times at 181 x 181, no difference at
-// 1440 x 1440. CPU devices have a thread for each core: there is nothing to gain, and all samples of a pixel
-// stay in one thread.
+// 1440 x 1440. A CPU device has only a thread for each core, so there is nothing to gain: all samples of a
+// pixel stay in one thread.
 //
-// Pictures do not depend on it: a sample is a function of pixel, seed and number, and what they bring is
-// summed in the order of their numbers (shaders/trace/add_samples.comp).
+// Pictures do not depend on this choice: a sample is a function of pixel, seed and index, and the light of
+// samples is summed in the order of their indices (shaders/trace/add_samples.comp).
 #pragma once
 
 #include <cstdint>
@@ -18,34 +17,35 @@ namespace macula::trace {
 
 class SideBySide {
   public:
-    // As DeviceInfo has them; 0: all samples of a pixel stay in one thread.
+    // `threadsAtOnce` as in DeviceInfo; 0: all samples of a pixel stay in one thread.
     explicit SideBySide(std::uint32_t threadsAtOnce);
 
-    // For tests and measurements: so many samples of each pixel, whatever the device; 0: as it is above.
+    // For tests and measurements: traces so many samples of each pixel side by side on any device; 0: as
+    // described above.
     void force(std::uint32_t samples) { forced_ = samples; }
 
-    // Blocks that keep all of the device busy with one thread for each pixel; 0: one does.
+    // The number of blocks that keep the whole device busy with one thread for each pixel; 0: a single block
+    // does.
     std::uint32_t blocksAtOnce() const { return blocksAtOnce_; }
-    // The fewest blocks of a dispatch, of which a block has so many samples: with one thread for each pixel
-    // so many as keep the device busy; side by side as many as fill it up to four times, with threads that
-    // are done sooner, as otherwise much of the time would go to the longest path of each dispatch.
+    // The fewest blocks of a dispatch with at most `samples` for each block. With one thread for each pixel
+    // they keep the device busy once. Side by side, where threads are shorter, they fill it up to four times
+    // over: otherwise much of the time would be spent on the longest path of each dispatch.
     std::uint32_t leastBlocks(bool isSideBySide, std::uint32_t samples) const;
-    // Whether a picture of so many blocks is traced so. It decides about all of its passes, so that chance
-    // and time have no part in which kernel a picture is made with.
+    // Whether a picture of so many blocks is traced side by side. Depends on nothing that changes between
+    // passes, so that neither chance nor timing decides which kernel makes a picture.
     bool isFor(std::uint32_t blocks) const;
 
-    // Threads of a dispatch of so many blocks that have at most so many samples each: one for each of them,
-    // but no more than the device holds at once, because each takes the next sample when it is done.
+    // The threads of a dispatch of so many blocks with at most `samples` each: one for each sample, but no
+    // more than the device holds at once, because a thread that is done takes the next sample.
     std::uint32_t threads(std::uint32_t blocks, std::uint32_t samples) const;
-    // Threads for each pixel, if there were any number of them, in a dispatch of blocks that have at most so
-    // many samples; each takes as many samples, or one fewer. At least 1.
+    // The threads for each pixel of a block with at most `samples`, if the device held any number; all take
+    // the same number of samples, or one fewer. At least 1.
     std::uint32_t threadsPerPixel(std::uint32_t samples) const;
-    // The most samples of a pixel in a pass over so many blocks, of which a thread takes at most
-    // `samplesPerThread`; fewer where what they bring would need more memory than kMostBlockSamples. At least
-    // 1.
+    // The most samples of a pixel in a pass over so many blocks, with at most `samplesPerThread` in a thread;
+    // fewer where their light would need more memory than kMostBlockSamples. At least 1.
     std::uint32_t mostSamples(std::uint32_t blocks, std::uint32_t samplesPerThread) const;
-    // Samples of blocks that a dispatch keeps, but for one sample of each where there are more blocks: 64
-    // MiB.
+    // The most block samples (blocks times samples) whose light a dispatch keeps, 64 MiB; one for each block
+    // if there are more blocks.
     static constexpr std::uint32_t kMostBlockSamples = 1 << 16;
 
   private:

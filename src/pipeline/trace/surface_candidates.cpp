@@ -20,11 +20,11 @@ using shared::SurfaceCandidate;
 using shared::SurfaceCell;
 
 constexpr double kDispatchMs = 40.0;
-constexpr std::uint32_t kFirstRays = 1u << 12;  // in the first dispatch, when the device's pace is unknown
+constexpr std::uint32_t kFirstRays = 1u << 12;  // in the first dispatch, before the device's pace is known
 constexpr std::uint32_t kMostRays = 1u << 20;   // in a round: 20 MiB of candidates
-constexpr double kRaysPerWanted = 32.0;         // then matter is too faint or too small, and the search ends
-// Rays to small cells have a way before them too: smaller cells pay only when they need fewer rays by this
-// factor.
+constexpr double kRaysPerWanted = 32.0;  // after so many, matter is too faint or small: the search ends
+// Rays into small cells cost some marching as well: halving the cells pays only if the rays needed fall to
+// this fraction.
 constexpr double kSmallerPays = 0.6;
 
 glm::dvec3 faceAreas(const glm::dmat3& worldFromVoxel) {
@@ -77,8 +77,8 @@ Result<std::uint32_t> Portions::next(
     MACULA_TRY(const gpu::Ticket ticket, submit(first, now));
     MACULA_TRY([[maybe_unused]] const bool done, device.waitFor(ticket));
     const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-    // The first one compiles, and tells little; the last of a round is short.
-    const double most = device.isCpu() ? 2.0 : 8.0;  // so much larger than the one before
+    // The first dispatch compiles, and says little; the last of a round is short.
+    const double most = device.isCpu() ? 2.0 : 8.0;  // the most by which a dispatch may exceed the last one
     const double ratio = std::clamp(kDispatchMs / std::max(ms, 0.1), 0.5, most);
     if (now == whole || ratio < 1.0) items_ = std::max(static_cast<std::uint32_t>(items_ * ratio), grain);
     return now;
@@ -125,7 +125,7 @@ Result<CandidateSearch> CandidateSearch::begin(const SceneView& view, double wan
     const Volume& volume = *scene.volume();
     const glm::dmat3 worldFromVoxel(volume.worldFromVoxel());
     std::vector<SurfaceCell> cells = matterCells(scene.bounds(), volume.size(), worldFromVoxel);
-    // A face shows values wherever it is.
+    // A grey face shows values wherever it is, also where there is no matter.
     if (scene.hasGreyFaces()) cells = {{glm::vec3(0.0f), glm::vec3(volume.size())}};
     CandidateSearch search(std::move(cells), wanted);
     search.isDone_ = search.cells_.empty();

@@ -21,7 +21,7 @@ using shared::kSurfaceGroup;
 using shared::kSurfaceLanes;
 using shared::SurfaceCandidate;
 
-constexpr std::uint32_t kFirstPoints = 1u << 9;    // of a dispatch, before anything is known of the device
+constexpr std::uint32_t kFirstPoints = 1u << 9;    // of the first dispatch, before the device's pace is known
 constexpr std::uint32_t kPointsAtOnce = 1u << 16;  // 38 MiB of sums
 
 // Interleaves the bits of three numbers of ten bits: neighbours in this order are neighbours in space.
@@ -35,8 +35,8 @@ std::uint32_t morton(const glm::uvec3& p) {
     return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2;
 }
 
-// Systematic sampling along a Morton curve: one candidate for every `step` of the summed weight, so that they
-// are spread as evenly as the weight is.
+// Systematic sampling along a Morton curve: one candidate for every `step` of the summed weight, so that the
+// chosen ones are as evenly spread as the weight.
 std::vector<SurfaceCandidate> chosen(const std::vector<SurfaceCandidate>& seen, const Volume& volume,
                                      std::uint32_t count) {
     const glm::dmat3 mm(volume.worldFromVoxel());
@@ -97,8 +97,7 @@ class Measurement {
     void finish(const Volume& volume, SurfacePoints& result) const;
 
   private:
-    // Points of one work group: a dispatch has whole groups, and what they measure beyond the last point is
-    // dropped.
+    // Points of one work group: a dispatch has whole groups, whose results beyond the last point are dropped.
     static constexpr std::uint32_t kGrain = kSurfaceGroup / kSurfaceLanes;
 
     std::uint32_t countNow() const {
@@ -112,14 +111,14 @@ class Measurement {
     std::uint32_t passes_;
     Portions portions_;
     std::vector<PointSums> sums_;
-    std::uint32_t base_ = 0;  // of the part under way
+    std::uint32_t base_ = 0;  // first point of the part under way
     std::uint32_t pass_ = 0;  // of that part
     std::uint32_t done_ = 0;  // points of that pass
     std::optional<gpu::Buffer> places_, found_;
 };
 
-// The place of a point, with a radius as far as to its neighbours: on a surface, or in matter so thin that
-// they lie behind one another too; in no case as far as the volume is large.
+// The position of a point, with a radius that reaches its neighbours: those on a surface or, in thin matter,
+// also those in depth; at most a tenth of the volume's diagonal there.
 glm::vec4 placeOf(const SurfaceCandidate& at, double areaMm2, const Volume& volume) {
     double radius = std::sqrt(areaMm2);
     if (at.density >= 0.0f)

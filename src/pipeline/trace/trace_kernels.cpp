@@ -9,7 +9,7 @@ namespace macula::trace {
 namespace {
 
 constexpr int kMaxRoundsCpu = 16000;    // see path_samples.glsl
-constexpr int kMaxRoundsGpu = 1 << 24;  // no limit is known: only so that nothing runs for ever
+constexpr int kMaxRoundsGpu = 1 << 24;  // cards have no known limit: this only ends endless paths
 
 int castOf(Look look) {
     switch (look) {

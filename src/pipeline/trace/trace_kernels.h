@@ -1,4 +1,4 @@
-// The kernels of pictures of any size, compiled when they are first needed.
+// The kernels that trace pictures, compiled when they are first needed.
 #pragma once
 
 #include <map>
@@ -17,19 +17,19 @@ namespace macula::trace {
 
 class DeviceScene;
 
-// What the scene asks of a kernel.
+// The features of a scene that a kernel is compiled for.
 struct SceneKind {
     bool clip = false;
     bool mask = false;
     bool gradientOpacity = false;
-    bool steep = false;         // steep matter has curves of its own
-    bool steepDensity = false;  // by which it is denser or thinner
-    bool coarse = false;        // not all of its blocks of voxels are whole
-    bool greyFaces = false;     // of a clip; counts for surface points only
-    bool surfaces = false;      // counts where paths are traced
+    bool steep = false;         // steep matter has its own curves
+    bool steepDensity = false;  // and these change its density, not only its colour
+    bool coarse = false;        // some blocks of voxels are kept more coarsely
+    bool greyFaces = false;     // a clip has some; counts for surface points only
+    bool surfaces = false;      // matter scatters like surfaces; counts where paths are traced
     bool second = false;        // a second volume in the same picture
     bool tints = false;         // segments with colours
-    int poolViews = 1;          // of the pool of voxels, each but the last with 2^poolViewShift values
+    int poolViews = 1;          // views of the voxel pool, each but the last of 2^poolViewShift values
     int poolViewShift = 0;      // counts where there are several
 
     auto operator<=>(const SceneKind&) const = default;  // NOLINT(modernize-use-nullptr): its mistake
@@ -44,8 +44,8 @@ struct TraceVariant {
     Filter filter = Filter::trilinear;
     bool shading = false;
     SceneKind scene = {};
-    bool tellsPrimaries = false;  // paths tell their primary vertices: path_primaries.comp
-    bool isSideBySide = false;    // samples of a pixel are: path_side.comp
+    bool tellsPrimaries = false;  // paths keep their primary vertices: path_primaries.comp
+    bool isSideBySide = false;    // samples of a pixel are traced side by side: path_side.comp
     bool usesIndirect = false;    // paths end in the cache of indirect light, and fill it
 
     bool operator<(const TraceVariant& b) const {
@@ -55,7 +55,7 @@ struct TraceVariant {
     }
 };
 
-// Gives the same variant to settings that differ only in parameters, so that no kernel is compiled twice.
+// The same for settings that differ only in parameters, so that no kernel is compiled twice.
 TraceVariant variantOf(const Settings& settings, SceneKind scene);
 
 // Used by one thread at a time, the one that uses the device.

@@ -15,7 +15,7 @@ Result<const gpu::Buffer*> VarianceMap::of(const Film& film) {
         variances_.reset();
         MACULA_TRY(variances_, gpu::Buffer::create(device_, {.label = "variances of light", .bytes = bytes}));
     }
-    // The device keeps what is compiled.
+    // Cheap: the device caches compiled kernels.
     MACULA_TRY(const gpu::Kernel kernel, gpu::Kernel::create(device_, shaders::trace_variance_comp));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "variances"));
     recorder.dispatch(kernel,

@@ -1,4 +1,4 @@
-// How noisy each pixel of a film is: what shaders/lib/variance.glsl says, on the device.
+// How noisy each pixel of a film is: shaders/lib/variance.glsl on the device.
 #pragma once
 
 #include <memory>
@@ -17,9 +17,9 @@ class VarianceMap {
   public:
     explicit VarianceMap(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
-    // The variance of the mean luminance (Rec. 709) of each pixel's samples so far: float for each pixel, and
-    // perhaps more behind that, row 0 on top. The device makes it after the work that was submitted before.
-    // Valid until the next call. Fails with outOfMemory.
+    // The variance of the mean luminance (Rec. 709) of each pixel's samples so far: float for each pixel, row
+    // 0 on top; the buffer may be larger. The device computes it after the work submitted before. Valid until
+    // the next call. Fails with outOfMemory.
     Result<const gpu::Buffer*> of(const Film& film);
 
   private:

@@ -10,13 +10,14 @@ namespace macula::trace {
 
 namespace {
 
-// A gaze that jumps asks for detail where the picture before had little.
+// In half widths of the picture: after a larger jump, the gaze meets parts that the previous picture stored
+// coarsely.
 constexpr double kFarthestGaze = 0.1;
 
-// A view that turned by more shows other sides of things: nothing is gained from the one before.
+// After a larger turn a view shows other sides of things: the previous one is of no use.
 constexpr double kMostTurnDeg = 20.0;
 constexpr double kMostTurnWithLightsDeg = 1.0;
-// With lights that turn with the camera, the views in the history may lie so far back on average.
+// For lights fixed to the camera: the mean angle by which the views in the history may lag behind.
 constexpr double kMostLagWithLightsDeg = 2.0;
 
 // Whether both foveations are alike, with the gaze within `farthest`, in half widths and half heights of the
@@ -42,7 +43,8 @@ std::optional<double> turnDeg(const Camera& from, const Camera& to) {
     return glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
 }
 
-// Whether `to` can use what `from` has shown: it is as large and as wide, and the light stayed where it was.
+// Whether `to` can reuse the picture of `from`: both have the same size, field of view and lens, and the turn
+// is small.
 bool continues(const View& from, const View& to, LightFrame lights) {
     if (from.width != to.width || from.height != to.height ||
         from.camera.verticalFovDeg != to.camera.verticalFovDeg ||
@@ -50,7 +52,7 @@ bool continues(const View& from, const View& to, LightFrame lights) {
         !sameFovea(from.foveation, to.foveation, kFarthestGaze)) {
         return false;
     }
-    // Lights that hang on the camera turn with it, and shade matter otherwise from degree to degree.
+    // Lights fixed to the camera turn with it, so that every degree changes the shading.
     const double most = lights == LightFrame::camera ? kMostTurnWithLightsDeg : kMostTurnDeg;
     const std::optional<double> turned = turnDeg(from.camera, to.camera);
     return turned && *turned <= most;
@@ -58,7 +60,7 @@ bool continues(const View& from, const View& to, LightFrame lights) {
 
 }  // namespace
 
-// Makes what this view showed the history; a view that was not denoised leaves none.
+// Makes the picture of the last view the history; if it was not denoised, there is none.
 void ViewHistory::turnPage(const View& view, std::uint32_t seed, bool wasTraced, LightFrame lights) {
     const bool traced = view_ && wasTraced;
     const bool again = traced && seed_ == seed && sameView(*view_, view);
@@ -73,7 +75,7 @@ void ViewHistory::turnPage(const View& view, std::uint32_t seed, bool wasTraced,
         viewBefore_ = *view_;
     }
     if (!view_ || forgets_) viewBefore_ = view;
-    // The same random numbers once more would tell nothing new.
+    // The same view with the same random numbers would add no information.
     if (denoiser_ && (forgets_ || again || !continues(viewBefore_, view, lights))) denoiser_->forget();
     limitLag(view, lights);
     view_ = view;
@@ -82,8 +84,8 @@ void ViewHistory::turnPage(const View& view, std::uint32_t seed, bool wasTraced,
     restart();
 }
 
-// The temporal history is a running mean: h samples of it, blended with one new sample, keep h / (h + 1) of
-// the angle by which it lags. This lowers h until that angle is at most kMostLagWithLightsDeg.
+// The temporal history is a running mean: if it counts as h samples, blending in one new sample leaves h / (h
+// + 1) of the angle by which it lags. This lowers h until that angle is at most kMostLagWithLightsDeg.
 void ViewHistory::limitLag(const View& view, LightFrame lights) {
     historySamples_ = Denoiser::kHistorySamples;
     if (lights != LightFrame::camera || !denoiser_ || !denoiser_->remembers()) {

@@ -25,24 +25,25 @@ class ViewHistory {
   public:
     explicit ViewHistory(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
-    // Matter or its light become others: no earlier view shows the same.
+    // Matter or light have changed: no earlier view shows the same.
     void forget() { forgets_ = true; }
-    // The next picture is of `view`. What the one before it showed is kept if that was traced at all.
+    // Begins the picture of `view`. What the picture before it showed is kept if it was traced at all.
     void turnPage(const View& view, std::uint32_t seed, bool wasTraced, LightFrame lights);
-    // The picture begins again, of the view that was set last.
+    // Starts the picture of the last view over.
     void restart();
 
-    // The guides of that view; their normals are true where the scene keeps voxels for gradients. Motion is
-    // towards the last one before it that was traced. `scene` looks at it. Valid until the next call.
+    // The guides of that view; their normals are right only if the scene keeps voxels for gradients. Motion
+    // is towards the last view before it that was traced. `scene` must look at that view. Valid until the
+    // next call.
     Result<const Guides*> guides(const SceneView& scene, TraceKernels& kernels);
-    // vec4 for each pixel, see Denoiser::result(), of a film of that view; `how` is not off. Made again when
-    // the film's `edition` is another one, or `how` is. Valid until the next call.
+    // vec4 for each pixel, see Denoiser::result(), of a film of that view; `how` is not off. Filters again
+    // when the film's `edition` or `how` has changed. Valid until the next call.
     Result<const gpu::Buffer*> denoised(const Film& film, std::uint64_t edition, Denoising how,
                                         const SceneView& scene, TraceKernels& kernels);
-    // How noisy that is; right after it: Denoiser::variances.
+    // How noisy the denoised picture is (Denoiser::variances); only right after denoised().
     Result<const gpu::Buffer*> variances() { return denoiser_->variances(*guides_); }
-    // What denoised() has to do, in short dispatches that are waited for; `keepGoing` is asked after each,
-    // and the next call goes on where it said no. Whether all is done.
+    // Does the work of denoised() in short dispatches, and waits for each. Calls `keepGoing` after each; when
+    // it returns false, the next call continues there. Returns whether all is done.
     Result<bool> denoiseSome(const Film& film, std::uint64_t edition, Denoising how, const SceneView& scene,
                              TraceKernels& kernels, const std::function<bool()>& keepGoing);
 
@@ -53,18 +54,18 @@ class ViewHistory {
 
     std::shared_ptr<gpu::Device> device_;
     std::optional<Guides> guides_, guidesBefore_;
-    bool haveNormals_ = false;  // those under way or made: all voxels that gradients reach were there
+    bool haveNormals_ = false;  // of guides_: all voxels that gradients reach were there
     std::optional<Denoiser> denoiser_;
     std::optional<View> view_;  // nothing before the first page
     std::uint32_t seed_ = 0;
-    // The mean angle between this view and those in the history; only counted for lights on the camera.
+    // The mean angle between this view and those in the history; only used for lights fixed to the camera.
     double lagDeg_ = 0.0;
     float historySamples_ = Denoiser::kHistorySamples;  // samples that the history may count for, at most
     View viewBefore_;
     bool forgets_ = true;
     std::optional<std::uint64_t> denoisedEdition_;  // of the film, when the denoiser ran
     Denoising denoisedAs_ = Denoising::off;         // the `how` of that run
-    std::uint64_t begunEdition_ = 0;                // what it has begun with and may not have finished
+    std::uint64_t begunEdition_ = 0;                // edition of the last run, which may be unfinished
     Denoising begunAs_ = Denoising::off;
 };
 

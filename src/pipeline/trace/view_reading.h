@@ -30,26 +30,26 @@ struct WantedReading {
     bool colours = false;
 };
 
-// Begun by PathTracer::beginReading, again and again; finished and dropped by the thread that uses the
-// device. What has come may be asked for by any thread, until it is begun again.
+// PathTracer::beginReading may begin it again and again; only the thread that uses the device may begin,
+// finish and destroy it. Once finished, any thread may read the results, until it begins again.
 class ViewReading {
   public:
     Result<void> finish() { return reading_.finish(); }  // waits
 
-    // What tracePrimaries gives; none where they were not wanted.
+    // As tracePrimaries returns them; empty if they were not wanted.
     std::span<const shared::PrimaryVertex> primaries() const;
-    // What readColours gives, where they were wanted: work for all cores.
+    // As readColours returns them; only if they were wanted. Works on all cores.
     TracedColours colours() const;
 
   private:
     friend Result<void> beginReading(SampledPicture& picture, ViewReading& reading,
                                      const WantedReading& wanted);
 
-    gpu::Reading reading_;  // of primaries, matters, counts and light, those that were wanted
+    gpu::Reading reading_;  // primaries if wanted; matters, counts and light if colours are wanted
     int width_ = 0;
     int height_ = 0;
     std::uint32_t primarySamples_ = 0;  // 0: no primaries
-    bool areMeans_ = false;             // of the light: it is denoised
+    bool areMeans_ = false;             // the light is denoised
     double meanSamples_ = 0.0;
 };
 
