@@ -17,7 +17,8 @@ struct FacePlace {
     float radiance = 0.0f;     // linear and grey, before exposure and tone map
 };
 
-// Half an edge of a cell apart, where faces are not clear; empty where they show no values. On all cores.
+// Places half a cell edge apart, except where a face is transparent; none if faces show no values. Uses all
+// cores.
 std::vector<FacePlace> facePlaces(const CoarseMatter& matter, const ShownMatter& shown);
 
 }  // namespace macula::hybrid

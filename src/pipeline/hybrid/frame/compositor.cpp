@@ -17,7 +17,7 @@ Result<Compositor> Compositor::create(const std::shared_ptr<gpu::Device>& device
     return Compositor(device, std::move(nothing));
 }
 
-// The device keeps what is compiled.
+// Cheap after the first call: the device keeps compiled kernels.
 Result<gpu::Kernel> Compositor::kernelFor(const Layers& layers, const Display& display) const {
     const bool isMixed = layers.tracedShare < 1.0f;
     const bool isTrusted = layers.tracedTrusts == nullptr || layers.tracedShare <= 0.0f;

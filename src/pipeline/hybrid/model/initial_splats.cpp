@@ -11,7 +11,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// Limits for what the points say: of a radius in mm, and of light, which is 1 for white.
+// Limits for the radius of a point, in mm, and for its radiance, which is 1 for white.
 constexpr double kLeastRadius = 1e-6;
 constexpr double kMostRadius = 1e6;
 constexpr float kMostRadiance = 1e6f;
