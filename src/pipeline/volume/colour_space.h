@@ -12,7 +12,7 @@ enum class ColourSpace {
     hsv,        // hue, saturation, value; the hue does not pass through red
     hsvWrap,    // the hue goes the shorter way around
     lab,        // CIE L*a*b* under D65
-    diverging,  // Moreland's Msh space: through white between two saturated colours that differ
+    diverging,  // Moreland's Msh space: through white between saturated colours of different hue
     step,       // a piece has the colour of the point at its end
 };
 
