@@ -8,7 +8,7 @@ namespace macula::evaluate {
 
 namespace {
 
-// Those that take turns at one picture, with one filter.
+// The contenders on the device, for one picture and one filter.
 class Turns {
   public:
     static Result<Turns> begin(const BenchStudy& study, const TraceBenchmarkOptions& options,
