@@ -104,7 +104,7 @@ class Measurement {
     std::vector<Named> editsOf(const Box& seenMm) const {
         std::vector<Named> edits{{"opening", base_}, {"none", base_}};
         for (const double depth : kClipDepths) {
-            // Anterior is -y: what lies before the plane is removed.
+            // Anterior is -y: the plane removes what lies in front of it.
             Clip clip;
             clip.planes.push_back({.normal = {0.0, 1.0, 0.0},
                                    .offsetMm = seenMm.low.y + depth * (seenMm.high.y - seenMm.low.y)});

@@ -85,7 +85,7 @@ Json toJson(const EvaluatedStudy& scene, bool refined) {
     for (std::size_t i = 0; i < e.last().scores.size(); ++i) {
         const ViewScores& scores = e.last().scores[i];
         Json view{{"distance", glm::distance(e.truthCameras[i].positionMm, e.seenMm.centre()) /
-                                   (0.5 * e.seenMm.diagonal())}};  // in R
+                                   (0.5 * e.seenMm.diagonal())}};  // in half-diagonals R
         for (const Score& score : kScores) view[std::string(score.key)] = toJson(scores.*(score.value));
         json["views"].push_back(std::move(view));
     }

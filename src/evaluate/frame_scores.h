@@ -19,7 +19,7 @@ struct FrameTruth {
     image::Image shown;
     image::Mask covered;          // pixels with coverage, whatever their colour
     image::Mask middle;           // trace::kFovealFieldDeg around the middle
-    image::Mask coveredInMiddle;  // both
+    image::Mask coveredInMiddle;  // pixels of both masks
     image::Mask silhouetteInMiddle;
 };
 FrameTruth frameTruthOf(const hybrid::TruthPicture& picture);

@@ -38,7 +38,7 @@ class HeldOutViews {
 
     const std::vector<hybrid::TruthPicture>& pictures() const { return truth_; }
     std::vector<Camera> cameras() const;
-    double seconds() const { return seconds_; }  // of tracing
+    double seconds() const { return seconds_; }  // time for tracing the views
     std::size_t fromCache() const;               // views found completely in the cache
     std::size_t givenUp() const { return givenUp_; }
 

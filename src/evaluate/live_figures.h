@@ -41,8 +41,8 @@ struct RestPicture {
 inline constexpr double kNearFlip = 0.02;
 std::optional<double> nearFromS(std::span<const RestPicture> pictures, double limit = kNearFlip);
 
-// The largest growth of FLIP over `overS`, which is above 0: of a picture minus the last one that is older by
-// that. Below 0 if FLIP always fell; nothing if no two pictures are so far apart.
+// The largest growth of FLIP over `overS`, which is above 0: the FLIP of a picture minus that of the last one
+// at least so much older. Below 0 if FLIP always fell; nothing if no two pictures are so far apart.
 inline constexpr double kSetbackS = 5.0;
 std::optional<double> worstSetback(std::span<const RestPicture> pictures, double overS = kSetbackS);
 

@@ -22,7 +22,7 @@ struct LivePictureOptions {
     std::uint32_t truthSamples = 512;  // of each reference; even
 };
 
-// A camera at rest.
+// How the picture of a camera at rest develops.
 struct RestCourse {
     std::vector<RestPicture> pictures;  // those kept by the recording
     double referenceFlip = 0.0;         // remaining noise: of half the reference's samples to all

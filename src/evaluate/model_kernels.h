@@ -8,7 +8,7 @@
 
 namespace macula::evaluate {
 
-// Makes a small model and discards it: otherwise the first model's time would contain compilation. Fails as
+// Makes a small model and discards it: otherwise the first model's time would include compilation. Fails as
 // hybrid::makeFirstModel does. The tracer is left with other settings and another view.
 Result<void> compileModelKernels(const BenchStudy& study, live::SceneOnDevice& scene, int bounces,
                                  Progress& progress);

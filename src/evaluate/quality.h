@@ -73,7 +73,7 @@ struct QualityGain {
     std::string_view model;
     std::optional<Spread> foveaDb;           // over pt-equal
     std::optional<Spread> equalTimeShare;    // time of pt-equal over that of the hybrid frame
-    std::optional<Spread> fullOverSplatsDb;  // over the same splats alone
+    std::optional<Spread> fullOverSplatsDb;  // over the "splats" row of this model
 };
 QualityGain gainOf(const QualityRow& hybrid, const QualityRow& equal, const QualityRow& splats);
 

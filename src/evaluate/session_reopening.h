@@ -34,7 +34,7 @@ struct Reopening {
     double wholeMs = 0.0;         // the keeper has read the state
     double learningMs = 0.0;      // the model continues with that state
     std::uint64_t steps = 0;
-    // PeripheralReport::error and shownError.
+    // PeripheralReport::error and PeripheralReport::shownError.
     std::optional<double> trainedError;
     std::optional<double> shownError;
     bool isSame = false;  // the shown splats are `before`, bit for bit

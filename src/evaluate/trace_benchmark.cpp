@@ -33,7 +33,7 @@ class Turns {
     }
 
     Result<Spent> trace() {
-        MACULA_TRY_VOID(tracer_.setSettings(settings_));  // from the first sample again
+        MACULA_TRY_VOID(tracer_.setSettings(settings_));  // restarts from the first sample
         return timed([&]() -> Result<void> {
             MACULA_TRY([[maybe_unused]] const bool all, tracer_.trace(samples_));
             return {};

@@ -29,7 +29,7 @@ struct BrickGrid {
     int reach = 0;                        // voxels
     glm::ivec3 size{0};                   // bricks
     std::vector<EntryRange> ranges;       // by brick, x fastest: of all voxels that interpolation needs
-    glm::ivec3 blocks{0};                 // at most as many as bricks, at least one less, along each axis
+    glm::ivec3 blocks{0};                 // along each axis as many as bricks, or one fewer
     std::vector<EntryRange> blockRanges;  // by block, x fastest
 
     std::size_t index(int x, int y, int z) const {

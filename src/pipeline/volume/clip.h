@@ -72,7 +72,7 @@ struct Clip {
     std::optional<OrientedBox> box;
     Keep ofBox = Keep::inside;
     std::vector<HalfSpace> planes;  // at most kMostPlanes
-    std::optional<Octant> cut;      // is removed
+    std::optional<Octant> cut;      // the octant that is removed
     std::optional<Ball> ball;
     Keep ofBall = Keep::inside;
     std::optional<Mask> mask;

@@ -12,7 +12,7 @@
 
 namespace macula {
 
-// Sets the majorants of bricks to 0 of which a clip without shadow leaves nothing. Uses all cores.
+// Sets to 0 the majorants of bricks that a clip without shadow removes entirely. Uses all cores.
 void emptyRemovedBricks(const Clip& clip, const Volume& volume, const BrickGrid& grid,
                         std::span<float> bounds);
 

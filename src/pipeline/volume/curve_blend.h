@@ -5,9 +5,8 @@
 
 namespace macula {
 
-// Maps `u` so that the midpoint lies at 0.5, then pushes it away from there by the power 1 + 10 sharpness. 0
-// to
-// 1. Below a sharpness of 0.01 it does not push; above 0.99 the result is 0 or 1.
+// Maps `u` so that the midpoint lies at 0.5, then pushes it away from there by the power 1 + 10 sharpness.
+// The result is 0 to 1. Below a sharpness of 0.01 nothing is pushed; above 0.99 the result is 0 or 1.
 double warpedFraction(double u, double midpoint, double sharpness);
 
 // The position between the heights of both points: a cubic Hermite curve over warpedFraction whose tangents

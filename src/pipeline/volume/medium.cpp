@@ -54,7 +54,7 @@ void boundBricks(Medium& medium, const Volume& volume, const BrickGrid& grid, co
     measureEmptySpace(grid.size, medium.bounds);
 }
 
-// The width of the narrowest feature, not below one stored value, where the tables end.
+// A third of the width of the narrowest piece, but at least one stored value, the resolution of the tables.
 double featureOf(const TransferFunction& function, double leastUnits) {
     double narrowest = std::numeric_limits<double>::infinity();
     const auto look = [&](const auto& points) {

@@ -14,7 +14,7 @@ namespace macula {
 namespace {
 
 constexpr double kLeastDepth = 0.1;  // optical depth; a run with less does not count
-constexpr int kNowhere = -1;         // in a row
+constexpr int kNowhere = -1;         // no index in a row
 constexpr int kBisections = 10;      // to a thousandth of a voxel
 
 double cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b) {

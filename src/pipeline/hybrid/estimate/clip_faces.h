@@ -9,7 +9,7 @@
 
 namespace macula::hybrid {
 
-// A place on a face: a sample of a cell that is shown, beside a place that the shape of the clip removes.
+// A place on a face: a shown sample of a cell, next to a place that the shape of the clip removes.
 struct FacePlace {
     std::uint32_t cell = 0;
     glm::dvec3 voxel{0.0};

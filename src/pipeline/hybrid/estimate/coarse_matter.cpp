@@ -107,7 +107,7 @@ bool ShownMatter::isInShape(const Volume& volume, const glm::dvec3& voxel) const
 PartShown ShownMatter::partInShape(const CoarseMatter& matter, const glm::ivec3& first,
                                    const glm::ivec3& end) const {
     if (!clip.hasShape()) return PartShown::all;
-    // From the outer faces of voxels to those on the other side.
+    // Voxels reach half a voxel beyond their centres.
     const glm::dvec3 edge(matter.cellVoxels());
     const Box voxels{glm::dvec3(first) * edge - 0.5, glm::dvec3(end) * edge - 0.5};
     const glm::dmat4& worldFromVoxel = matter.volume().worldFromVoxel();

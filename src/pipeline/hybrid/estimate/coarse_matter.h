@@ -55,11 +55,11 @@ class CoarseMatter {
     std::vector<std::uint16_t> entries_;
 };
 
-// Faces of a clip that show the values themselves (Clip::greyFaces).
+// How the faces of a clip show grey values (Clip::greyFaces).
 struct GreyValues {
     float low = 0.0f;  // entries of black and white
     float high = 1.0f;
-    bool belowIsBlack = false;  // else clear
+    bool belowIsBlack = false;  // else transparent
     float exposure = 1.0f;      // of the picture
     bool keepsHue = false;      // the picture's tone map: toneMapHue, else toneMapNeutral
 
@@ -88,8 +88,8 @@ struct ShownMatter {
     PartShown partInShape(const CoarseMatter& matter, const glm::ivec3& first, const glm::ivec3& end) const;
 };
 
-// Calls body(cell, part) for each cell, on all cores: one layer after another along z, each by one thread.
-// `part` is what the shape shows of the cell and of those within `margin` cells of it, and perhaps of more.
+// Calls body(cell, part) for each cell, on all cores; one thread does all of a layer of constant z. `part`
+// says how much the shape shows of a region that contains the cell and its neighbours within `margin` cells.
 void forEachCell(const CoarseMatter& matter, const ShownMatter& shown, int margin,
                  const std::function<void(std::size_t cell, PartShown part)>& body);
 

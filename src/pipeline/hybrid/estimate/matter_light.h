@@ -12,7 +12,7 @@
 
 namespace macula::hybrid {
 
-// The parts of the light from -x, +x, -y, +y, -z and +z of the grid that get to a cell, 0 to 1.
+// The shares, 0 to 1, of the light from -x, +x, -y, +y, -z and +z of the grid that reach a cell.
 using SideLight = std::array<float, 6>;
 
 struct LitMatter {

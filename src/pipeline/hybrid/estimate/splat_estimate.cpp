@@ -14,7 +14,7 @@ namespace macula::hybrid {
 namespace {
 
 constexpr float kLeastExtinction = 1e-4f;  // per mm: 100 mm of it hide a hundredth
-constexpr float kLeastOpacity = 0.01f;     // of a splat that is worth drawing
+constexpr float kLeastOpacity = 0.01f;     // of a splat worth drawing
 constexpr float kMostOpacity = 0.98f;
 constexpr float kMostLearntOpacity = 0.9999f;
 // A splat of haze gets no denser than this: where haze has become a surface, cells get splats of their own.
@@ -27,7 +27,7 @@ constexpr float kLeastOpenness = 0.03f;
 constexpr float kKnownShare = 0.75f;
 // A cell that the model's splats cover this far gets no new splat.
 constexpr float kWhollyCovered = 0.75f;
-// Reflectances between which a splat's own colour begins to count.
+// Below kDark, a splat's learnt colour does not count; above kBright, only it does.
 constexpr float kDark = 0.02f;
 constexpr float kBright = 0.2f;
 // Limits of the factor by which the light of a splat changes.
@@ -344,7 +344,7 @@ void SplatEstimate::addSplatOf(std::uint32_t cell, const ShownMatter& shown, con
     if (!(weight > 0.0f)) return;
     const double edge = matter_->edgeMm();
     const glm::dvec3 middle = transformPoint(volume.worldFromVoxel(), voxel / double(weight));
-    // A gradient over voxels becomes one of the world by the inverse transpose.
+    // The inverse transpose turns a gradient over voxels into one in the world.
     const glm::dvec3 rise =
         glm::transpose(glm::dmat3(voxelFromWorld_)) *
         (glm::dvec3(riseAround(*matter_, lit, cell)) / matter_->cellMm() * volume.spacingMm());

@@ -4,7 +4,7 @@
 // the model has learnt (matter_light.h); so do clip faces that show grey values. Where nothing was learnt
 // yet, the estimate has only coarse splats, in the light of the environment.
 //
-// An estimate, not a model: it is right about what is hidden and what is shown, and nearly about its light.
+// An estimate, not a model: it hides and shows the right matter, but its light is only nearly right.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ class SplatEstimate {
     splat::Splats under(const ShownMatter& shown) const;
 
   private:
-    // The voxels around a splat: its middle, and a standard deviation to each side of it.
+    // The sampled voxels of a splat: its middle, and one standard deviation to each side along its axes.
     static constexpr std::size_t kPlaces = 7;
     struct Place {
         std::array<std::uint16_t, kPlaces> entries;

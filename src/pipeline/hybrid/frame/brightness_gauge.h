@@ -17,9 +17,9 @@
 namespace macula::hybrid {
 
 // The mean luminance (Rec. 709, linear) of the traced pictures over that of the drawn ones, over the pixels
-// in which both cover more than half. 1 where these are too few or all black. Limited to 1/2 to 2, because a
-// model that is farther off is wrong in more than its brightness. Pictures come in pairs of the same size;
-// pixels that are not finite are left out.
+// in which both cover more than half. 1 if these are too few or all black. Limited to 1/2 to 2, because a
+// model that is farther off has more than its brightness wrong. Pictures come in pairs of the same size;
+// pixels that are not finite do not count.
 double brightnessGain(std::span<const std::vector<glm::vec4>> traced,
                       std::span<const std::vector<glm::vec4>> drawn);
 

@@ -48,7 +48,7 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
                                                           .height = height,
                                                           .format = VK_FORMAT_R8G8B8A8_UNORM}));
     }
-    // Something has to be bound where nothing is read.
+    // Each binding needs a buffer, even if the kernel does not read it.
     const gpu::TexelBuffer& splats = layers.splats != nullptr ? layers.splats->texels : nothing_;
     const gpu::TexelBuffer& fovea = layers.fovea != nullptr ? *layers.fovea->lights : nothing_;
     const gpu::TexelBuffer& weights = layers.fovea != nullptr ? *layers.fovea->weights : nothing_;

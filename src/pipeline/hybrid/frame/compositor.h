@@ -55,7 +55,7 @@ class Compositor {
     Result<gpu::Kernel> kernelFor(const Layers& layers, const Display& display) const;
 
     std::shared_ptr<gpu::Device> device_;
-    gpu::TexelBuffer nothing_;  // bound where there is no layer
+    gpu::TexelBuffer nothing_;  // bound in place of missing layers
     std::optional<gpu::Image> picture_;
 };
 

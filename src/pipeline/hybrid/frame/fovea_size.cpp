@@ -10,7 +10,7 @@ namespace {
 constexpr double kFieldBeforeCoarser = 0.6;
 constexpr double kCoarsest = 0.5;
 constexpr double kLeastField = 0.1;
-constexpr double kLeastFieldDeg = 0.1;  // that a camera may have
+constexpr double kLeastFieldDeg = 0.1;  // smallest field of a camera
 
 double halfTangent(double fieldDeg) {
     return std::tan(0.5 * glm::radians(fieldDeg));

@@ -116,7 +116,7 @@ Result<void> HybridFrame::adopt(trace::PathTracer& tracer, const FoveaAim& aim) 
 // An adopted fovea is centred in the view, and reaches to where a traced one around the gaze would end.
 HybridFrame::Extent HybridFrame::extentOf(const FoveaAim& aim, bool isAdopted) {
     const double halfOfFrame = std::tan(0.5 * glm::radians(aim.whole.camera.verticalFovDeg));
-    const double fovea = std::tan(0.5 * glm::radians(aim.fieldDeg)) / halfOfFrame;  // of half of the height
+    const double fovea = std::tan(0.5 * glm::radians(aim.fieldDeg)) / halfOfFrame;  // part of half the height
     const glm::dvec2 half = fovea * glm::dvec2(double(aim.whole.height) / aim.whole.width, 1.0);
     if (!isAdopted) return {.middle = aim.gaze, .half = half};
     return {.middle = glm::dvec2(0.0), .half = glm::min(glm::abs(aim.gaze) + half, glm::dvec2(1.0))};

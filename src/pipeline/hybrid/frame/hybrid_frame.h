@@ -1,6 +1,6 @@
-// What a person sees: traced where the eye looks, splats everywhere else. The picture for the fovea is traced
-// in slices from where the eye was; every frame shows it as the eye sees it now (reprojection.h), over splats
-// that are drawn for that eye.
+// Draws the frames that a person sees in motion: traced where the eye looks, splats everywhere else. The
+// picture for the fovea is traced in slices, from where the eye was at its begin; each frame reprojects it to
+// the present eye (reprojection.h), over splats drawn for that eye.
 //
 //     frame.setScene(settings);     // whenever the tracer's scene or look was changed
 //     if (!frame.isTracing()) frame.aim({.whole = view, .gaze = gaze, .sidePx = 300});
@@ -32,14 +32,13 @@ namespace macula::hybrid {
 struct Periphery {
     // Linear, premultiplied; valid until the next call.
     std::function<Result<DrawnSplats>(const Camera& eye, const glm::ivec2& sizePx)> draw;
-    float gain = 1.0f;  // of their light: LiveModel::gain
-    bool isLikeness =
-        true;  // splats show nearly what is there: only then a frame weighs a noisy fovea against them
+    float gain = 1.0f;       // of their light: LiveModel::gain
+    bool isLikeness = true;  // nearly like the scene: only then a noisy fovea is weighed against it
 };
 
 // The next picture for the fovea.
 struct FoveaAim {
-    trace::View whole;     // what the eye sees
+    trace::View whole;     // the whole view of the eye
     glm::dvec2 gaze{0.0};  // in that view, -1 to 1; right and up are positive
     double fieldDeg = trace::kFovealFieldDeg;
     int sidePx = 512;  // the picture is square

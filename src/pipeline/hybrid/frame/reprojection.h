@@ -34,12 +34,11 @@ struct ReprojectedPicture {
     const gpu::TexelBuffer* weights = nullptr;  // float for each pixel: from 0, nothing known, to 1
 };
 
-// A picture of splats on the device, and for each pixel their depth in mm times their coverage
+// A picture of splats on the device, with depth in mm times coverage for each pixel
 // (splat::Rasterizer::depths).
 struct DrawnSplats {
     const splat::DevicePicture* picture = nullptr;
-    const gpu::Buffer* depthSums =
-        nullptr;  // may be null from a Periphery: then splats have no influence on a fovea
+    const gpu::Buffer* depthSums = nullptr;  // null from a Periphery: no influence on a fovea
 };
 
 // The parameters of a reprojection from one eye to another. `seenMm` contains all that can be seen. Fails

@@ -31,7 +31,7 @@ glm::ivec3 cellOf(std::uint64_t key) {
     return {part(42), part(21), part(0)};
 }
 
-// Slot of the key, or the free one where it belongs.
+// The slot of the key, or the free slot in which it belongs.
 std::size_t slotOf(const std::vector<std::uint64_t>& keys, std::uint64_t key) {
     std::size_t slot = LightInSpace::hashOf(key) & (keys.size() - 1);
     while (keys[slot] != key && keys[slot] != kFree) slot = (slot + 1) & (keys.size() - 1);
@@ -52,7 +52,7 @@ glm::ivec3 parentOf(const glm::ivec3& at) {
     return {at.x >> 1, at.y >> 1, at.z >> 1};
 }
 
-// body(lobe, weight) for the three lobes that a direction lies between.
+// Calls body(lobe, weight) for the three lobes next to a direction.
 template <class Body>
 void forEachLobe(const glm::dvec3& direction, const Body& body) {
     for (int axis = 0; axis < 3; ++axis) {

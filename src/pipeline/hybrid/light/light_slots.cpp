@@ -14,7 +14,7 @@ namespace {
 using shared::LightSlot;
 
 constexpr std::size_t kTables = LightInSpace::kTables;
-// Parts of the slots that are filled by one core each. A power of two.
+// Parts of the slots, each filled by one core. A power of two.
 constexpr std::size_t kParts = 16;
 constexpr LightSlot kFree{.low = 0, .high = shared::kFreeSlot, .cell = 0};
 

@@ -25,7 +25,7 @@ int raysAside(const glm::ivec2& sizePx);
 // A lit picture on its way to the host. Only the thread that uses the device begins, finishes and drops it.
 class LitPicture {
   public:
-    Result<void> finish() { return reading_.finish(); }  // waits
+    Result<void> finish() { return reading_.finish(); }  // waits for the device
     // Call after finish(), on any thread, until the next begin(). The view has no samples.
     TracedView view() const;
 

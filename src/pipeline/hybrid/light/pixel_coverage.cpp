@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kPixelsAtOnce = 1u << 14;
 
-// The mean over the middle pixel of a function that is linear between three centres.
+// The mean over the middle one of three pixels, of a function that is linear between their centres.
 float mean(float before, float here, float after) {
     return 0.125f * before + 0.75f * here + 0.125f * after;
 }

@@ -8,7 +8,7 @@
 namespace macula::hybrid {
 
 struct ErrorTrendOptions {
-    // An error that falls by less than this part of itself in a second of training counts as flat.
+    // An error that falls by less than this part of itself per second of training counts as flat.
     double leastFallPerSecond = 0.002;
     // The trend is that of `window` means, each over at least `leastSeconds`: faster measurements are
     // averaged first, because over short times noise hides any trend.
@@ -23,8 +23,8 @@ class ErrorTrend {
   public:
     explicit ErrorTrend(const ErrorTrendOptions& options = {}) : options_(options) {}
 
-    // `seconds` of training until now, never less than before. Ignores an error that is not finite and above
-    // 0.
+    // `seconds` of training until now, never less than before. Ignores errors that are not finite or not
+    // above 0.
     void add(double seconds, double error);
     // Starts over, because the next errors measure something else.
     void forget() { means_.clear(); }

@@ -88,8 +88,8 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
     rates.opacityLogit = 0.1;
     rates.dc = 0.015;
     rates.sh = rates.dc / 20.0;
-    // Training begins with pictures of half the size, for a fifth of the steps. Small pictures are not
-    // halved: they would show too little.
+    // The first fifth of the steps uses pictures of half the size. Small pictures are not halved: they would
+    // show too little.
     training.stages = {{.firstStep = 0, .halvings = options.sizePx >= 256 ? 1 : 0},
                        {.firstStep = options.iterations / 5, .halvings = 0}};
     // The last steps use squared differences: absolute ones favour the median, and lose light.

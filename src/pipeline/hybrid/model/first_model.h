@@ -30,7 +30,7 @@ struct FirstModelOptions {
     std::size_t directions = 48;
     int sizePx = kTrainingSizePx;
     int bounces = trace::kDefaultBounces;
-    std::uint64_t trial = 0;  // another draw of the views, their noise, and their order in training
+    std::uint64_t trial = 0;  // selects the random views, their noise, and their order in training
     std::uint64_t iterations = 700;
     bool beginsOnly = false;  // makes at most one of these steps; the caller makes the rest
     // The time for points, views and training together. Points are not cut short. Of the time left then, four

@@ -23,7 +23,7 @@ Result<void> judgeShown(std::span<HeldOutPicture> held, const std::shared_ptr<gp
                         const glm::dvec3& originMm, splat::TrainerOptions options,
                         const ShownOfModel& shown) {
     if (held.empty()) return {};
-    options.capacity = 0;  // room for as many splats as there are
+    options.capacity = 0;  // 0: just room for the splats
     const auto compare = [&](const splat::Splats& splats, double HeldOutErrors::*error) -> Result<void> {
         const splat::Splats here = relativeTo(splats, originMm);
         MACULA_TRY(splat::Trainer judge, splat::Trainer::create(device, here, options));

@@ -38,7 +38,7 @@ class HeldOutPictures {
   public:
     bool empty() const { return held_.empty(); }
     std::size_t size() const { return held_.size(); }
-    bool canJudge() const;  // kLeastHeldOut
+    bool canJudge() const;  // has kLeastHeldOut pictures
     auto begin() const { return held_.begin(); }
     auto end() const { return held_.end(); }
 
@@ -58,7 +58,7 @@ class HeldOutPictures {
     void judgedIsShown(bool isBest);
 
     HeldOutErrors meanErrors() const;  // zeros if no pictures are held out
-    double pixels() const;             // of all of them
+    double pixels() const;             // of all pictures together
     // The angle around `centre` between the eye of `view` and the nearest held-out one; 180 without any.
     double degreesBeside(const splat::RasterView& view, const glm::dvec3& centre) const;
     // Whether a held-out picture was seen from there (isSamePose).

@@ -16,8 +16,8 @@ struct InitialSplatOptions {
     // How far a splat is moved from its point towards the centre of the matter, as a part of that distance,
     // so that its outer half does not stick out of the surface.
     double inwards = 1.1;
-    // How many times denser splats are than the matter: they stand only for the surface, and have to hide
-    // what lies behind it too.
+    // How many times denser splats are than the matter: they represent only the surface, but must also hide
+    // what lies behind it.
     double denser = 6.0;
     // No splat is thinner than this part of a point's radius, because edges between voxels are soft.
     double thinnest = 0.15;

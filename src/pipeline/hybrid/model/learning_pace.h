@@ -11,7 +11,7 @@ namespace macula::hybrid {
 
 // The parts of learning that cannot be interrupted.
 enum class LearningPart {
-    step,   // of training, or of judging
+    step,   // of training or judging
     show,   // make the learnt model the drawn one
     ask,    // which view teaches most
     trace,  // a dispatch of that view

@@ -103,7 +103,7 @@ Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
         if (stage_ == ModelStage::resuming) beginWithPoints(ModelOrigin::points);
     }
     switch (stored.answer) {
-        case Answer::pending:  // for too long
+        case Answer::pending:  // has taken too long
         case Answer::none:
             return {};
         case Answer::damaged:
@@ -118,7 +118,7 @@ Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
             return drawStored(stored);
         case Answer::whole: {
             archive_.holdWhole(stored);                                 // the store gives it once
-            if (!taught_.drawn().canDraw()) return drawStored(stored);  // first it is shown
+            if (!taught_.drawn().canDraw()) return drawStored(stored);  // show it first
             Result<void> done = goOnWith(*stored.state, ModelOrigin::stored);
             if (!done && done.error().code != ErrorCode::inputNotUsable) return done;
             archive_.dropWhole();

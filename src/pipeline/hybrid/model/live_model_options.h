@@ -18,7 +18,7 @@ struct LiveModelOptions {
     std::uint32_t samplesPerPixel = 2;  // of training views
     std::uint64_t roughSteps = 0;       // so many first training steps use
     int roughSidePx = 0;                // training views of this size
-    std::size_t views = 48;             // pictures in all
+    std::size_t views = 48;             // most views that a model asks for
     // Training steps between two traced views: at least the first number, then until training has taken as
     // long as tracing the last view, but at most the second.
     std::uint64_t stepsBetweenViews = 8;

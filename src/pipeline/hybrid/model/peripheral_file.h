@@ -40,7 +40,7 @@ Result<void> writePeripheral(std::ostream& stream, const PeripheralState& state,
                              splat::PackedPictures& packed);
 
 struct PeripheralFile {
-    // Bit for bit what was written. Valid.
+    // Valid, and bit for bit the state that was written.
     PeripheralState state;
     // A training without any of the chunks above, as `macula train` writes: only `training` is set and valid.
     // resume() accepts the state once `seenMm` is set to the box of visible matter; no pictures are held out
@@ -55,7 +55,7 @@ Result<PeripheralFile> readPeripheral(std::istream& stream, std::uint64_t size);
 
 // What a file can show before all of it is read.
 struct DrawableModel {
-    std::shared_ptr<const splat::Splats> splats;  // valid; those that were shown
+    std::shared_ptr<const splat::Splats> splats;  // valid; those last shown
     std::string key;
     std::uint32_t trainerVersion = 0;  // with another one it can be drawn, but not trained
     std::uint64_t steps = 0;           // of training

@@ -151,7 +151,7 @@ Result<bool> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int
 // Shows the trained model, unless it has become worse than the best one.
 Result<void> PeripheralModel::showIfBetter() {
     const HeldOutErrors mean = heldOut_.meanErrors();
-    // With few views the model overfits to them, and gets worse from elsewhere.
+    // With few views the model overfits to them, and gets worse for other views.
     if (!heldOut_.canJudge() && trainer_.viewCount() < kFewViews) return {};
     // Compares with the best shown model, not with the last: small losses would add up.
     if (mean.trained > (1.0 + options_.shownMayBeWorse) * mean.best) return {};

@@ -63,7 +63,7 @@ enum class Pause {
     noViews,      // there are no views to learn from yet
     flat,         // the held-out error hardly falls any more
     notJudged,    // the round is over, and too few pictures are held out to decide on more
-    outOfMemory,  // the step that failed would fail again
+    outOfMemory,  // a step failed, and would fail again
 };
 // A sentence for a person: "It has learnt what its pictures can teach it."
 std::string_view describe(Pause pause);
@@ -91,7 +91,7 @@ struct PeripheralReport {
     std::optional<bool> isSharp;
     std::optional<double> fallPerSecond;  // ErrorTrend
     std::uint64_t rounds = 0;
-    bool noRoom = false;  // the device had no memory for more splats; training goes on with those there are
+    bool noRoom = false;  // no device memory for more splats; training continues with the present ones
 };
 
 // Used by one thread at a time, the one that uses the device. Decisions depend on numbers of steps and views.

@@ -17,7 +17,7 @@ constexpr std::uint64_t kEvery = 50;  // steps between splits, at most
 constexpr double kGrowing = 0.4;      // part of the steps in which splats are split; then they settle
 constexpr double kSquaresFrom = 0.9;  // part of the steps after which differences are squared
 constexpr double kMostAtOnce = 0.22;  // part of the splats that one step may split
-// With pictures from so many sides the stand-in views are dropped.
+// With so many pictures, stand-in views are dropped.
 constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
 // The share of splats to split each time, so that the capacity is filled before the last split.
@@ -72,8 +72,7 @@ Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tr
                         .samplesPerPixel = options.samplesPerPixel,
                         .kept = options.kept};
     tracing.settings.bounces = options.bounces;
-    tracing.settings.seed =
-        static_cast<std::uint32_t>(sampling.seed << 16);  // no other view has a seed near it
+    tracing.settings.seed = static_cast<std::uint32_t>(sampling.seed << 16);  // far from all other seeds
     const TrainingSet set{.traced = chosen.cameras};
     MACULA_TRY(TrainingPictures pictures, makePictures(tracer, seenMm, set, tracing, progress));
     const splat::TrainerOptions training =

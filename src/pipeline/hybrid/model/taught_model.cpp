@@ -35,7 +35,7 @@ std::function<bool()> measuredBy(LearningPace& pace, LearningPart part, const st
 
 Result<void> TaughtModel::resume(const PeripheralState& state) {
     MACULA_TRY(model_, PeripheralModel::resume(device_, state, options_.model));
-    // The gauge's pictures were given without being asked for.
+    // The pictures of the gauge do not count: the model did not ask for them.
     wanted_.resume(state.asked, model_->report().training.steps);
     gauge_.emplace(state.seenMm);  // traced again, while the learnt splats can be drawn
     drawn_.setGain(state.gain);

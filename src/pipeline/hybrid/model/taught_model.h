@@ -36,7 +36,7 @@ class TaughtModel {
     Result<void> showStored(const StoredModel& stored) {
         return drawn_.show(device_, stored.splats, stored.gain);
     }
-    // As LiveModel::draw. May draw an older model, because learnSome makes the newest one drawable.
+    // As LiveModel::draw. May draw older splats: learnSome makes new ones drawable, so that no frame waits.
     Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx, double nearMm);
 
     Result<void> resume(const PeripheralState& state);

@@ -19,7 +19,7 @@ class AskedViews {
     // Call when a picture has arrived from `from`: forgets views of the same pose.
     void came(const splat::RasterView& from, const glm::dvec3& originMm, double radiusMm,
               const AdmissionOptions& options);
-    // As pictures of that size, relative to the origin of a model.
+    // The views, with pictures of `sizePx`, relative to the origin of a model.
     std::vector<splat::RasterView> views(const glm::dvec3& originMm) const;
 
   private:

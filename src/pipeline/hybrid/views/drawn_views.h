@@ -16,7 +16,7 @@ namespace macula::hybrid {
 struct DrawnViews {
     std::vector<std::vector<glm::vec4>>
         pictures;                      // premultiplied RGBA in the model's colour space, row 0 on top
-    std::vector<double> milliseconds;  // drawing times; the first one contains compilation
+    std::vector<double> milliseconds;  // drawing times; the first one includes compilation
 };
 
 // The model must be valid; without splats all pictures are empty. Waits for the device.

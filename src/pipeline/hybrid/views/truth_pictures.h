@@ -18,15 +18,14 @@ namespace macula::hybrid {
 struct TruthOptions {
     glm::ivec2 sizePx{kTrainingSizePx};
     std::uint32_t samplesPerPixel = 1024;  // of every pixel; even, because each half gets half of them
-    int bounces =
-        trace::kDefaultBounces;  // as in training views, so that missing light is not counted as an error
+    int bounces = trace::kDefaultBounces;  // as in training views: missing light is not an error here
     double exposure = 1.0;
 };
 
 // Two pictures of one view, with independent noise.
 struct TruthPicture {
     std::array<TracedView, 2> halves;
-    bool fromCache = false;  // both
+    bool fromCache = false;  // both halves came from the cache
 
     const Camera& camera() const { return halves[0].camera; }
     const glm::ivec2& sizePx() const { return halves[0].sizePx; }
