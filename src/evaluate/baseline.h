@@ -1,4 +1,4 @@
-// How a benchmark's ratios stand against those of an earlier run, whose JSON was stored.
+// Compares a benchmark's ratios with those of an earlier run, whose JSON was stored.
 #pragma once
 
 #include <filesystem>
@@ -13,16 +13,17 @@ namespace macula::evaluate {
 
 class Baseline {
   public:
-    // Of `macula-bench NAME`: "trace", "load" or "train". inputNotUsable when the file is no output of that.
+    // `benchmark` is the NAME of `macula-bench NAME`: "trace", "load" or "train". Fails with inputNotUsable
+    // if the file is not its output.
     static Result<Baseline> read(const std::filesystem::path& path, std::string_view benchmark);
 
-    // Ratios are only comparable between runs that did the same: fails with inputNotUsable where `report` has
-    // another study, preset, kind of device, degree or number of splats. Asks for what it has so far.
+    // Ratios are only comparable between like runs: fails with inputNotUsable if `report` has another study,
+    // preset, kind of device, degree or number of splats. Checks those that `report` has so far.
     Result<void> checkSame(const nlohmann::ordered_json& report) const;
 
-    // Adds to each object in `results` that has one of these ratios, a positive number here as there,
-    // "…OverBaseline": the ratio over that of the same place in the baseline. In lists the same place is the
-    // one of the same filter and the same size of picture. What the baseline lacks is not compared.
+    // Adds "…OverBaseline" to each object in `results` that has one of these ratios: this ratio over that at
+    // the same place in the baseline, if that is positive. In lists, the same place has the same filter and
+    // picture size. Skips what the baseline lacks.
     void compare(std::span<const std::string_view> ratios, nlohmann::ordered_json& results) const;
 
   private:

@@ -1,4 +1,4 @@
-// What the benchmarks of the tracer have in common: what is traced, how it is seen, and on which device.
+// What the benchmarks of the tracer share: the study, the view, and the device.
 #pragma once
 
 #include <filesystem>
@@ -26,11 +26,11 @@ struct BenchStudyOptions {
     std::string series;
     dicom::ScanOptions how;
     std::string preset;
-    std::string thenPreset;  // another, for who changes it; empty: none
+    std::string thenPreset;  // a second preset, for benchmarks that change it; may be empty
     std::string lights;
     std::string device;
-    std::filesystem::path camera;  // as scene::readCamera; empty: from the front, all of the volume in it
-    int size = 512;                // of the picture, which is square
+    std::filesystem::path camera;  // for scene::readCamera; empty: from the front, with all of the volume
+    int size = 512;                // side of the square picture, in pixels
 };
 
 struct BenchStudy {
@@ -40,27 +40,27 @@ struct BenchStudy {
     std::shared_ptr<gpu::Device> device;
     trace::View view;
     std::string seriesDigest;
-    std::string preset;  // names that may be told
+    std::string preset;  // this and `lights`: names without private parts
     std::string lights;
-    std::vector<Text> notes;                 // sentences for a person about the study and the preset
-    std::vector<Text> warnings;              // those of them that change what is seen
+    std::vector<Text> notes;                 // sentences about the study and the preset
+    std::vector<Text> warnings;              // those that change what a picture shows
     std::optional<scene::StudyPreset> then;  // BenchStudyOptions::thenPreset
 
-    // All of it, to be traced and to make models of.
+    // Puts the scene on the device, for tracing and for models.
     Result<live::SceneOnDevice> putOnDevice() const;
-    // With its study set; the settings are the caller's.
+    // A tracer of this study and view; the caller sets the settings.
     Result<trace::PathTracer> makeTracer() const;
-    // What such a tracer shows so far, over black; waits.
+    // The present picture of such a tracer, over black. Waits for the device.
     Result<image::Image> readShown(trace::PathTracer& tracer) const;
 };
 
-// Adds samples to each pixel, a few at a time, and advances the progress by them. Fails with cancelled, and
-// as PathTracer::trace.
+// Adds samples to each pixel, a few at a time, and advances the progress by them. Fails with `cancelled`, and
+// as PathTracer::trace does.
 Result<void> traceMore(trace::PathTracer& tracer, std::uint32_t samples, Progress& progress);
 
 Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& progress);
 
-// What a report begins with.
+// The beginning of a report.
 nlohmann::ordered_json describe(const std::string& benchmark, const BenchStudy& study);
 
 }  // namespace macula::evaluate

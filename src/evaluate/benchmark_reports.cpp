@@ -20,7 +20,7 @@ Json spentJson(const Spent& spent) {
     return {{"wallMs", spent.wallMs}, {"cpuMs", spent.cpuMs}};
 }
 
-// On one sample of every pixel.
+// The time for one sample of every pixel.
 Json sampleJson(const Spent& spent, const trace::View& view) {
     return {{"secondsPerSample", spent.wallMs / 1e3},
             {"cpuSecondsPerSample", spent.cpuMs / 1e3},
@@ -82,7 +82,7 @@ Json toJson(const SizedTrainingBenchmark& sized) {
             {"stepsPerSecond", stepsPerSecond(sized.training)}};
 }
 
-// Over views.
+// The spread over views.
 Json toJson(const std::optional<Spread>& spread) {
     if (!spread) return nullptr;
     return {{"median", spread->p50}, {"p10", spread->p10}, {"p90", spread->p90}};
@@ -240,7 +240,7 @@ Json reportOf(const BenchStudy& study, const MotionOptions& options, const Motio
 
 namespace {
 
-// What the frames' foveae took, and what is left: splats, reprojection, composition. Null without foveae.
+// The times of the frames' foveae, and the rest: splats, reprojection, composition. Null without foveae.
 Json foveaTimesJson(const QualityRow& row) {
     using Times = hybrid::FoveaTimes;
     using Number = std::optional<double>;

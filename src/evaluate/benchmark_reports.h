@@ -1,4 +1,5 @@
-// What the benchmarks found, as JSON. Each begins as `describe` of its study; none holds patient data.
+// The results of benchmarks as JSON. Each report begins with `describe` of its study; none contains patient
+// data.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -35,21 +36,21 @@ nlohmann::ordered_json toJson(const QualityRow& row);
 nlohmann::ordered_json reportOf(const BenchStudy& study, const TradeoffOptions& options,
                                 const Tradeoff& result);
 nlohmann::ordered_json reportOf(const BenchStudy& study, int turns, std::span<const CastBenchmark> results);
-// `seriesDigest` as study::LoadedStudy has it.
+// `seriesDigest` is that of study::LoadedStudy.
 nlohmann::ordered_json reportOf(std::string_view seriesDigest, const HeaderBenchmark& headers,
                                 const LoadBenchmarkOptions& options, const LoadBenchmark& loading);
 
-// In two parts, so that a baseline of something else is refused before hours of measuring: what is measured,
-// and what was found.
+// The report in two parts, what is measured and the results: a baseline of something else can then be
+// rejected before hours of measuring.
 nlohmann::ordered_json beginningOf(const BenchStudy& study, const StudyTrainingOptions& options);
 nlohmann::ordered_json toJson(const StudyTrainingReport& report);
 
-// By name, in the order of a step.
+// The stages by name, in the order of a step.
 std::vector<std::pair<const char*, StageBenchmark>> stagesOf(const TrainingBenchmark& benchmark);
 double stepsPerSecond(const TrainingBenchmark& benchmark);
 
-// Which of the ratios a report of a device is compared by: processor time of the process says little about
-// the work of a device that is no CPU.
+// The ratio by which reports of this device are compared: processor time says little about the work of a
+// device that is not a CPU.
 std::string_view trainingRatioOf(const gpu::Device& device);
 inline constexpr std::string_view kTraceRatios[] = {"cpuRatio"};
 // Larger is better.

@@ -18,7 +18,7 @@ namespace macula::evaluate {
 
 namespace {
 
-// Samples of the picture that counts as true.
+// Samples of the converged picture.
 constexpr int kConverged = 16;
 
 trace::Settings settingsOf(const CastSubject& subject, const Volume& volume) {
@@ -60,7 +60,7 @@ Result<CastBench> CastBench::create(const BenchStudy& study, int turns) {
     return CastBench(study, std::move(tracer), turns);
 }
 
-// From the first sample, into a picture on the host.
+// Draws from the first sample on, into a picture on the host.
 Result<image::Image> CastBench::draw(const trace::Settings& settings, int samples) {
     MACULA_TRY_VOID(tracer_.setSettings(settings));
     MACULA_TRY([[maybe_unused]] const bool all, tracer_.trace(samples));

@@ -1,4 +1,5 @@
-// The looks that are cast, one sample a pixel, beside VTK's CPU mapper where that is installed.
+// Compares the looks that are ray cast, with one sample per pixel, with VTK's CPU mapper, if that is
+// installed.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ struct CastSubject {
     std::string_view name;
     trace::Look look;
     trace::Shading shading;
-    trace::Filter filter = trace::Filter::trilinear;  // VTK's is that, whatever is asked of ours
+    trace::Filter filter = trace::Filter::trilinear;  // ours; VTK's is always trilinear
 };
 inline constexpr std::array<CastSubject, 6> kCastSubjects{
     {{"shaded", trace::Look::dvr, trace::Shading::headlight},
@@ -28,11 +29,11 @@ inline constexpr std::array<CastSubject, 6> kCastSubjects{
      {"minip", trace::Look::minip, trace::Shading::none},
      {"average", trace::Look::average, trace::Shading::none}}};
 
-// What one of both needs for a picture, and how good that is.
+// The time that Macula or VTK needs for a picture, and its error.
 struct CastTime {
-    double firstSeconds = 0.0;       // with what is made once
-    double secondsPerPicture = 0.0;  // of each further one; median
-    double flip = 0.0;               // of the picture to its own converged one
+    double firstSeconds = 0.0;       // with one-time preparation
+    double secondsPerPicture = 0.0;  // of each later picture; median
+    double flip = 0.0;               // between the picture and its own converged one
     image::Image picture{};          // display-encoded RGB, over black
     image::Image converged{};
 };
@@ -45,7 +46,7 @@ struct VtkCastTime {
 };
 
 struct CastBenchmark {
-    std::string_view subject;  // its name
+    std::string_view subject;  // CastSubject::name
     CastTime ours;
     std::optional<VtkCastTime> vtk;
     double oursOverVtk = 0.0;  // median of the ratios of each turn; 0 without VTK
@@ -53,13 +54,13 @@ struct CastBenchmark {
 
 class CastBench {
   public:
-    // Fails as BenchStudy::makeTracer. `study` must live as long.
+    // Fails as BenchStudy::makeTracer does. `study` must outlive this object.
     static Result<CastBench> create(const BenchStudy& study, int turns);
 
-    // Both, in turns; without VTK ours alone.
+    // Measures Macula and VTK in alternation; without VTK only Macula.
     Result<CastBenchmark> measure(const CastSubject& subject);
 
-    // Why there is nothing of VTK, once that is known.
+    // Why VTK could not be measured, if it could not.
     const std::optional<Error>& withoutVtk() const { return withoutVtk_; }
 
   private:
@@ -75,7 +76,7 @@ class CastBench {
     std::optional<Error> withoutVtk_;
 };
 
-// SUBJECT-macula.png and SUBJECT-vtk.png, and each with -converged.
+// Writes SUBJECT-macula.png and SUBJECT-vtk.png, and both with -converged.
 Result<void> writePictures(const CastBenchmark& benchmark, const std::filesystem::path& folder);
 
 }  // namespace macula::evaluate

@@ -25,7 +25,7 @@ namespace macula::evaluate {
 
 namespace {
 
-constexpr double kClipDepths[] = {0.25, 0.5};  // of what can be seen
+constexpr double kClipDepths[] = {0.25, 0.5};  // of the box of visible matter
 constexpr double kShifts[] = {-0.1, 0.1};      // of the effective range
 constexpr int kSmallPixels = 40 * 28;          // of a picture that follows an edit on two cores
 constexpr int kDrawnTimes = 3;
@@ -38,7 +38,7 @@ struct Shown {
     std::vector<float> opacity;
 };
 
-// By the same picture over black and over white.
+// Finds the opacity from the same picture over black and over white.
 Shown shownBy(std::span<const std::uint8_t> overBlack, std::span<const std::uint8_t> overWhite,
               const glm::ivec2& sizePx) {
     Shown shown{.image = imageOf(overBlack, sizePx), .opacity = {}};
@@ -86,7 +86,7 @@ class Measurement {
         const std::vector<Named> edits = editsOf(seenMm);
         progress_.beginStage(Text("Comparing edits"), edits.size());
         for (const Named& edit : edits) {
-            // The first is what there is before anything was learnt.
+            // The first edit is measured before anything was learnt.
             if (&edit == &edits[1]) estimated_.learnt(study_.volume, base_, splats, 1.0);
             MACULA_TRY_VOID(measure(edit));
             progress_.advance();
@@ -104,7 +104,7 @@ class Measurement {
     std::vector<Named> editsOf(const Box& seenMm) const {
         std::vector<Named> edits{{"opening", base_}, {"none", base_}};
         for (const double depth : kClipDepths) {
-            // Anterior is -y: what lies before the plane is removed.
+            // Anterior is -y: the plane removes what lies in front of it.
             Clip clip;
             clip.planes.push_back({.normal = {0.0, 1.0, 0.0},
                                    .offsetMm = seenMm.low.y + depth * (seenMm.high.y - seenMm.low.y)});

@@ -9,7 +9,7 @@ namespace macula::evaluate {
 
 namespace {
 
-constexpr double kTickMs = 1e-3;  // of a clock: what took no time took at most that
+constexpr double kTickMs = 1e-3;  // resolution of a clock: a measured 0 means at most this
 constexpr double kMostSamples = 4096.0;
 
 double pixels(const glm::ivec2& sizePx) {

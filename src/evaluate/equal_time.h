@@ -1,4 +1,4 @@
-// Path tracing alone in a given time: how many samples there is time for, and how fine a picture.
+// Pure path tracing in a given time: how many samples, and which resolution, fit into that time.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,7 @@
 
 namespace macula::evaluate {
 
-// The time of a frame: what it takes whatever its samples are (guides, denoising, tone map), and what one
-// sample of all pixels takes.
+// The time of a frame: a fixed part (guides, denoising, tone map), and the time of one sample of all pixels.
 struct TracingCost {
     double fixedMs = 0.0;
     double perSampleMs = 0.0;
@@ -20,15 +19,15 @@ struct TracingBudget {
     bool operator==(const TracingBudget&) const = default;
 };
 
-// Finds the most samples of a frame of `sizePx` that fit into `budgetMs`. Where not even one does, it lowers
-// the resolution for one, if need be down to kLeastSidePx. `cost` is of the whole size.
+// Finds the most samples of a frame of `sizePx` that fit into `budgetMs`. If not even one does, lowers the
+// resolution until one does, at most to kLeastSidePx. `cost` is for the full size.
 inline constexpr int kLeastSidePx = 8;
 TracingBudget affordable(const TracingCost& cost, double budgetMs, const glm::ivec2& sizePx);
 
-// The share of the sides that is traced, 1 for all.
+// The length of the traced sides over that of the full ones.
 double resolutionShareOf(const TracingBudget& budget, const glm::ivec2& sizePx);
 
-// The cost of the whole size, by what a frame took at its own.
+// The cost for the full size, estimated from the times of a frame of budget.sizePx.
 TracingCost costOfWhole(double traceMs, double otherMs, const TracingBudget& budget,
                         const glm::ivec2& sizePx);
 

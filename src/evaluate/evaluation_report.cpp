@@ -33,7 +33,7 @@ Json toJson(const std::vector<ViewScores>& views) {
     return json;
 }
 
-// Of all views as one: none is missing because of its noise.
+// Over all pixels of all views together, so that no view drops out because of its noise.
 Json lessNoiseJson(const std::vector<ViewScores>& views) {
     const auto error = squareErrorOver(views);
     if (!error) return {};
@@ -43,7 +43,7 @@ Json lessNoiseJson(const std::vector<ViewScores>& views) {
             {"psnrStandardErrorDb", toJson(image::psnrErrorOf(*error))}};
 }
 
-// Of a refined model: what it was on the way.
+// The states of a model during its training.
 Json snapshotsJson(const std::vector<Snapshot>& snapshots) {
     Json json = Json::array();
     for (const Snapshot& snapshot : snapshots)
@@ -85,7 +85,7 @@ Json toJson(const EvaluatedStudy& scene, bool refined) {
     for (std::size_t i = 0; i < e.last().scores.size(); ++i) {
         const ViewScores& scores = e.last().scores[i];
         Json view{{"distance", glm::distance(e.truthCameras[i].positionMm, e.seenMm.centre()) /
-                                   (0.5 * e.seenMm.diagonal())}};  // in R
+                                   (0.5 * e.seenMm.diagonal())}};  // in half-diagonals R
         for (const Score& score : kScores) view[std::string(score.key)] = toJson(scores.*(score.value));
         json["views"].push_back(std::move(view));
     }

@@ -1,4 +1,4 @@
-// What macula-bench evaluate tells: a table for a person, JSON for what comes after.
+// The report of macula-bench evaluate: a table for a person, JSON for further processing.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 
 namespace macula::evaluate {
 
-// A scene and what came of it. No names that may say whose it is.
+// A scene and its results, without names that might identify a patient.
 struct EvaluatedStudy {
     std::string studyDigest;  // see study::LoadedStudy::seriesDigest
     std::string preset;       // public names
@@ -27,7 +27,7 @@ struct EvaluationReport {
     std::vector<EvaluatedStudy> scenes;
 };
 
-// Of each scene the mean over its views, as the protocol has it.
+// The spread over scenes of each scene's mean over its views, as in the protocol.
 std::optional<Spread> spreadOverScenes(const EvaluationReport& report,
                                        std::optional<double> ViewScores::*value);
 

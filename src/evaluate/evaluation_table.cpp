@@ -60,7 +60,7 @@ std::string whatWasAsked(const EvaluationOptions& o) {
     return text + "\nOf each number the mean over views, and [p10 p50 p90].\n\n";
 }
 
-// Seconds are of training.
+// The seconds are training time.
 std::string snapshotsOf(const EvaluatedStudy& scene) {
     std::string table = "\n" + headOf(nameOf(scene) + ", step");
     for (const Snapshot& snapshot : scene.evaluation.snapshots)
@@ -72,7 +72,7 @@ std::string snapshotsOf(const EvaluatedStudy& scene) {
                                fall.meanDb, fall.medianDb);
 }
 
-// Of all views as one.
+// The model's error without the truth's noise, over all views together.
 std::string lessNoise(const image::SquareError& error) {
     constexpr double kTellsLittleDb = 1.0;
     const auto db = image::psnrOf(error);

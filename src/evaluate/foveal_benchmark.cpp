@@ -45,7 +45,7 @@ class Bench {
         return {.bounces = options_.bounces, .seed = seed, .filter = options_.filter, .denoising = denoising};
     }
 
-    // Kernels made, and nothing known of the view.
+    // A tracer with compiled kernels and without any samples.
     Result<trace::PathTracer> warmTracer(const trace::Settings& settings) const {
         MACULA_TRY(trace::PathTracer tracer, study_.makeTracer());
         MACULA_TRY_VOID(tracer.setSettings(settings));
@@ -63,8 +63,8 @@ class Bench {
 
     Result<void> traceMore(trace::PathTracer& tracer, Sampling sampling) const {
         if (sampling == Sampling::even) return trace(tracer, 1);
-        // On a CPU device for as long as a window waits for a picture; a card does many passes meanwhile, of
-        // which each may be enough.
+        // A CPU device traces for as long as a window waits for a picture. A graphics card makes many passes
+        // in that time, and each may be enough, so it stops after one.
         const double portionMs = study_.device->isCpu() ? 100.0 : 0.0;
         MACULA_TRY(bool whole, tracer.traceFor(portionMs, [&] { return !progress_.cancelled(); }));
         while (!whole && portionMs == 0.0 && !progress_.cancelled()) {
@@ -83,7 +83,7 @@ class Bench {
         return study_.device->waitForAll();
     }
 
-    // `samples` more, guides if they are new, and the picture as it is shown; each waited for.
+    // Traces `samples` more, then guides if they are missing, then the displayed picture; waits after each.
     Result<FovealTimes> show(trace::PathTracer& tracer, std::uint32_t samples) const {
         FovealTimes times;
         MACULA_TRY(times.traceMs, timedMs([&] { return trace(tracer, samples); }));
@@ -150,7 +150,7 @@ class Bench {
         return converged;
     }
 
-    // As a hand moves the view to where it is.
+    // Fills the cache as a hand does that turns the view to where it is.
     Result<void> lookAround(trace::PathTracer& tracer, trace::Settings own) const {
         constexpr int kPictures = 16;
         constexpr double kTurnDeg = 1.0;  // from one to the next
@@ -167,8 +167,8 @@ class Bench {
         return {};
     }
 
-    // A little more each time until the picture is near enough. Only what a viewer would do counts: all
-    // tracing, the guides once, and the denoising and display of the last picture.
+    // Adds samples until the error is small enough. Counts only the time that a viewer would need: all
+    // tracing, guides once, and the denoising and display of the last picture.
     Result<TimeToError> timeToError(const Contender& contender, const image::Image& converged) const {
         const bool isDenoised = contender.denoising == trace::Denoising::on;
         trace::Settings own = settings(contender.denoising, 1);

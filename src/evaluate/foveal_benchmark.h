@@ -1,5 +1,5 @@
-// What one picture for the fovea costs, and how soon it is good: tracing, guides and denoising beside the
-// scalar C++ reference, which only traces; and the time to a given error, denoised and plain.
+// Measures the cost of a picture for the fovea: tracing, guides and denoising compared with the scalar C++
+// reference, which only traces; and the time to a given error, denoised and plain.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ struct FovealOptions {
     std::uint32_t samples = 4;
     int bounces = kBenchBounces;
     trace::Filter filter = trace::Filter::trilinear;
-    int repetitions = 5;  // device and reference take turns; medians are told
-    double flip = 0.05;   // the error that is to be reached
-    // Samples of a pixel that are traced side by side; 0: as many as the device likes.
+    int repetitions = 5;  // device and reference in alternation; reports medians
+    double flip = 0.05;   // the error to be reached
+    // Samples of a pixel that are traced in parallel; 0: as many as suit the device.
     std::uint32_t sideBySide = 0;
-    // Of the picture that counts as converged. It has as many bounces: what fewer leave out is another
-    // matter.
+    // Samples of the converged picture. It has the same `bounces`, so that missing light is not counted as an
+    // error.
     std::uint32_t convergedSamples = 512;
 };
 
@@ -30,29 +30,29 @@ struct FovealTimes {
     double guidesMs = 0.0;
     double displayMs = 0.0;  // denoising and tone map
     double referenceTraceMs = 0.0;
-    double dispatches = 0.0;  // of samples
+    double dispatches = 0.0;  // for samples
 
     double totalMs() const { return traceMs + guidesMs + displayMs; }
 };
 
-// The first number of samples whose picture is as near as was asked for.
+// When a picture first has the wanted error.
 struct TimeToError {
-    bool reached = false;  // with the samples of the converged picture at most
-    double samples = 0.0;  // of a pixel, on average
-    double ms = 0.0;       // for these samples, and for showing them once; guides and denoising with it
+    bool reached = false;  // within the number of samples of the converged picture
+    double samples = 0.0;  // per pixel, on average
+    double ms = 0.0;       // for these samples and one display, with guides and denoising
     double flip = 0.0;
 };
 
 struct FovealReport {
-    FovealTimes times;           // medians, each by itself
+    FovealTimes times;           // medians of each part
     double totalMs = 0.0;        // median of the sums
-    double ratio = 0.0;          // of the sum over the reference; median of the ratios of each turn
-    double convergedFlip = 0.0;  // what chance leaves: FLIP of the first half of the samples to all of them
-    TimeToError plain;           // even samples, as they come
-    TimeToError denoised;        // the same, filtered
-    TimeToError adaptive;        // samples where noise is, filtered
-    // Even samples with the cache of indirect light, which pictures of one sample from nearby views have
-    // filled as those of a moving hand do; their time does not count.
+    double ratio = 0.0;          // total over reference; median over the turns
+    double convergedFlip = 0.0;  // remaining noise: FLIP of the first half of the samples to all
+    TimeToError plain;           // even samples, not denoised
+    TimeToError denoised;        // the same, denoised
+    TimeToError adaptive;        // more samples where noise is, denoised
+    // Even samples with the cache of indirect light, filled by pictures of one sample from nearby views, as
+    // while a hand moves the view; the time for these does not count.
     TimeToError cached, cachedDenoised;
     TimeToError corrected, correctedDenoised;
 };

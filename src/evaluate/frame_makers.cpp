@@ -11,7 +11,7 @@ namespace macula::evaluate {
 
 namespace {
 
-constexpr int kTrials = 2;  // the second is of nearly the size that is chosen at last
+constexpr int kTrials = 2;  // the second has nearly the final size
 
 }  // namespace
 
@@ -63,7 +63,7 @@ Result<TracedFrames::Costed> TracedFrames::make(const Camera& camera, const glm:
 Result<MadeFrame> TracedFrames::makeIn(double budgetMs, const TracingCost& cost, const Camera& camera,
                                        const glm::ivec2& sizePx) {
     TracingBudget budget = affordable(cost, budgetMs, sizePx);
-    // A small picture takes more for each of its pixels.
+    // A small picture takes more time per pixel than a whole one, so the first guess is too large.
     for (int trial = 0; trial < kTrials; ++trial) {
         MACULA_TRY(const Traced tried, traceTwice(camera, budget));
         budget = affordable(costOfWhole(tried.traceMs, tried.otherMs, budget, sizePx), budgetMs, sizePx);

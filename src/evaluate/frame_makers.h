@@ -1,6 +1,6 @@
-// Frames to compare, each made by itself: nothing that an earlier one has found helps it. A frame is made
-// twice, so that kernels and buffers are there, and the second one is timed, from the first command until the
-// device has finished; reading it back takes no time.
+// Makes frames to compare. A frame reuses nothing from earlier frames. It is made twice, so that kernels and
+// buffers exist, and the second time is measured, from the first command until the device has finished,
+// without the readback.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@ namespace macula::evaluate {
 
 struct MadeFrame {
     image::Image shown;
-    std::vector<float> foveaWeights;  // of each pixel; empty without a fovea
+    std::vector<float> foveaWeights;  // by pixel; empty without a fovea
     double ms = 0.0;
-    std::uint32_t samplesPerPixel = 0;             // of what was traced; 0: nothing was
+    std::uint32_t samplesPerPixel = 0;             // of the traced part; 0: nothing was traced
     double resolutionShare = 1.0;                  // resolutionShareOf
-    std::optional<hybrid::FoveaTimes> foveaTimes;  // of `ms`, where the frame has a fovea of its own
+    std::optional<hybrid::FoveaTimes> foveaTimes;  // parts of `ms`, if the frame has a fovea
 };
 
-// Path tracing alone, denoised. All fail with `cancelled` when `progress` says so.
+// Frames of path tracing alone, denoised. All functions fail with `cancelled` if `progress` is cancelled.
 class TracedFrames {
   public:
     static Result<TracedFrames> create(std::shared_ptr<gpu::Device> device, const trace::PathTracer& beside,
@@ -42,8 +42,8 @@ class TracedFrames {
     };
     Result<Costed> make(const Camera& camera, const glm::ivec2& sizePx, std::uint32_t samplesPerPixel);
 
-    // What there is time for in `budgetMs`, scaled up where that is not the whole resolution. `cost` is a
-    // first guess; trials say better.
+    // Makes the best frame that fits into `budgetMs`, scaled up if its resolution is lower. `cost` is a first
+    // guess, which trials improve.
     Result<MadeFrame> makeIn(double budgetMs, const TracingCost& cost, const Camera& camera,
                              const glm::ivec2& sizePx);
 
@@ -62,19 +62,19 @@ class TracedFrames {
     std::shared_ptr<gpu::Device> device_;
     trace::PathTracer tracer_;
     int bounces_;
-    std::uint32_t count_ = 0;  // of frames: each has other noise
+    std::uint32_t count_ = 0;  // of frames: the seed of each
     const Progress* progress_;
 };
 
-// Splats alone, and with a fovea that was traced from just where the eye is.
+// Frames of splats alone, and with a fovea traced for exactly this eye.
 class SplatFrames {
   public:
-    // `splats` must be valid, and outlive this unchanged.
+    // `splats` must be valid, and outlive this object unchanged.
     static Result<SplatFrames> create(std::shared_ptr<gpu::Device> device, const trace::PathTracer& beside,
                                       int bounces, const splat::Splats& splats, const Progress& progress);
 
     Result<MadeFrame> bare(const Camera& camera, const glm::ivec2& sizePx);
-    // trace::kFovealFieldDeg in the middle, as fine as the frame there.
+    // The fovea has trace::kFovealFieldDeg in the middle, at the resolution of the frame.
     Result<MadeFrame> withFovea(const Camera& camera, const glm::ivec2& sizePx,
                                 std::uint32_t samplesPerPixel);
 
@@ -87,7 +87,7 @@ class SplatFrames {
           splats_(&splats),
           bounces_(bounces),
           progress_(&progress) {}
-    // Of no samples: without a fovea.
+    // With 0 samples: without a fovea.
     Result<MadeFrame> make(const Camera& camera, const glm::ivec2& sizePx, std::uint32_t samplesPerPixel);
 
     std::shared_ptr<gpu::Device> device_;

@@ -8,7 +8,7 @@ namespace macula::evaluate {
 
 namespace {
 
-// At least one.
+// The product, rounded, but at least 1.
 template <class Count>
 Count times(Count count, double factor) {
     return std::max(static_cast<Count>(std::llround(double(count) * factor)), Count{1});

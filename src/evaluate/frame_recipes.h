@@ -1,4 +1,4 @@
-// What can be traded for time in hybrid frames and in the models under them, as lists of ways to make them.
+// Ways to make hybrid frames and their models, which trade quality for time.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace macula::evaluate {
 
-// A picture for the fovea.
+// How a picture for the fovea is traced.
 struct TracedFovea {
     double fieldDeg = trace::kFovealFieldDeg;
     std::uint32_t samplesPerPixel = 1;
@@ -21,11 +21,11 @@ struct TracedFovea {
 
 struct FrameRecipe {
     TracedFovea fovea;
-    int framesPerFovea = 1;  // it is traced once in so many frames
-    bool isWarped = true;    // reprojected to where the eye is now; else left where it was on the screen
+    int framesPerFovea = 1;  // traced once in so many frames
+    bool isWarped = true;    // reprojected to the present eye; else left in place on the screen
 };
 
-// Each with each other, with and without denoising, warped and not.
+// All combinations are measured, each with and without denoising, warped and not.
 struct FrameLevels {
     std::vector<double> fieldsDeg{10.0, 20.0, 40.0};
     std::vector<std::uint32_t> samplesPerPixel{1, 4, 16};
@@ -33,31 +33,31 @@ struct FrameLevels {
     std::vector<int> framesPerFovea{1, 4, 16};
 };
 
-// All pictures that there are to trace, and all frames that are made with one of them.
+// All pictures for the fovea, and all frames made with one of them.
 std::vector<TracedFovea> foveaeOf(const FrameLevels& levels);
 std::vector<FrameRecipe> recipesOf(const TracedFovea& fovea, const FrameLevels& levels);
 
-// How many frames ago the fovea was traced, in the frames that stand for all of `framesPerFovea`, ascending:
-// the first and the last, and from kMiddleFrom on the one between them, because error does not grow evenly.
+// The ages of the fovea, in frames, that represent all of `framesPerFovea`, ascending: the first and the
+// last; from kMiddleFrom on also the middle one, because error does not grow evenly.
 inline constexpr int kMiddleFrom = 8;
 std::vector<int> agesOf(int framesPerFovea);
-// The ages that any of the levels needs, ascending, each once.
+// The ages that all levels together need, ascending, each once.
 std::vector<int> agesOf(const FrameLevels& levels);
 
 inline constexpr std::string_view kNothingVaried = "nothing";
 struct ModelRecipe {
-    std::string_view varied;  // "views", "iterations", "splats"; kNothingVaried of the usual model
+    std::string_view varied;  // "views", "iterations", "splats"; kNothingVaried for the usual model
     hybrid::FirstModelOptions options;
 };
 
-// One of them differs from the usual model, whose values are left out here.
+// Each recipe differs from the usual model in one of these values.
 struct ModelLevels {
     std::vector<std::size_t> views{6, 12, 24};
-    std::vector<double> iterations{1.0 / 3.0, 3.0};  // times the usual ones
-    std::vector<double> splats{0.5, 2.0};            // times the usual points, and room for splats
+    std::vector<double> iterations{1.0 / 3.0, 3.0};  // factor of the usual number
+    std::vector<double> splats{0.5, 2.0};            // factor of the usual points and of the capacity
 };
 
-// The usual one first.
+// The usual model comes first.
 std::vector<ModelRecipe> modelRecipesOf(const hybrid::FirstModelOptions& usual, const ModelLevels& levels);
 
 }  // namespace macula::evaluate

@@ -1,4 +1,4 @@
-// How near a frame comes to the truth, in whole and where the eye looks.
+// How near a frame comes to the ground truth, as a whole and where the eye looks.
 #pragma once
 
 #include <optional>
@@ -13,19 +13,19 @@
 
 namespace macula::evaluate {
 
-// As frames are shown: over black, in 8 bits.
+// The ground truth as frames are shown: over black, in 8 bits.
 struct FrameTruth {
     Camera camera;
     image::Image shown;
-    image::Mask covered;          // where it has coverage, whatever its colour
+    image::Mask covered;          // pixels with coverage, whatever their colour
     image::Mask middle;           // trace::kFovealFieldDeg around the middle
-    image::Mask coveredInMiddle;  // both
+    image::Mask coveredInMiddle;  // pixels of both masks
     image::Mask silhouetteInMiddle;
 };
 FrameTruth frameTruthOf(const hybrid::TruthPicture& picture);
 
-// PSNR and SSIM are of pixels where the truth has coverage, FLIP of all. Nothing where there is no such
-// pixel, or a PSNR is not finite.
+// PSNR and SSIM cover pixels where the truth has coverage, FLIP all pixels. Nothing without such pixels, or
+// if a PSNR is not finite.
 struct RegionScores {
     std::optional<double> maskedPsnrDb;
     std::optional<double> maskedSsim;
@@ -35,13 +35,13 @@ struct RegionScores {
 struct FrameScores {
     RegionScores full;
     RegionScores fovea;            // trace::kFovealFieldDeg around the middle
-    std::optional<double> msSsim;  // of the whole picture; nothing where that is too small for it
+    std::optional<double> msSsim;  // of the whole picture; nothing if that is too small
 };
 
-// `shown`: display-encoded, as large as the truth.
+// `shown` is display-encoded, and as large as the truth.
 Result<FrameScores> frameScoresOf(const FrameTruth& truth, const image::Image& shown);
 
-// By view, what the PSNR of `ours` is above that of `theirs`; nothing where one of them is missing.
+// By view, the PSNR of `ours` minus that of `theirs`; nothing if one is missing.
 std::vector<std::optional<double>> gainsDb(std::span<const FrameScores> ours,
                                            std::span<const FrameScores> theirs,
                                            RegionScores FrameScores::*region);

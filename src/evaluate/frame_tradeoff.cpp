@@ -17,7 +17,8 @@ namespace macula::evaluate {
 
 namespace {
 
-// As it goes around `centreMm`, to the side of its picture. By no angle it is the same eye to the last bit.
+// The camera after a turn around `centreMm`, about its up axis. At an angle of 0 it is unchanged to the last
+// bit.
 Camera goneAround(const Camera& camera, const glm::dvec3& centreMm, double degrees) {
     if (degrees == 0.0) return camera;
     const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), glm::radians(degrees), basis(camera)->up);
@@ -33,7 +34,7 @@ struct ShownFrame {
     FrameErrors errors;
 };
 
-// What all recipes share that differ only in what becomes of the traced picture.
+// A traced fovea, which several recipes share: they differ only in how they show it.
 struct AgedFovea {
     int age = 0;  // frames
     double traceMs = 0.0;
@@ -110,7 +111,7 @@ class Measurement {
         return {};
     }
 
-    // Splats alone, the mean over the viewpoints.
+    // Frames of splats alone; the mean over the viewpoints.
     Result<ShownFrame> drawSplats(const splat::Splats& splats) {
         MACULA_TRY(MovingFrames frames,
                    MovingFrames::create(study_.device, scene_.tracer, splats, options_.sizePx, progress_));
@@ -134,7 +135,8 @@ class Measurement {
         const std::vector<int> ages = agesOf(options_.frames);
         progress_.beginStage(Text("Comparing frames"), foveae.size() * truth_.size() * ages.size());
         for (const TracedFovea& fovea : foveae) {
-            // How much a dispatch can hold, the tracer learns anew for each number of bounces: untimed.
+            // An untimed picture first: for each number of bounces the tracer has to find the size of a
+            // dispatch.
             MACULA_TRY([[maybe_unused]] const double unused, frames.traceFovea(truth_[0].camera, fovea));
             std::vector<AgedFovea> measured;
             for (const FrameTruth& truth : truth_) {

@@ -1,5 +1,5 @@
-// What time buys in hybrid frames: their error against pictures traced for as long as it takes, over all that
-// can be traded for time, and which trades nothing else beats. docs/hybrid-frame.md says what a point is.
+// What time buys in hybrid frames: their error against a ground truth, for all recipes that trade quality for
+// time, and the Pareto fronts of these. docs/hybrid-frame.md says what a point is.
 #pragma once
 
 #include <cstddef>
@@ -20,11 +20,12 @@ namespace macula::evaluate {
 struct FrameTradeoffOptions {
     glm::ivec2 sizePx{240, 240};
     double verticalFovDeg = 40.0;
-    // Of the truth, which is not denoised. Its bounces are many, so that what fewer leave out is an error.
+    // Of the ground truth, which is not denoised. It has many bounces, so that light missing with fewer
+    // counts as an error.
     std::uint32_t truthSamples = 256;  // even
     int truthBounces = 64;
-    double degreesPerFrame = 0.4;     // around what can be seen: 6 degrees a second at 15 frames a second
-    hybrid::FirstModelOptions model;  // the usual one, under all frames; no finer than they are
+    double degreesPerFrame = 0.4;     // around the scene: 6 degrees per second at 15 frames per second
+    hybrid::FirstModelOptions model;  // the usual one, under all frames; no finer than frames
     ModelLevels models;
     FrameLevels frames;
 };
@@ -33,7 +34,7 @@ struct FrameTradeoffOptions {
 struct FrameErrors {
     double flip = 0.0;                   // of the whole frame
     double fovealFlip = 0.0;             // of trace::kFovealFieldDeg around the gaze
-    std::optional<double> maskedPsnrDb;  // as RegionScores, of the whole frame; over those that have one
+    std::optional<double> maskedPsnrDb;  // as RegionScores, of the whole frame; over frames with one
 };
 FrameErrors meanOf(std::span<const FrameErrors> errors);
 
@@ -42,19 +43,19 @@ struct ModelPoint {
     std::size_t splats = 0;
     double preparationSeconds = 0.0;  // points, views, training
     double drawMs = 0.0;              // of a frame of splats alone
-    FrameErrors errors;               // of such frames
-    bool onFront = false;             // of FLIP against preparation
+    FrameErrors errors;               // of frames of splats alone
+    bool onFront = false;             // front of FLIP over preparation time
 };
 
 struct FramePoint {
-    std::optional<FrameRecipe> recipe;  // nothing: splats alone
+    std::optional<FrameRecipe> recipe;  // nothing for splats alone
     double drawMs = 0.0;                // of a frame: splats, reprojection, composition
     double foveaMs = 0.0;               // of a picture for the fovea: tracing, guides, denoising
     FrameErrors errors;
-    bool onFront = false;        // of FLIP against ms()
-    bool onFovealFront = false;  // of foveal FLIP against ms()
+    bool onFront = false;        // front of FLIP over ms()
+    bool onFovealFront = false;  // front of foveal FLIP over ms()
 
-    // Of a frame, with its share of the fovea that it shows.
+    // Time of a frame, with its share of the time for its fovea.
     double ms() const { return recipe ? drawMs + foveaMs / recipe->framesPerFovea : drawMs; }
 };
 
@@ -65,11 +66,11 @@ struct FrameTradeoff {
 
 std::vector<CostAndError> costsOf(std::span<const ModelPoint> models);
 std::vector<CostAndError> costsOf(std::span<const FramePoint> frames, double FrameErrors::*error);
-// Says of each point whether it is on its fronts.
+// Sets for each point whether it lies on its fronts.
 void markFronts(FrameTradeoff& tradeoff);
 
-// Levels have at least one value each. `cancelled`; inputNotUsable when nothing can be seen; usage when the
-// samples of the truth are not even, or lights hang on the camera.
+// Levels must have at least one value each. Fails with `cancelled`; with inputNotUsable if nothing can be
+// seen; with usage if the samples of the truth are odd, or lights follow the camera.
 Result<FrameTradeoff> measureFrameTradeoff(const BenchStudy& study, const FrameTradeoffOptions& options,
                                            Progress& progress);
 

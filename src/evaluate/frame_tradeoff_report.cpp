@@ -51,7 +51,7 @@ Curve frontOf(std::string name, const std::vector<CostAndError>& points) {
     return curveOf(std::move(name), front);
 }
 
-// Last, so that it lies on top of what it is made of.
+// Called last, so that the front is drawn over the other curves.
 void addFront(Plot& plot, const std::vector<CostAndError>& points) {
     plot.curves.push_back(frontOf("front", points));
     plot.curves.back().dashed = true;

@@ -1,4 +1,4 @@
-// What can be traded in hybrid frames, as JSON and as curves. Neither holds patient data.
+// The results of frame_tradeoff.h as JSON and as plots. Neither contains patient data.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,15 +10,15 @@
 
 namespace macula::evaluate {
 
-// Begins as `describe` of its study. What is not known, and the recipe of splats alone, is null.
+// Begins with `describe` of its study. Unknown values, and the recipe of splats alone, are null.
 nlohmann::ordered_json reportOf(const BenchStudy& study, const FrameTradeoffOptions& options,
                                 const FrameTradeoff& result);
 nlohmann::ordered_json toJson(const ModelPoint& point);
 nlohmann::ordered_json toJson(const FramePoint& point);
 
 // Three plots: FLIP of whole frames over milliseconds, FLIP around the gaze over milliseconds, and FLIP of
-// models over seconds. The first two draw splats alone, a Pareto front for each field of the fovea, and that
-// of all; the third a curve for each thing that is varied, and the front.
+// models over seconds. The first two show splats alone, a Pareto front for each field of the fovea, and the
+// front of all; the third shows a curve for each varied quantity, and the front.
 std::vector<Plot> plotsOf(const FrameTradeoff& tradeoff);
 
 }  // namespace macula::evaluate

@@ -1,4 +1,4 @@
-// How fast headers are read, beside DCMTK alone.
+// How fast Macula reads headers, compared with bare DCMTK.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,16 @@
 namespace macula::evaluate {
 
 struct HeaderBenchmark {
-    std::size_t files = 0;  // that hold DICOM, each read once per round
+    std::size_t files = 0;  // with DICOM, each read once per round
     std::size_t threads = 0;
     int rounds = 0;
-    // Of the fastest round, all of them with a warm cache.
+    // In the fastest round; all rounds have a warm cache.
     double headersPerSecond = 0.0;    // readHeader
     double bareDcmtkPerSecond = 0.0;  // DcmFileFormat::loadFileUntilTag up to PixelData, and nothing else
-    double scanPerSecond =
-        0.0;  // scanFolder, which groups and sorts too; on all cores, whatever `threads` is
+    double scanPerSecond = 0.0;       // scanFolder, which also groups and sorts; always on all cores
 };
 
-// The contenders take turns. Fails like scanFolder.
+// Measures the contenders in alternation. Fails as scanFolder does.
 Result<HeaderBenchmark> benchmarkHeaders(const std::filesystem::path& path, std::size_t threads, int rounds,
                                          Progress& progress);
 

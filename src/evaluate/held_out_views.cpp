@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kLeastCoverage = 0.06;
 
-// Those of the protocol come nearer and wander off one by one: of fewer than there are, some of each.
+// Poses of the protocol come nearer and stray farther one by one, so a smaller number is spread over all.
 Result<hybrid::ChosenPoses> chooseTruth(live::SceneOnDevice& scene, hybrid::PoseSampling poses,
                                         std::size_t count, Progress& progress) {
     poses.count = std::max(count, poses.count);

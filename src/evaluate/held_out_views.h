@@ -1,4 +1,4 @@
-// Views that no model learns from, as the tracer sees them, and how near a model comes to them.
+// Traces views that no model learns from, and compares models with them.
 #pragma once
 
 #include <cstdint>
@@ -19,27 +19,27 @@ namespace macula::evaluate {
 
 struct Comparison {
     std::vector<ViewScores> scores;  // by view
-    double drawMs = 0.0;             // of a picture of the model, median; waited for and read
-    // As displayed, by view, truth on the left and model on the right; RGBA, opaque.
+    double drawMs = 0.0;             // of a picture of the model, median, with waiting
+    // By view, as displayed: truth on the left, model on the right; RGBA, opaque.
     std::vector<std::vector<std::uint8_t>> pictures;
 };
 
 class HeldOutViews {
   public:
-    // As truthPictures, of views chosen by `poses`, as groundTruth; of fewer than these are, some from each
-    // distance.
+    // Traces truthPictures of `count` views of `poses`, such as groundTruth; if there are fewer than
+    // poses.count, some from each distance.
     static Result<HeldOutViews> trace(std::shared_ptr<gpu::Device> device, live::SceneOnDevice& scene,
                                       const hybrid::PoseSampling& poses, std::size_t count,
                                       const hybrid::TruthOptions& options, const std::filesystem::path& cache,
                                       Progress& progress);
 
-    // The model must be valid. A stage of `progress`, a step for each view.
+    // The model must be valid. Adds a stage to `progress`, with a step for each view.
     Result<Comparison> compare(const splat::Splats& model, Progress& progress) const;
 
     const std::vector<hybrid::TruthPicture>& pictures() const { return truth_; }
     std::vector<Camera> cameras() const;
-    double seconds() const { return seconds_; }  // that tracing them took
-    std::size_t fromCache() const;               // views of which all was there
+    double seconds() const { return seconds_; }  // time for tracing the views
+    std::size_t fromCache() const;               // views found completely in the cache
     std::size_t givenUp() const { return givenUp_; }
 
   private:

@@ -26,13 +26,13 @@ namespace {
 using trace::Filter;
 using trace::Look;
 
-// How much of the world a picture shows, and an eye so far away that its rays are nearly parallel.
+// The height of the world in a picture, and an eye so far away that its rays are nearly parallel.
 constexpr double kShapeHeightMm = 40.0;
 constexpr double kDetailHeightMm = 24.0;
 constexpr double kEyeMm = 2000.0;
 constexpr int kDetailSize = 96;
 constexpr double kMostTurnedDeg = 40.0;
-// Samples of rays that are cast without chance: they lie at other places in the pixel.
+// Samples of ray casting, which has no noise: they only lie at different places in the pixel.
 constexpr std::uint32_t kCastSamples = 16;
 
 struct Subject {
@@ -173,7 +173,7 @@ double contrastOf(Detail detail, const std::vector<double>& columns) {
         }
         return glm::length(wave) / mean;
     }
-    // What is farther than 4 mm from the middle is background.
+    // The background is farther than 4 mm from the middle.
     double most = 0.0;
     double around = 0.0;
     int count = 0;
@@ -244,7 +244,7 @@ Result<InterpolationReport> measureInterpolation(const InterpolationOptions& opt
     const Bench bench{options, std::move(device), progress};
     InterpolationReport report{
         .device = bench.device->info().name, .surfaces = {}, .details = {}, .withoutVtk = {}};
-    // Of each shape two pictures by each filter of paths, and one by three of rays.
+    // Each shape needs two path-traced pictures for each filter, and one ray-cast picture for three filters.
     const std::size_t ofShape = 2 * trace::kFilters.size() * options.samples + 3 * kCastSamples;
     progress.beginStage(Text("Drawing shapes"), kShapes.size() * ofShape);
     for (const Shape shape : kShapes)

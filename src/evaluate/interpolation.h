@@ -1,5 +1,5 @@
-// What each way to find values between voxels does to a picture: how smooth surfaces are, and how much of
-// fine detail is left.
+// What each interpolation filter does to a picture: how smooth surfaces are, and how much fine detail
+// remains.
 #pragma once
 
 #include <filesystem>
@@ -18,13 +18,13 @@
 namespace macula::evaluate {
 
 struct InterpolationOptions {
-    std::string preset = "cinematic-skin";  // of the shapes: CT
+    std::string preset = "cinematic-skin";  // for the shapes: CT
     std::string lights{scene::kDefaultLights};
     std::string device;
-    std::filesystem::path pictures;  // a folder for those of the shapes; empty: none
-    bool overwrite = false;          // those that are there
-    int size = 96;                   // of the pictures, which are square
-    std::uint32_t samples = 512;     // of each of the two pictures that are traced
+    std::filesystem::path pictures;  // a folder for pictures of the shapes; empty: none
+    bool overwrite = false;          // existing pictures
+    int size = 96;                   // side of the square pictures, in pixels
+    std::uint32_t samples = 512;     // of each of the two traced pictures
 };
 
 struct SurfaceRow {
@@ -36,9 +36,9 @@ struct SurfaceRow {
 struct DetailRow {
     Detail detail = Detail::lines;
     trace::Filter filter = trace::Filter::trilinear;
-    double contrast = 0.0;  // of lines the amplitude of their period over the mean; else what is above the
-                            // background, over that
-    double kept = 1.0;      // of the contrast that the trilinear filter has
+    double contrast = 0.0;  // of lines: amplitude of their period over the mean; else (peak - background) /
+    // background
+    double kept = 1.0;  // part of the contrast of the trilinear filter
 };
 
 struct InterpolationReport {
@@ -48,11 +48,11 @@ struct InterpolationReport {
     std::optional<Error> withoutVtk;
 };
 
-// The middle of a picture of the shape, where its surface is turned away from the eye by less than 40
+// Marks the middle of a picture of the shape, where the surface is turned away from the eye by less than 40
 // degrees.
 std::vector<std::uint8_t> middleOf(Shape shape, int size, double heightMm);
 
-// usage, inputNotUsable or outputNotWritable for what would fail later.
+// Finds errors before any measurement. Fails with usage, inputNotUsable or outputNotWritable.
 Result<void> check(const InterpolationOptions& options);
 Result<InterpolationReport> measureInterpolation(const InterpolationOptions& options, Progress& progress);
 nlohmann::ordered_json reportOf(const InterpolationOptions& options, const InterpolationReport& report);

@@ -62,7 +62,7 @@ std::optional<double> nearFromS(std::span<const RestPicture> pictures, double li
 
 std::optional<double> worstSetback(std::span<const RestPicture> pictures, double overS) {
     std::optional<double> worst;
-    std::size_t old = 0;  // how many are older than the one that is looked at, by `overS`
+    std::size_t old = 0;  // how many are older than `picture` by `overS`
     for (const RestPicture& picture : pictures) {
         while (pictures[old].atS <= picture.atS - overS) ++old;
         if (old == 0) continue;

@@ -23,7 +23,7 @@ Result<live::FrameInput> sceneOf(const BenchStudy& study) {
     live::FrameInput scene;
     scene.volume = study.volume;
     MACULA_TRY(scene.drawing, drawingOf(study));
-    scene.background = glm::vec3(0.0f);  // as that of frameTruthOf
+    scene.background = glm::vec3(0.0f);  // as in frameTruthOf
     return scene;
 }
 
@@ -45,7 +45,7 @@ class Measurement {
     Result<LivePictureReport> run() {
         MACULA_TRY(const live::FrameInput scene, sceneOf(study_));
         settings_ = scene.drawing.settings;
-        // What shows nothing is told before the recording, not after it.
+        // Fails before the recording, not after it, if nothing can be seen.
         MACULA_TRY(const hybrid::TracedScene first, sceneWith(study_.function));
         std::optional<hybrid::TracedScene> second;
         if (study_.then) {
@@ -85,7 +85,7 @@ class Measurement {
         return recording;
     }
 
-    // The pictures that were kept of the phase, beside a reference from where the camera has stopped.
+    // Compares the kept pictures of the phase with a reference from where the camera stopped.
     Result<RestCourse> compare(live::RecordingPhase phase, const hybrid::TracedScene& scene,
                                trace::PathTracer& tracer) {
         const hybrid::TruthOptions wanted{.sizePx = sizePx_,

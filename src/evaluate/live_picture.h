@@ -1,6 +1,6 @@
-// What the live picture is worth over time: a recording of it, as a window shows it, beside pictures that are
-// traced until chance hardly matters. It shows how soon there is anything, how a moving hand is followed, how
-// fast a picture at rest becomes right, and whether it ever falls back.
+// The quality of the live picture over time: compares a recording of it, as a window shows it, with traced
+// pictures that have hardly any noise. It shows how soon there is a picture, how it follows a moving hand,
+// how fast a picture at rest converges, and whether it ever becomes worse.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,19 @@
 namespace macula::evaluate {
 
 struct LivePictureOptions {
-    // Size and second drawing are those of the study.
+    // Size and second drawing come from the study.
     live::RecordingOptions recording{.movingS = 1.0, .learningS = 10.0, .restingS = 60.0};
     std::uint32_t truthSamples = 512;  // of each reference; even
 };
 
-// A camera at rest.
+// How the picture of a camera at rest develops.
 struct RestCourse {
-    std::vector<RestPicture> pictures;  // those that were kept
-    double referenceFlip = 0.0;         // of half the samples of the reference to all: what chance leaves
+    std::vector<RestPicture> pictures;  // those kept by the recording
+    double referenceFlip = 0.0;         // remaining noise: of half the reference's samples to all
 };
 
 struct PresetChange {
-    std::string preset;  // a name that may be told
+    std::string preset;  // a name without private parts
     ChangeTimes times;
     RestCourse rest;
 };
@@ -38,18 +38,18 @@ struct LivePictureReport {
     pictures::MotionFigures motion;
     std::optional<double> firstModelS;
     RestCourse rest;
-    std::optional<PresetChange> change;  // where the study has a second preset
-    int bounces = 0;                     // of all that is traced
-    bool isFull = false;                 // pictures were left out because of their number
+    std::optional<PresetChange> change;  // if the study has a second preset
+    int bounces = 0;                     // of everything traced
+    bool isFull = false;                 // the recording dropped pictures, because there were too many
 };
 
-// All that can be known to be wrong before anything takes time: `usage` for presets that are none, lights
-// that are not built in (a window has no others), and samples that cannot be halved.
+// Finds errors before any measurement. Fails with usage for unknown presets, for lights that are not built in
+// (a window has no others), and for an odd number of samples.
 Result<void> check(const BenchStudyOptions& study, const LivePictureOptions& options);
 
-// The recording has a device of its own, which is gone when references are traced. They have the bounces of
-// the live picture, another seed, and are not denoised; all pictures are over black. `cancelled`;
-// inputNotUsable when nothing can be seen; as live::recordLive.
+// The recording has a device of its own, which is closed before references are traced. References have the
+// bounces of the live picture and another seed, and are not denoised; all pictures are over black. Fails with
+// `cancelled`; with inputNotUsable if nothing can be seen; and as live::recordLive does.
 Result<LivePictureReport> measureLivePicture(const BenchStudy& study, const LivePictureOptions& options,
                                              Progress& progress);
 

@@ -1,4 +1,4 @@
-// What the live picture is worth over time, as JSON; docs/hybrid-frame.md says what each number is.
+// The quality of the live picture over time, as JSON; docs/hybrid-frame.md says what each number is.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,10 +7,10 @@
 
 namespace macula::evaluate {
 
-// All that was found. What there was none of is null.
+// All results; null for those that do not exist.
 nlohmann::ordered_json toJson(const LivePictureReport& report);
 
-// Begins as `describe` of the study; no patient data.
+// Begins with `describe` of the study; contains no patient data.
 nlohmann::ordered_json reportOf(const BenchStudy& study, const LivePictureOptions& options,
                                 const LivePictureReport& report);
 

@@ -1,5 +1,5 @@
-// How fast a volume is loaded, beside ITK's own reader of series and a bare DCMTK loop, in the same run: a
-// ratio means something on every machine, seconds only on one.
+// How fast a volume is loaded, compared with ITK's reader of series and a bare DCMTK loop in the same run:
+// ratios are comparable between machines, seconds are not.
 #pragma once
 
 #include <filesystem>
@@ -17,31 +17,31 @@ namespace macula::evaluate {
 
 struct LoadBenchmarkOptions {
     std::vector<std::filesystem::path> files;  // of the volume's slices, sorted, one frame each
-    std::function<Result<std::shared_ptr<const Volume>>(Progress&)> load;  // what is measured
-    std::size_t threads = 2;  // of ITK and of DCMTK; ours takes all cores
-    int rounds = 5;           // the contenders take turns, so that a busy neighbour hits all
+    std::function<Result<std::shared_ptr<const Volume>>(Progress&)> load;  // the measured loader
+    std::size_t threads = 2;  // for ITK and DCMTK; Macula uses all cores
+    int rounds = 5;           // contenders alternate, so that other load affects all of them
 };
 
-// One file for each slice, in their order; nothing when slices are interpolated, or share a file.
+// The file of each slice, in their order; empty if slices are interpolated, or share a file.
 std::vector<std::filesystem::path> filesOf(const dicom::Stack& stack);
 
 struct Loading {
     double seconds = 0.0;          // median
-    std::uint64_t peakBytes = 0;   // resident memory of the process while it loaded; largest of all rounds
+    std::uint64_t peakBytes = 0;   // largest resident memory while loading, over all rounds
     double secondsOverOurs = 0.0;  // median of the ratios of each round
 };
 
 struct LoadBenchmark {
-    std::uint64_t bytesBefore = 0;  // resident before each of them
+    std::uint64_t bytesBefore = 0;  // resident memory before loading
     Loading ours;
-    std::optional<Loading> itk;    // itk::ImageSeriesReader with GDCM; absent when that cannot read the files
-    std::optional<Loading> dcmtk;  // chooseRepresentation and a copy of the cells alone; absent likewise
+    std::optional<Loading> itk;    // itk::ImageSeriesReader with GDCM; nothing if it fails to read
+    std::optional<Loading> dcmtk;  // only chooseRepresentation and a copy; nothing likewise
     std::size_t voxels = 0;
-    std::size_t differingVoxels = 0;  // where ITK's value is another than ours
+    std::size_t differingVoxels = 0;  // whose value ITK reads differently
 };
 
-// A first round, which warms the cache, is not timed. Fails like `load`. In a plug-in (base/plugin.h),
-// because nothing else needs the readers beside which ours is measured.
+// Does not time the first round, which warms the cache. Fails as `load` does. Runs in a plug-in
+// (base/plugin.h), because nothing else needs the other readers.
 Result<LoadBenchmark> benchmarkLoading(const LoadBenchmarkOptions& options, Progress& progress);
 
 }  // namespace macula::evaluate

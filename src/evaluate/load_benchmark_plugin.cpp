@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 using FloatImage = itk::Image<float, 3>;
 using ShortImage = itk::Image<short, 3>;
 
-// Reads a line of /proc/self/status that is in kB; returns bytes, 0 when there is none.
+// Reads a line of /proc/self/status that is in kB; returns bytes, 0 without such a line.
 std::uint64_t ownMemory(std::string_view name) {
     std::ifstream stream("/proc/self/status");
     for (std::string line; std::getline(stream, line);) {
@@ -42,7 +42,7 @@ std::uint64_t ownMemory(std::string_view name) {
     return 0;
 }
 
-// From here on, VmHWM counts anew.
+// Resets VmHWM, the peak of resident memory.
 void forgetPeak() {
     malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << "5";
@@ -62,7 +62,7 @@ struct Timed {
             works = work();
         } catch (const std::bad_alloc&) {
             throw;
-        } catch (const std::exception&) {  // ITK throws at what it cannot read
+        } catch (const std::exception&) {  // ITK throws if it cannot read a file
             works = false;
         }
         const Spent taken = watch.lap();
@@ -87,7 +87,7 @@ typename Image::Pointer readWithItk(const std::vector<std::string>& files) {
     return reader->GetOutput();
 }
 
-// What somebody who uses ITK would ask for: whole numbers when the file has them.
+// Whether a user of ITK would read integers: if the file has them.
 bool hasShorts(const std::string& file) {
     auto io = itk::GDCMImageIO::New();
     io->SetFileName(file);
@@ -109,7 +109,7 @@ std::size_t differing(const Image& image, const Volume& volume) {
     for (int k = 0; k < ours.z; ++k) {
         for (int j = 0; j < ours.y; ++j) {
             for (int i = 0; i < ours.x; ++i, ++n) {
-                // Of float32, the last bits are not the question.
+                // Ignores the last bits of float32.
                 const double value = volume.value(i, j, k);
                 const bool same = std::abs(double(values[n]) - value) <= 1e-6 * std::abs(value);
                 different += same ? 0 : 1;
@@ -159,7 +159,7 @@ Result<LoadBenchmark> measure(const LoadBenchmarkOptions& options, Progress& pro
     DcmRLEDecoderRegistration::registerCodecs();
     DJDecoderRegistration::registerCodecs();
     DJLSDecoderRegistration::registerCodecs();
-    gdcm::Trace::WarningOff();  // it prints what it finds in the headers
+    gdcm::Trace::WarningOff();  // it prints values from headers
     gdcm::Trace::ErrorOff();
     const auto threads = static_cast<unsigned>(std::max<std::size_t>(options.threads, 1));
     itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(threads);
@@ -189,7 +189,7 @@ Result<LoadBenchmark> measure(const LoadBenchmarkOptions& options, Progress& pro
         if (failure) return *failure;
         result.voxels = volume->voxelCount();
         progress.advance();
-        if (round == 0) {  // the values are compared once, and then the volume makes room
+        if (round == 0) {  // values are compared once, and then the volume is freed
             try {
                 shorts = hasShorts(names.at(0));
                 if (shorts)

@@ -16,25 +16,25 @@ constexpr glm::ivec3 kShapeVoxels{64, 64, 64};
 constexpr glm::ivec3 kDetailVoxels{48, 10, 48};
 constexpr double kWaterHu = 40.0;
 constexpr double kAirHu = -1000.0;
-constexpr double kBlurMm = 0.6;  // deviation of the Gaussian: a sharp reconstruction of a CT
+constexpr double kBlurMm = 0.6;  // standard deviation, as in a sharp CT reconstruction
 constexpr double kDetailBlurMm = 0.4;
 constexpr double kDetailDepthMm = 4.0;
 constexpr double kAroundDetail = 100.0;
 // No detail lies on a plane of voxels, nor half way between two.
 constexpr double kOffsetMm = 0.25;
 
-// What a Gaussian leaves of a step, at a distance from it.
+// A step blurred by a Gaussian, at a distance from the step.
 double blurredStep(double distanceMm, double deviationMm) {
     return 0.5 * std::erfc(-distanceMm / (deviationMm * std::sqrt(2.0)));
 }
 
-// What it leaves of something as thick as that.
+// A bar of this thickness blurred by a Gaussian, at a distance from its middle.
 double blurredBar(double distanceMm, double thicknessMm, double deviationMm) {
     return blurredStep(distanceMm + 0.5 * thicknessMm, deviationMm) -
            blurredStep(distanceMm - 0.5 * thicknessMm, deviationMm);
 }
 
-// Of each whole value at the centre of a voxel, mm.
+// A volume whose voxels hold value(centre in mm), rounded.
 template <class Value>
 Volume volumeOf(const glm::ivec3& size, Unit unit, double intercept, const Value& value) {
     const glm::dvec3 first = -0.5 * (glm::dvec3(size) - 1.0);
@@ -72,7 +72,7 @@ double detailAt(Detail detail, const glm::dvec3& p) {
     }
     if (detail == Detail::fissure)
         return (kAroundDetail + 200.0 * blurredBar(x, 1.0, kDetailBlurMm)) * across;
-    // A blurred cylinder is about the product of two blurred bars, as thick as makes their section its own.
+    // A blurred cylinder is about the product of two blurred bars whose cross section has the same area.
     const double bar = std::sqrt(std::numbers::pi / 4.0);
     return kAroundDetail * across +
            900.0 * blurredBar(x, bar, kDetailBlurMm) * blurredBar(p.y - kOffsetMm, bar, kDetailBlurMm);

@@ -1,5 +1,5 @@
-// Time that work took, and how contenders that take turns compare: a ratio means something on every machine,
-// milliseconds only on one.
+// Measures the time of work, and compares contenders that alternate: ratios are comparable between machines,
+// milliseconds are not.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace macula::evaluate {
 
-// What a measurement that was cancelled fails with.
+// The error of a cancelled measurement.
 inline Error cancelledError() {
     return {ErrorCode::cancelled, Text("The measurement was cancelled."), {}, {}};
 }
 
-// CPU time is that of all threads of this process: on a CPU device it hardly depends on who else is running;
-// on a GPU it is only what host and driver used.
+// CPU time is that of all threads of this process: on a CPU device it hardly depends on other load; on a GPU
+// it covers only host and driver.
 struct Spent {
     double wallMs = 0.0;
     double cpuMs = 0.0;
@@ -29,7 +29,7 @@ struct Spent {
 inline Spent operator+(const Spent& a, const Spent& b) {
     return {a.wallMs + b.wallMs, a.cpuMs + b.cpuMs};
 }
-// Not below 0.
+// The difference, but not below 0.
 inline Spent operator-(const Spent& a, const Spent& b) {
     return {std::max(a.wallMs - b.wallMs, 0.0), std::max(a.cpuMs - b.cpuMs, 0.0)};
 }
@@ -39,7 +39,7 @@ inline Spent operator/(const Spent& a, double divisor) {
 
 class Watch {
   public:
-    // Since the last call, or since this was made.
+    // The time since the last call, or since construction.
     Spent lap() {
         const auto wall = std::chrono::steady_clock::now();
         const std::clock_t cpu = std::clock();
@@ -55,7 +55,7 @@ class Watch {
     std::clock_t cpu_ = std::clock();
 };
 
-// `work` returns a Result<void>, and fails for this.
+// The time of `work`, which returns a Result<void>; fails if that does.
 template <class Work>
 Result<Spent> timed(const Work& work) {
     Watch watch;
@@ -63,14 +63,14 @@ Result<Spent> timed(const Work& work) {
     return watch.lap();
 }
 
-// The same: only its time by the clock, in ms.
+// The same, but only wall time, in ms.
 template <class Work>
 Result<double> timedMs(const Work& work) {
     MACULA_TRY(const Spent spent, timed(work));
     return spent.wallMs;
 }
 
-// The mean of both in the middle where their number is even. There must be at least one.
+// The mean of the two middle values if their number is even. There must be at least one.
 inline double median(std::vector<double> values) {
     MACULA_CHECK(!values.empty());
     std::sort(values.begin(), values.end());
@@ -78,7 +78,7 @@ inline double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-// The median of so many times, after one that does not count: it compiles kernels, or fills caches.
+// The median of `turns` times, after an unmeasured first one, which compiles kernels or fills caches.
 template <class Work>
 Result<double> medianMs(int turns, const Work& work) {
     MACULA_TRY_VOID(work());
@@ -95,7 +95,7 @@ struct Ratio {
     double cpu = 0.0;
 };
 
-// One of those that take turns, so that a busy neighbour hits all of them.
+// One of several contenders that alternate, so that other load affects all of them.
 struct Contender {
     std::vector<Spent> turns;
 
@@ -104,10 +104,10 @@ struct Contender {
                 median(numbers([](const Spent& spent) { return spent.cpuMs; }))};
     }
 
-    // Medians of the ratios of each turn; `other` has had as many.
+    // Medians of the ratios of each turn; `other` must have as many turns.
     Ratio ratioTo(const Contender& other) const {
         MACULA_CHECK(turns.size() == other.turns.size());
-        constexpr double kTickMs = 1e-3;  // of a clock: what took no time took at most that
+        constexpr double kTickMs = 1e-3;  // resolution of a clock: a measured 0 means at most this
         std::vector<double> wall;
         std::vector<double> cpu;
         for (std::size_t i = 0; i < turns.size(); ++i) {

@@ -17,15 +17,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// As the window shows it: light times gain.
+// Multiplies the light by the gain, as the window does.
 splat::Splats asBrightAs(splat::Splats splats, double gain) {
     for (glm::vec3& dc : splats.dc) dc = splat::dcOfColour(static_cast<float>(gain) * splat::colourOfDc(dc));
     for (glm::vec3& sh : splats.sh) sh *= static_cast<float>(gain);
     return splats;
 }
 
-// Snapshots are only kept while training runs, and compared when all are there, so that nothing else runs
-// between its steps.
+// Compares snapshots only after all training, so that nothing else runs between training steps.
 class Evaluation {
   public:
     Evaluation(std::shared_ptr<gpu::Device> device, const EvaluationOptions& options,
@@ -34,7 +33,7 @@ class Evaluation {
           options_(options),
           scene_(scene),
           progress_(progress),
-          // Pictures are kept by what the volume is, not by how much of it this device holds.
+          // The key of a picture does not say how coarsely this device stores the volume.
           cacheFolder_(scene.isCoarse ? std::filesystem::path() : options.cache),
           cache_(cacheFolder_),
           kept_(scene.traced, cache_) {}

@@ -1,5 +1,5 @@
-// How good a peripheral model is: made of a scene, perhaps refined, drawn from where it was not looked at
-// before, and compared with what the tracer sees there. docs/peripheral-model.md is the protocol.
+// Measures the quality of a peripheral model: makes one of a scene, perhaps refines it, draws it from
+// held-out poses, and compares that with the ground truth. docs/peripheral-model.md is the protocol.
 #pragma once
 
 #include <cstdint>
@@ -28,58 +28,58 @@ struct RefinementPlan {
     std::uint32_t capacity = 50000;     // splats
 };
 
-// As the window's model learns by itself (live_model.h), but with all of the device for it.
+// Learns as in the window (live_model.h), but with the whole device for itself.
 struct LivePlan {
-    double seconds = 60.0;        // at most, by the clock, once the points are found
+    double seconds = 60.0;        // most wall time, after the points are found
     double snapshotEvery = 15.0;  // seconds
 };
 
 struct EvaluationOptions {
-    hybrid::FirstModelOptions model{.views = 12, .samplesPerPixel = 8};  // the paper's
+    hybrid::FirstModelOptions model{.views = 12, .samplesPerPixel = 8};  // as in the paper
     std::optional<RefinementPlan> refinement;
-    std::optional<LivePlan> live;  // trains like this instead of by `model`, of which only bounces count
+    std::optional<LivePlan> live;  // replaces `model`, of which only `bounces` counts
     std::size_t truthViews = 32;
-    hybrid::TruthOptions truth;   // of as many bounces as the model
+    hybrid::TruthOptions truth;   // with as many bounces as the model
     std::filesystem::path cache;  // empty: nothing is kept
-    bool keepViews = false;  // also keeps views to learn from; times then say nothing of views that were kept
+    bool keepViews = false;       // also keeps training views; times then do not count kept ones
 };
 
-// A model on its way.
+// A model during its training.
 struct Snapshot {
     std::uint64_t steps = 0;
     std::size_t splats = 0;
-    double trainSeconds = 0.0;       // since the first step of the first model, without what lies between
+    double trainSeconds = 0.0;       // since the first model's first step, only training
     std::vector<ViewScores> scores;  // by view of the truth
 };
 
 struct SceneEvaluation {
     Box seenMm;
-    // For the model: of the wall, kernels compiled on the way included. The volume is on the device already.
+    // Of the model: wall time, with the compiling of kernels. The volume is on the device already.
     double pointsSeconds = 0.0;
     double viewsSeconds = 0.0;      // choosing and tracing them
-    double moreViewsSeconds = 0.0;  // the same, of those it was refined with
-    double drawMs = 0.0;            // of a picture of the last model
-    // For the truth.
+    double moreViewsSeconds = 0.0;  // the same, for refinement
+    double drawMs = 0.0;            // for a picture of the last model
+    // Of the ground truth.
     std::vector<Camera> truthCameras;
     double truthSeconds = 0.0;
-    std::size_t truthFromCache = 0;  // views of which all was there
-    std::size_t viewsFromCache = 0;  // to learn from, that took no time
-    // Views of training, refinement and truth of which no draw showed enough matter: the last draw was taken.
+    std::size_t truthFromCache = 0;  // views found completely in the cache
+    std::size_t viewsFromCache = 0;  // training views, which took no time
+    // Views of training, refinement and truth for which no try showed enough: the last one was used.
     std::size_t viewsGivenUp = 0;
-    std::vector<Snapshot> snapshots;                  // the first model; refined, each after it; never none
-    std::vector<std::vector<std::uint8_t>> pictures;  // of the last model, see Comparison
+    std::vector<Snapshot> snapshots;                  // of the first model, then of refinement; never empty
+    std::vector<std::vector<std::uint8_t>> pictures;  // of the last model (Comparison::pictures)
 
     const Snapshot& last() const { return snapshots.back(); }
-    double truthNoise() const;  // ViewScores::truthNoise, RMS over the views
+    double truthNoise() const;  // RMS of ViewScores::truthNoise over the views
 };
 
-// inputNotUsable when nothing of the scene can be seen.
+// Fails with inputNotUsable if nothing of the scene can be seen.
 Result<SceneEvaluation> evaluateModel(const std::shared_ptr<gpu::Device>& device,
                                       const live::StudyScene& scene, const EvaluationOptions& options,
                                       Progress& progress);
 
-// The most that masked PSNR fell from one snapshot to the next: 0 when it never did. Of its mean over the
-// views, and of its median.
+// The largest fall of masked PSNR from one snapshot to the next, 0 if it never fell: of its mean and of its
+// median over the views.
 struct GreatestFall {
     double meanDb = 0.0;
     double medianDb = 0.0;

@@ -1,4 +1,4 @@
-// Kernels of first models, compiled before any model's time is taken.
+// Compiles the kernels of first models before any model is timed.
 #pragma once
 
 #include "base/progress.h"
@@ -8,8 +8,8 @@
 
 namespace macula::evaluate {
 
-// Makes a small model and forgets it: else the first model's time would be that of compilers. Fails as
-// hybrid::makeFirstModel. The tracer is left with other settings and another view.
+// Makes a small model and discards it: otherwise the first model's time would include compilation. Fails as
+// hybrid::makeFirstModel does. The tracer is left with other settings and another view.
 Result<void> compileModelKernels(const BenchStudy& study, live::SceneOnDevice& scene, int bounces,
                                  Progress& progress);
 

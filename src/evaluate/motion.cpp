@@ -23,7 +23,7 @@ namespace macula::evaluate {
 namespace {
 
 constexpr float kOpaque = 0.95f;
-// Between a frame over black and the same over white: half of it is background.
+// Difference between a frame over black and the same over white at which half of a pixel is background.
 constexpr float kBackgroundShows = 128.5f / 255.0f;
 
 Camera movedCamera(const Camera& camera, Moved moved, double amount) {
@@ -41,7 +41,7 @@ Camera movedCamera(const Camera& camera, Moved moved, double amount) {
 
 struct Truth {
     image::Image image;
-    std::vector<bool> isOpaque;  // the pixel, and the eight around it
+    std::vector<bool> isOpaque;  // the pixel and its eight neighbours
     image::Mask silhouette;      // in the middle
 };
 
@@ -177,7 +177,7 @@ class Measurement {
         return std::size_t(y) * std::size_t(options_.sizePx.x) + std::size_t(x);
     }
 
-    // A frame that was drawn, and what the fovea weighs in it: nothing without one.
+    // A drawn frame, with the weights of its fovea; these are empty without one.
     struct Shown {
         image::Image overBlack;
         image::Image overWhite;
@@ -185,7 +185,7 @@ class Measurement {
         double drawMs = 0.0;
     };
 
-    // Splats are always drawn for where the eye is `now`; the fovea for `foveaFor`.
+    // Draws splats for the eye `now`, and the fovea for `foveaFor`.
     Result<Shown> drawnBy(hybrid::HybridFrame& frame, const Camera& foveaFor, const Camera& now) {
         const hybrid::Periphery periphery = peripheryFor(*painter_, splats_.originMm, foveaFor, now);
         Shown shown;

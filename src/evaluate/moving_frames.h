@@ -1,4 +1,4 @@
-// Frames of an eye that has gone on since their fovea was traced, and what both cost.
+// Frames whose eye has moved since their fovea was traced, and the time for fovea and frame.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -19,20 +19,21 @@ namespace macula::evaluate {
 
 class MovingFrames {
   public:
-    // Of the scene of `beside`. `splats` must be valid, and outlive this unchanged; so must `progress`.
+    // For the scene of `beside`. `splats` must be valid, and outlive this object unchanged, as must
+    // `progress`.
     static Result<MovingFrames> create(std::shared_ptr<gpu::Device> device, const trace::PathTracer& beside,
                                        const splat::Splats& splats, const glm::ivec2& sizePx,
                                        const Progress& progress);
 
-    // Traces the fovea of the frames to come, in the middle of what `eye` sees, as fine as the frame there;
-    // nothing that was traced before helps. The milliseconds that it took, until the device had finished.
+    // Traces the fovea for later frames, in the middle of what `eye` sees, at the frame's resolution, without
+    // reusing earlier samples. Returns the milliseconds until the device has finished. Fails with
     // `cancelled`.
     Result<double> traceFovea(const Camera& eye, const TracedFovea& fovea);
 
-    // The second of two equal frames for `now`, so that kernels and buffers are there; MadeFrame::ms is of
-    // splats, reprojection and composition. The fovea is warped to `now`, or left where it was on the screen;
-    // splats alone where none was traced. An eye that is farther than HybridFrame::kMostTurnDeg from where it
-    // was traced is not shown a warped one.
+    // Draws two equal frames for `now`, and returns the second, so that kernels and buffers exist;
+    // MadeFrame::ms covers splats, reprojection and composition. The fovea is reprojected to `now`, or left
+    // in place on the screen; without a traced one, splats stand alone. An eye that has turned by more than
+    // HybridFrame::kMostTurnDeg is not shown a reprojected one.
     Result<MadeFrame> draw(const Camera& now, bool isWarped);
 
   private:

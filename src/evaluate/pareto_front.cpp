@@ -16,7 +16,7 @@ std::vector<std::size_t> paretoFront(std::span<const CostAndError> points) {
         return std::tie(points[a].cost, points[a].error) < std::tie(points[b].cost, points[b].error);
     });
     std::vector<std::size_t> front;
-    double least = std::numeric_limits<double>::infinity();  // error of all that costs no more
+    double least = std::numeric_limits<double>::infinity();  // least error of all points that cost no more
     for (const std::size_t i : byCost) {
         if (points[i].error >= least) continue;
         least = points[i].error;

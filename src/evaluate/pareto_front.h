@@ -1,4 +1,4 @@
-// What is worth its cost: of all that can be had, what nothing else beats.
+// The points that are worth their cost: no other is better in cost and error.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ struct CostAndError {
 };
 
 // The indices of the Pareto front: points for which no other has at most their cost and at most their error,
-// and less of one. Cost ascends along it and error falls. Of points that are equal in both it has the first.
-// A point whose cost or error is not finite is never on the front.
+// and less of one. Cost ascends along the front, and error falls. Only the first of equal points is on it. A
+// point whose cost or error is not finite is never on the front.
 std::vector<std::size_t> paretoFront(std::span<const CostAndError> points);
 
 }  // namespace macula::evaluate

@@ -64,7 +64,7 @@ class Measurement {
         progress_.beginStage(Text("Tracing whole frames"), kGrades.size() * truth_.size());
         for (const Grade grade : kGrades) {
             QualityRow row{.way = wayOf("pt", grade)};
-            costs_.clear();  // those of the most samples tell most
+            costs_.clear();  // the last grade has the most samples, so the best estimates
             for (const FrameTruth& truth : truth_) {
                 MACULA_TRY(
                     const TracedFrames::Costed made,
@@ -88,7 +88,7 @@ class Measurement {
         return measureModel(grade, kRefined, first.trainer, seconds + moreSeconds);
     }
 
-    // The seconds that it took.
+    // Returns the seconds that it took.
     Result<double> refine(splat::Trainer& trainer, const hybrid::RefinementOptions& plan) {
         MACULA_TRY(const hybrid::MoreViews more,
                    hybrid::beginRefinement(trainer, scene_.tracer, scene_.traced.seenMm(), plan, progress_));
@@ -103,7 +103,7 @@ class Measurement {
         return more.seconds + watch.lap().wallMs / 1e3;
     }
 
-    // Those that are compared take turns, view by view.
+    // The compared ways alternate, view by view.
     Result<void> measureModel(Grade grade, std::string_view model, const splat::Trainer& trainer,
                               double preparationSeconds) {
         MACULA_TRY(const splat::Splats splats, trainer.snapshot());

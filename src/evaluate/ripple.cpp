@@ -22,7 +22,7 @@ void takeAway(std::vector<double>& from, const std::vector<double>& unit) {
     for (std::size_t i = 0; i < from.size(); ++i) from[i] -= part * unit[i];
 }
 
-// Polynomials of the place, orthonormal over the places that count.
+// Polynomials of the coordinates, orthonormal over the counting pixels (Gram-Schmidt).
 std::vector<std::vector<double>> smoothBasis(std::span<const double> xs, std::span<const double> ys) {
     std::vector<std::vector<double>> basis;
     for (int degree = 0; degree <= kDegree; ++degree) {
@@ -30,7 +30,7 @@ std::vector<std::vector<double>> smoothBasis(std::span<const double> xs, std::sp
             std::vector<double> next(xs.size());
             for (std::size_t i = 0; i < xs.size(); ++i)
                 next[i] = std::pow(xs[i], power) * std::pow(ys[i], degree - power);
-            // Twice: once leaves what rounding made of nearly parallel ones.
+            // Twice, because of rounding errors with nearly parallel vectors.
             for (int turn = 0; turn < 2; ++turn) {
                 for (const auto& before : basis) takeAway(next, before);
             }
@@ -73,7 +73,7 @@ Ripple rippleOf(const LuminancePicture& a, const LuminancePicture& b, std::span<
     const double free = double(ofA.size() - basis.size());
     const double shared = dotOf(ofA, ofB) / free;
     ripple.relative = std::sqrt(std::max(shared, 0.0)) / ripple.mean;
-    // The mean of products of independent noise, of as many pixels, is off by this.
+    // The standard error of the mean product of independent noise over so many pixels.
     const double noiseA = std::max(dotOf(ofA, ofA) / free - std::max(shared, 0.0), 0.0);
     const double noiseB = std::max(dotOf(ofB, ofB) / free - std::max(shared, 0.0), 0.0);
     ripple.least = std::pow(noiseA * noiseB / free, 0.25) / ripple.mean;

@@ -1,4 +1,4 @@
-// How far the luminance of a surface that should be smooth is not.
+// How far the luminance of a smooth surface is from smooth in a picture.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,15 @@ struct LuminancePicture {
 };
 
 struct Ripple {
-    double relative = 0.0;  // root mean square of what is not smooth, over the mean
-    double least = 0.0;     // what chance alone makes of it: less cannot be told from none
+    double relative = 0.0;  // root mean square of the deviation from smooth, over the mean
+    double least = 0.0;     // the value that noise alone causes: below it, ripple cannot be detected
     double mean = 0.0;
 };
 
-// Of the pixels that `counts` says, at least 64 of them. Smooth is the polynomial of sixth degree of the
-// place that fits best; what is left is compared between two pictures of other random numbers, so that noise,
-// which they do not share, is no ripple. Pictures without chance may be the same one twice.
+// Over the pixels whose `counts` is not 0, at least 64 of them. Smooth means the best-fitting polynomial of
+// sixth degree in the pixel coordinates. The remainders of two pictures with different seeds are multiplied,
+// because noise is independent in them, so that it does not count as ripple. Pictures without noise may be
+// the same one twice.
 Ripple rippleOf(const LuminancePicture& a, const LuminancePicture& b, std::span<const std::uint8_t> counts);
 
 }  // namespace macula::evaluate

@@ -27,7 +27,7 @@ bool areSame(const std::vector<T>& a, const std::vector<T>& b) {
     return std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b)));
 }
 
-// To the bit.
+// Bit for bit.
 bool areSame(const splat::Splats& a, const splat::Splats& b) {
     return a.originMm == b.originMm && a.axes == b.axes && a.colourSpace == b.colourSpace &&
            a.lowPass == b.lowPass && a.shDegree == b.shDegree && areSame(a.position, b.position) &&
@@ -35,7 +35,7 @@ bool areSame(const splat::Splats& a, const splat::Splats& b) {
            areSame(a.opacityLogit, b.opacityLogit) && areSame(a.dc, b.dc) && areSame(a.sh, b.sh);
 }
 
-// When the model was drawn for the first time, and when it could go on learning.
+// When the model was first drawn, and when it could continue to learn.
 struct Moments {
     std::optional<Clock::time_point> drawn;
     std::optional<Clock::time_point> learning;

@@ -1,4 +1,4 @@
-// What it takes to go on with a peripheral model that an earlier run of the program has kept.
+// Measures how long it takes to continue with a peripheral model from an earlier run of the program.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +12,35 @@
 
 namespace macula::evaluate {
 
-// Each by itself; medians but for the first.
+// Times of the separate steps; medians, except openStoreMs.
 struct ReadingTimes {
     double openStoreMs = 0.0;
     double digestMs = 0.0;    // of the volume
     double drawableMs = 0.0;  // readDrawable
-    double blobMs = 0.0;      // all of the blob read and checked
-    double unpackMs = 0.0;    // readPeripheral of that
+    double blobMs = 0.0;      // the whole blob, read and checked
+    double unpackMs = 0.0;    // readPeripheral of that blob
     std::uint64_t blobBytes = 0;
 };
 
-// As a keeper does it.
+// Does these steps as a StudyKeeper does.
 Result<ReadingTimes> measureReading(const StoredScene& scene);
 
-// Times are since the keeper was told to look. What is found is asked for every 2 ms.
+// Times are since the keeper began to look. The store is polled every 2 ms.
 struct Reopening {
-    // The keeper has opened the store and made the digest before, as while a window loads the study.
+    // The keeper opened the store and made the digest before, as while a window loads the study.
     bool isKeeperReady = false;
-    double drawableMs = 0.0;      // it has found splats to be drawn
-    double firstPictureMs = 0.0;  // they are drawn
-    double wholeMs = 0.0;         // it has found the state
-    double learningMs = 0.0;      // the model goes on with it
+    double drawableMs = 0.0;      // the keeper has found drawable splats
+    double firstPictureMs = 0.0;  // the splats are drawn
+    double wholeMs = 0.0;         // the keeper has read the state
+    double learningMs = 0.0;      // the model continues with that state
     std::uint64_t steps = 0;
-    // PeripheralReport::error and shownError.
+    // PeripheralReport::error and PeripheralReport::shownError.
     std::optional<double> trainedError;
     std::optional<double> shownError;
-    bool isSame = false;  // what is shown is `before`, to the bit
+    bool isSame = false;  // the shown splats are `before`, bit for bit
 };
 
-// With a keeper and a model of its own, on the device that has the volume.
+// Makes a new keeper and a new model, on the device that has the volume.
 Result<Reopening> measureReopening(StoredScene& scene, bool isKeeperReady, const Camera& camera,
                                    const splat::Splats& before);
 

@@ -1,4 +1,4 @@
-// What it costs to keep a model between runs, as JSON.
+// The cost of keeping a model between runs, as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,10 +7,10 @@
 
 namespace macula::evaluate {
 
-// All that was found. What there was none of is null; `store` is there only where it was measured.
+// All results; null for those that do not exist. `store` is present only if it was measured.
 nlohmann::ordered_json toJson(const StoreRoundTrip& measured);
 
-// Begins as `describe` of the study; no patient data.
+// Begins with `describe` of the study; contains no patient data.
 nlohmann::ordered_json reportOf(const BenchStudy& study, const StoreRoundTripOptions& options,
                                 const StoreRoundTrip& measured);
 

@@ -20,7 +20,7 @@ double halfTangent(double fieldDeg) {
 struct Neighbours {
     int low = 0;
     int high = 0;
-    float share = 0.0f;  // of the high one
+    float share = 0.0f;  // weight of `high`
 };
 
 Neighbours neighboursOf(int pixel, int count, int from) {

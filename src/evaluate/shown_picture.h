@@ -1,4 +1,4 @@
-// Frames as they are shown, on the host: for comparing, in whole and in the middle, where the eye looks.
+// Displayed frames on the host, for comparisons as a whole and in the middle, where the eye looks.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,20 @@ namespace macula::evaluate {
 // The colours of RGBA8 over black; row 0 on top.
 image::Image imageOf(std::span<const std::uint8_t> rgba, const glm::ivec2& sizePx);
 
-// The luminance (Rec. 709) of each pixel in linear light, row 0 on top; of three channels, display-encoded.
+// The luminance (Rec. 709) of each pixel in linear light, row 0 on top. `shown` must have three channels and
+// be display-encoded.
 std::vector<double> luminancesOf(const image::Image& shown);
 
-// As a file; of three channels, display-encoded.
+// Writes a picture with three channels, display-encoded.
 Result<void> writePng(const std::filesystem::path& path, const image::Image& picture);
 
-// What the fovea weighs in each pixel of a frame; nothing where it has none. Waits.
+// The weight of the fovea in each pixel of a frame; empty without a fovea. Waits for the device.
 Result<std::vector<float>> foveaWeightsOf(const hybrid::Frame& frame, const glm::ivec2& sizePx);
 
-// The picture at another size: bilinear between the centres of its pixels, its border beyond them.
+// The picture at another size: bilinear between pixel centres, with the border repeated beyond them.
 image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx);
 
-// The side of a picture of that field with as many pixels per degree as the frame has in its middle.
+// The side of a picture of the field `fieldDeg`, with as many pixels per degree as the middle of the frame.
 int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg, double fieldDeg = trace::kFovealFieldDeg);
 
 }  // namespace macula::evaluate

@@ -14,7 +14,7 @@ namespace macula::evaluate {
 namespace {
 
 constexpr double kTenth = 0.1;
-constexpr double kStep = 1.01 / 255.0;  // rounding makes no two
+constexpr double kStep = 1.01 / 255.0;  // a little more than one step, against rounding
 constexpr int kAround = 2;              // pixels to each side
 
 bool isAStepAbove(double high, double low) {

@@ -1,4 +1,4 @@
-// How many pixels of a denoised picture of few samples stand out of what the picture converges to.
+// Counts the pixels of a denoised picture with few samples that stand out from the converged picture.
 #pragma once
 
 #include <cstddef>
@@ -14,22 +14,22 @@
 
 namespace macula::evaluate {
 
-// A pixel is a bright speck where its luminance is more than a tenth above the largest of the converged 5 x 5
-// pixels around it, and a dark one where it is more than a tenth below their smallest. Luminance is Rec. 709
-// of linear light; a difference of less than a step of 8 bits, display-encoded, is none.
+// A pixel is a bright speck if its luminance is more than a tenth above the largest of the converged 5 x 5
+// pixels around it, and a dark one if it is more than a tenth below their smallest. Luminance is Rec. 709 in
+// linear light; differences of less than one 8-bit step, display-encoded, do not count.
 struct Specks {
     std::size_t bright = 0;
     std::size_t dark = 0;
-    std::size_t pixels = 0;   // where the converged picture shows any light, or this one does
-    double worst = 0.0;       // how many times as bright as that largest one; 0 without a bright speck
-    double lightRatio = 1.0;  // the sum of luminance over that of the converged picture
+    std::size_t pixels = 0;   // those with light in either picture
+    double worst = 0.0;       // largest ratio to that largest pixel; 0 without a bright speck
+    double lightRatio = 1.0;  // sum of luminance, over that of the converged picture
 };
-// Both display-encoded over black, of three channels and the same size.
+// Both must be display-encoded over black, with three channels and the same size.
 Specks specksOf(const image::Image& shown, const image::Image& converged);
 
 struct SpecksOptions {
     std::vector<std::uint32_t> samples{1, 2, 4, 16, 64, 256};  // ascending
-    std::uint32_t convergedSamples = 1024;                     // not denoised, of another seed
+    std::uint32_t convergedSamples = 1024;                     // not denoised, with another seed
     trace::Filter filter = trace::Filter::trilinear;
     int bounces = trace::kDefaultBounces;
 };
@@ -42,10 +42,10 @@ struct SpecksRow {
 
 struct SpecksReport {
     std::vector<SpecksRow> rows;
-    double convergedFlip = 0.0;  // of half of its samples to all of them: what chance leaves
+    double convergedFlip = 0.0;  // remaining noise: of half of its samples to all
 };
 
-// usage: samples that do not ascend from 1 on, or not below those of the converged picture.
+// Fails with usage if samples do not ascend from at least 1, or are not below those of the converged picture.
 Result<void> check(const BenchStudyOptions& study, const SpecksOptions& options);
 Result<SpecksReport> measureSpecks(const BenchStudy& study, const SpecksOptions& options, Progress& progress);
 nlohmann::ordered_json reportOf(const BenchStudy& study, const SpecksOptions& options,

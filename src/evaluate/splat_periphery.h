@@ -9,9 +9,9 @@
 
 namespace macula::evaluate {
 
-// Draws the splats as each eye sees them, but for the eye `shownTo` as `now` sees them. Where those two
-// differ it tells no depths, because the depths of `now` say nothing there. `painter`, whose model has the
-// origin `originMm`, must outlive it.
+// Draws the splats as each eye sees them, except for the eye `shownTo`, which gets the picture of `now`. If
+// these two differ, the result has no depths, because those of `now` would be wrong for `shownTo`. `painter`,
+// whose model has the origin `originMm`, must outlive the result.
 hybrid::Periphery peripheryFor(splat::ModelPainter& painter, const glm::dvec3& originMm,
                                const Camera& shownTo, const Camera& now);
 

@@ -40,7 +40,7 @@ session::OpenedVolume openedVolume(const StoreBenchmarkOptions& options, int ser
             .readableSeries = {}};
 }
 
-// Volumes that have models lie all over the store.
+// Spreads the volumes that have models over the whole store.
 session::ModelKey keyOf(const StoreBenchmarkOptions& options, int model) {
     const std::int64_t volumes = std::int64_t(options.studies) * options.seriesPerStudy;
     const std::int64_t withModels = (options.models + 1) / 2;
@@ -76,7 +76,7 @@ Result<void> fill(const fs::path& folder, const StoreBenchmarkOptions& options, 
     return {};
 }
 
-// Nothing where there is no room.
+// Nothing if there is no room.
 std::optional<Draft> folderInMemory(const StoreBenchmarkOptions& options) {
     constexpr std::uintmax_t kForRows = std::uintmax_t(1) << 28;
     const std::uintmax_t needed =
@@ -91,7 +91,7 @@ std::optional<Draft> folderInMemory(const StoreBenchmarkOptions& options) {
     return std::optional<Draft>(std::move(*draft));
 }
 
-// Tens of thousands of calls that each wait for the disk would take half an hour.
+// Fills the store in memory if possible: tens of thousands of calls that wait for the disk take half an hour.
 Result<void> make(const fs::path& folder, const StoreBenchmarkOptions& options, Progress& progress,
                   StoreBenchmark& measured) {
     const auto start = std::chrono::steady_clock::now();
@@ -104,7 +104,7 @@ Result<void> make(const fs::path& folder, const StoreBenchmarkOptions& options, 
         if (error)
             return Error{ErrorCode::outputNotWritable, Text("The store that was made could not be copied."),
                          folder.string(), Text("Check free space and permissions.")};
-        sync();  // or the first call that waits for the disk would wait for all of this
+        sync();  // otherwise the first measured call that syncs would wait for all of this
     }
     measured.makeSeconds = secondsSince(start);
     measured.wasMadeInMemory = memory.has_value();
@@ -128,7 +128,7 @@ Result<void> measureListing(Store& store, int repetitions, StoreBenchmark& measu
     return {};
 }
 
-// Another one each time.
+// Each turn uses another model.
 Result<void> measureModels(Store& store, const StoreBenchmarkOptions& options, StoreBenchmark& measured) {
     int turn = 0;
     std::optional<session::ModelInfo> info;

@@ -37,7 +37,7 @@ Result<void> checkFolder(const fs::path& folder) {
 }
 
 struct Workplace {
-    std::optional<Draft> draft;  // goes with all that is in it
+    std::optional<Draft> draft;  // removes itself with its contents
     fs::path folder;             // of the store
 };
 
@@ -58,7 +58,7 @@ Result<Workplace> makeWorkplace(const fs::path& wanted) {
     return Workplace{.draft = std::move(draft), .folder = std::move(folder)};
 }
 
-// A model from its beginning to when it is put away.
+// The first run of a model: learns, saves and puts it away.
 class FirstRun {
   public:
     FirstRun(StoredScene& scene, const StoreRoundTripOptions& options, const std::vector<Camera>& cameras)
@@ -193,7 +193,7 @@ class FirstRun {
     const std::vector<Camera>& cameras_;
     Progress& progress_;
     double seconds_ = 0.0;
-    // The model has the store, and that the keeper.
+    // In this order, because the model uses the store, which uses the keeper.
     std::unique_ptr<live::StudyKeeper> keeper_;
     std::shared_ptr<WatchedStore> store_;
     std::optional<hybrid::LiveModel> model_;

@@ -1,9 +1,9 @@
-// What it costs to keep a peripheral model between runs of the program: a model learns, is saved while frames
-// are drawn, is put away, and is gone on with, on a device that has the volume all the time.
+// The cost of keeping a peripheral model between runs of the program: a model learns, is saved while frames
+// are drawn, is put away, and is resumed, on a device that has the volume all the time.
 //
-// Targets: the first picture of the model 300 ms after the volume is on the device, for which its splats are
-// there in 30 ms; no frame later by more than 5 ms for saving; in a store of 10 000 studies and 2 000 models
-// 50 ms to list studies, and 30 ms to find and read a model.
+// Targets: the first picture of the model 300 ms after the volume is on the device, with splats found within
+// 30 ms; no frame more than 5 ms slower because of saving; in a store of 10 000 studies and 2 000 models, 50
+// ms to list studies, and 30 ms to find and read a model.
 #pragma once
 
 #include <cstdint>
@@ -22,33 +22,33 @@
 namespace macula::evaluate {
 
 struct StoreRoundTripOptions {
-    double learnS = 20.0;  // at least until the model can be drawn
-    int frames = 50;       // of a block, one turn around the patient
-    int blocks = 4;        // with saving; as many without take turns with them
-    // New or empty, and then it stays. None: a temporary one.
+    double learnS = 20.0;  // or longer, until the model can be drawn
+    int frames = 50;       // in a block: one turn around the patient
+    int blocks = 4;        // with saving, in alternation with as many without
+    // A new or empty folder, which stays. Empty path: a temporary folder.
     std::filesystem::path folder;
-    bool large = false;  // measureStore too
+    bool large = false;  // also calls measureStore
 };
 
 struct LearntModel {
     double seconds = 0.0;
     std::string_view stage;  // nameOf
     std::uint64_t steps = 0;
-    std::size_t splats = 0;  // that are shown
+    std::size_t splats = 0;  // those shown
     std::size_t views = 0;
     std::size_t heldOut = 0;
-    std::optional<double> trainedError;  // as of Reopening
+    std::optional<double> trainedError;  // as in Reopening
     std::optional<double> shownError;
 };
 
 struct SavingTimes {
-    FrameTimes without;  // of blocks without saving
-    FrameTimes beside;   // that began while a save was asked for, which is part of them, or under way
-    std::size_t framesBetween = 0;  // of blocks with saving, after one was done
-    std::vector<double> callsMs;    // to ask for a save, of the thread that draws
-    double firstMs = 0.0;           // until the store has it; nothing was packed before
-    double laterMs = 0.0;           // likewise, of a model whose pictures are packed; a median
-    std::uint64_t firstBytes = 0;   // of the blob
+    FrameTimes without;             // frames of blocks without saving
+    FrameTimes beside;              // frames that asked for a save, or were drawn during one
+    std::size_t framesBetween = 0;  // frames of blocks with saving, drawn between saves
+    std::vector<double> callsMs;    // to ask for a save, in the thread that draws
+    double firstMs = 0.0;           // of the first save, when no picture is packed yet
+    double laterMs = 0.0;           // of later saves, with packed pictures; median
+    std::uint64_t firstBytes = 0;   // size of the blob
     std::uint64_t laterBytes = 0;
 
     double slowerMs(double fraction) const {
@@ -57,12 +57,12 @@ struct SavingTimes {
 };
 
 struct ClosingTimes {
-    double hideMs = 0.0;   // of the thread that draws
-    double savedMs = 0.0;  // until the keeper has ended; from the same start
+    double hideMs = 0.0;   // in the thread that draws
+    double savedMs = 0.0;  // until the keeper has ended, from the same start
 };
 
 struct StoreRoundTrip {
-    LearntModel learnt;  // as it was put away
+    LearntModel learnt;  // as it was when put away
     SavingTimes saving;
     ClosingTimes closing;
     ReadingTimes reading;
@@ -70,12 +70,12 @@ struct StoreRoundTrip {
     std::optional<StoreBenchmark> store;
 };
 
-// What can be known to be wrong before anything takes time: usage for lights that are not built in or hang on
-// the camera; outputNotWritable for a folder that holds anything.
+// Finds errors before any measurement. Fails with usage for lights that are not built in or follow the
+// camera, and with outputNotWritable for a folder that is not empty.
 Result<void> check(const BenchStudyOptions& study, const StoreRoundTripOptions& options);
 
-// inputNotUsable when nothing can be seen; outOfMemory when the device has no room for a model; `cancelled`;
-// and what the keeper has to tell, the first of it.
+// Fails with inputNotUsable if nothing can be seen; with outOfMemory if the device has no room for a model;
+// with `cancelled`; and with the first error of a keeper.
 Result<StoreRoundTrip> measureSession(const BenchStudy& study, const StoreRoundTripOptions& options,
                                       Progress& progress);
 

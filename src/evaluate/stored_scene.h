@@ -1,4 +1,4 @@
-// The scene whose model is kept while that is measured: keepers and live models of it.
+// The scene of the measurement of stored models, with its keepers and live models.
 #pragma once
 
 #include <chrono>
@@ -23,24 +23,24 @@
 
 namespace macula::evaluate {
 
-// Between a live model and its keeper: notes when what was found, and hands states over only when it is told
-// to, so that nothing is saved while nobody measures it. Of the thread that draws.
+// Stands between a live model and its keeper: notes when the keeper found what, and passes states on only in
+// handOver(), so that no save happens unmeasured. Used by the thread that draws.
 class WatchedStore final : public hybrid::ModelStore {
   public:
     using Time = std::chrono::steady_clock::time_point;
     using Answer = hybrid::StoredModel::Answer;
 
-    // The keeper must outlive this.
+    // The keeper must outlive this object.
     explicit WatchedStore(live::StudyKeeper& keeper) : keeper_(keeper) {}
 
     hybrid::StoredModel find(const std::string& key) override;
     void keep(std::shared_ptr<const hybrid::PeripheralState> state) override;
 
-    // The newest state; also one that was handed over before, which is written anew all the same.
+    // Passes the newest state to the keeper, even if it has it already: it is then written again.
     void handOver();
 
     Answer last() const { return last_; }
-    // The first time that there was anything to be drawn, and all of it.
+    // When there was first something drawable, and when the whole state.
     std::optional<Time> drawableAt() const { return drawableAt_; }
     std::optional<Time> wholeAt() const { return wholeAt_; }
 
@@ -56,9 +56,9 @@ class WatchedStore final : public hybrid::ModelStore {
 class StoredScene {
   public:
     static constexpr const char* kName = "measured";
-    static constexpr std::chrono::minutes kPatience{10};  // a slow disk is measured, not given up
+    static constexpr std::chrono::minutes kPatience{10};  // to measure even a slow disk
 
-    // `folder` is that of the store. Keeps references.
+    // `folder` is that of the store. Keeps references to `study` and `progress`.
     StoredScene(const BenchStudy& study, scene::Drawing drawing, live::SceneOnDevice scene,
                 std::filesystem::path folder, Progress& progress);
 
@@ -66,18 +66,18 @@ class StoredScene {
     Progress& progress() { return progress_; }
 
     std::unique_ptr<live::StudyKeeper> makeKeeper();
-    // Fails with the first thing that keepers had to tell.
+    // Fails with the first error of a keeper.
     Result<void> checkKeepers() const;
     void look(live::StudyKeeper& keeper) const;
 
-    // With a shelf of its own, on which there is nothing.
+    // Makes a model with an empty shelf of its own.
     Result<hybrid::LiveModel> makeModel(std::shared_ptr<WatchedStore> store) const;
     Result<void> show(hybrid::LiveModel& model) const;
-    Result<void> work(hybrid::LiveModel& model) const;  // a slice; `cancelled`
-    // Of the size of the study's view; waits until the device has drawn it.
+    Result<void> work(hybrid::LiveModel& model) const;  // a slice; fails with `cancelled`
+    // Draws in the size of the study's view, and waits until the device has finished.
     Result<void> draw(hybrid::LiveModel& model, const Camera& camera) const;
 
-    // One turn around the patient, whatever is seen as large as it fits.
+    // Cameras of one turn around the patient, with the visible matter as large as it fits.
     Result<std::vector<Camera>> turn(int cameras) const;
 
     Result<session::Store> openStore() const;
@@ -89,10 +89,10 @@ class StoredScene {
     const std::filesystem::path folder_;
     Progress& progress_;
     mutable std::mutex mutex_;
-    std::optional<Error> told_;  // the first
+    std::optional<Error> told_;  // the first error
 };
 
-// The one model that the store has; fails with nothingStored.
+// The only model of the store; fails with nothingStored if there is none.
 Result<session::ModelInfo> storedModel(session::Store& store);
 Error nothingStored();
 

@@ -14,7 +14,7 @@ namespace macula::evaluate {
 
 namespace {
 
-// One that is typed as nothing stands for none.
+// An empty list becomes one empty value, which stands for the default.
 template <class T>
 std::vector<T> orOne(std::vector<T> values) {
     if (values.empty()) values.emplace_back();
@@ -73,7 +73,7 @@ Result<void> evaluateStudies(const StudyEvaluationOptions& options, gpu::Lasting
         for (const std::string& typed : orOne(options.presets)) {
             MACULA_TRY(scene::StudyPreset preset, scene::choosePresetFor(study.input, typed, options.fit));
             listener.noted(study.input.notes, study.input.warnings);
-            study.input.notes.clear();  // were told, once
+            study.input.notes.clear();  // reported only once
             const live::StudyScene scene{.volume = study.input.volume,
                                          .function = std::move(preset.function),
                                          .clip = study.shown.clip,

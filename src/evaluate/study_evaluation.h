@@ -1,4 +1,4 @@
-// Studies, each with one or several presets, and how good their peripheral models are.
+// Evaluates the peripheral models of studies, each with one or several presets.
 #pragma once
 
 #include <filesystem>
@@ -16,34 +16,34 @@
 namespace macula::evaluate {
 
 struct StudyEvaluationOptions {
-    std::vector<std::filesystem::path> paths;  // as study::loadStudy; none is the phantom
-    std::vector<std::string> series;           // for each path, or none
+    std::vector<std::filesystem::path> paths;  // for study::loadStudy; empty: the phantom
+    std::vector<std::string> series;           // one for each path, or empty
     dicom::ScanOptions how;
-    std::vector<std::string> presets;  // each for each path; none is the one that suits
+    std::vector<std::string> presets;  // all for each path; empty: the one that suits
     bool fit = false;
     std::string clip;  // empty: none
     bool removeTable = false;
-    std::string lights;  // of the patient
+    std::string lights;  // fixed to the patient
     EvaluationOptions evaluation;
 
-    std::size_t scenes() const;  // each path with each preset
+    std::size_t scenes() const;  // number of pairs of path and preset
 };
 
-// All that can be known to be wrong before anything takes time. Fails as scene::presetToDraw,
-// scene::choosePatientLights and scene::chooseClip, and with usage for series that are not one for each path
-// and samples that cannot be halved.
+// Finds errors before any measurement. Fails as scene::presetToDraw, scene::choosePatientLights and
+// scene::chooseClip do, and with usage if there is not one series for each path, or samples are odd.
 Result<void> check(const StudyEvaluationOptions& options);
 
-// What is told on the way.
+// Receives news during an evaluation.
 struct EvaluationListener {
-    // Sentences, some of them warnings.
+    // Called with sentences about a study; warnings separately.
     std::function<void(const std::vector<Text>& notes, const std::vector<Text>& warnings)> noted;
-    // Of the scene of that number, from 0; its pictures are dropped afterwards. What fails there ends it.
+    // Called after each scene, numbered from 0; its pictures are dropped afterwards. An error ends the
+    // evaluation.
     std::function<Result<void>(std::size_t scene, const SceneEvaluation& evaluation)> evaluated;
 };
 
-// Adds each scene to the report as soon as it is finished, so that what fails after hours takes nothing along
-// of what was finished before. Fails as study::loadStudy, scene::shownClip and evaluateModel.
+// Adds each scene to the report as soon as it is finished, so that a failure after hours does not lose
+// earlier scenes. Fails as study::loadStudy, scene::shownClip and evaluateModel do.
 Result<void> evaluateStudies(const StudyEvaluationOptions& options, gpu::LastingDevice& device,
                              const EvaluationListener& listener, Progress& progress,
                              EvaluationReport& report);

@@ -1,5 +1,4 @@
-// Measures how fast a step of training is (training_benchmark.h) on a model and a view of a study that a
-// person opens.
+// Measures how fast a step of training is (training_benchmark.h), with a model and a view of a real study.
 #pragma once
 
 #include <cstdint>
@@ -17,20 +16,20 @@
 namespace macula::evaluate {
 
 struct StudyTrainingOptions {
-    std::uint32_t splats = 10000;                         // points on what can be seen; may become fewer
-    int shDegree = hybrid::FirstModelOptions{}.shDegree;  // as models are trained
-    int repetitions = 5;                                  // medians are told
+    std::uint32_t splats = 10000;                         // points on visible matter; there may be fewer
+    int shDegree = hybrid::FirstModelOptions{}.shDegree;  // as for first models
+    int repetitions = 5;                                  // the report has medians
 };
 
 struct SizedTrainingBenchmark {
-    glm::ivec2 sizePx{0};  // of the picture that is learnt from
+    glm::ivec2 sizePx{0};  // of the training view
     TrainingBenchmark training;
 };
 
-// From a volume that is on the device, with kernels compiled.
+// Times from a volume that is on the device, with compiled kernels.
 struct BeginningBenchmark {
     double firstSplatsMs = 0.0;
-    double firstPictureMs = 0.0;  // of these, from the start
+    double firstPictureMs = 0.0;  // of these splats, from the start
     double tracedViewMs = 0.0;
 };
 
@@ -42,18 +41,18 @@ struct StudyTrainingReport {
 
 class StudyTrainingBench {
   public:
-    // What `macula train` gives its views.
+    // As in `macula train`.
     static constexpr std::uint32_t kSamplesPerPixel = 2;
 
-    // Finds the model. inputNotUsable when nothing of the series can be seen. `study` and `progress` must
-    // live as long.
+    // Makes the model. Fails with inputNotUsable if nothing of the series can be seen. `study` and `progress`
+    // must outlive this object.
     static Result<StudyTrainingBench> create(const BenchStudy& study, const StudyTrainingOptions& options,
                                              Progress& progress);
 
     std::size_t splats() const { return model_.size(); }
-    // Of the view of the study. Fails as benchmarkTraining and hybrid::traceViews.
+    // Measures with the view of the study. Fails as benchmarkTraining and hybrid::traceViews do.
     Result<SizedTrainingBenchmark> measure(const glm::ivec2& sizePx);
-    // Of a picture of that size.
+    // Measures with pictures of that size.
     Result<BeginningBenchmark> measureBeginning(const glm::ivec2& sizePx);
 
   private:

@@ -17,7 +17,7 @@ constexpr double kLeft = 70.0;
 constexpr double kRight = 220.0;  // for the names
 constexpr double kTop = 40.0;
 constexpr double kBottom = 50.0;
-// Told apart by people who see fewer colours, too (Okabe and Ito 2008).
+// Distinguishable with colour blindness, too (Okabe and Ito 2008).
 constexpr std::array kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                               "#E69F00", "#56B4E9", "#000000", "#999999"};
 
@@ -41,7 +41,7 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
-// From values to a place between 0 and 1, with round numbers to label.
+// Maps values to places between 0 and 1, and finds round numbers for labels.
 class Axis {
   public:
     Axis(bool logarithmic, double low, double high) : logarithmic_(logarithmic) {

@@ -1,4 +1,4 @@
-// A plot of curves as SVG: what a benchmark shows a person.
+// Plots of curves as SVG, for reports of benchmarks.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace macula::evaluate {
 
 struct Curve {
     std::string name;
-    std::vector<double> x;  // as many as y; for a logarithmic axis above 0
+    std::vector<double> x;  // as many as y; above 0 for a logarithmic axis
     std::vector<double> y;
     bool dashed = false;
 };
@@ -19,10 +19,10 @@ struct Plot {
     std::string yTitle;
     bool logarithmicX = false;
     bool logarithmicY = false;
-    std::vector<Curve> curves;  // points that are not finite are left out
+    std::vector<Curve> curves;  // plots skip points that are not finite
 };
 
-// One below the other.
+// Draws plots one below the other.
 std::string toSvg(const std::vector<Plot>& plots);
 
 }  // namespace macula::evaluate

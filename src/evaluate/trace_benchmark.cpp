@@ -8,7 +8,7 @@ namespace macula::evaluate {
 
 namespace {
 
-// Those that take turns at one picture, with one filter.
+// The contenders on the device, for one picture and one filter.
 class Turns {
   public:
     static Result<Turns> begin(const BenchStudy& study, const TraceBenchmarkOptions& options,
@@ -33,7 +33,7 @@ class Turns {
     }
 
     Result<Spent> trace() {
-        MACULA_TRY_VOID(tracer_.setSettings(settings_));  // from the first sample again
+        MACULA_TRY_VOID(tracer_.setSettings(settings_));  // restarts from the first sample
         return timed([&]() -> Result<void> {
             MACULA_TRY([[maybe_unused]] const bool all, tracer_.trace(samples_));
             return {};

@@ -62,8 +62,8 @@ class Bench {
                                        .filter = filter,
                                        .exposure = options_.exposure,
                                        .denoising = denoising};
-        // A tracer of its own for each run: what one has seen of the view must not help the next. The first
-        // picture makes the kernels, which happens once in the life of a program, and is then forgotten.
+        // A new tracer for each run, so that no samples of an earlier run are reused. A first picture
+        // compiles kernels, which a program does only once, and is then discarded.
         MACULA_TRY(trace::PathTracer tracer, study_.makeTracer());
         MACULA_TRY_VOID(tracer.setSettings(settings));
         MACULA_TRY([[maybe_unused]] const bool warm, tracer.trace(1));
@@ -107,7 +107,7 @@ Result<Tradeoff> measureTradeoff(const BenchStudy& study, const TradeoffOptions&
                                  Progress& progress) {
     const Bench bench(study, options);
     Tradeoff result;
-    image::Mask mask;  // background is right in every picture, and would flatter them all
+    image::Mask mask;  // background is right in every picture, and would raise every PSNR
     progress.beginStage(Text("Tracing the converged picture"), options.convergedSamples);
     MACULA_TRY_VOID(bench.converge(result, mask, progress));
     progress.beginStage(Text("Measuring"), 4 * options.bounces.size() * options.samples.size());

@@ -1,5 +1,5 @@
-// What speed costs in accuracy: the error of a traced picture against a converged one, and the time it took,
-// over the settings that trade one for the other.
+// Speed against accuracy: the error of a traced picture to a converged one, and its time, over the settings
+// that trade one for the other.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct TradeoffOptions {
     double exposure = 1.0;
     std::vector<std::uint32_t> samples{1, 2, 4, 8, 16, 32};  // ascending
     std::vector<int> bounces{2, 4, 8, 16, 32};
-    // Of the picture that counts as the truth: trilinear, not denoised.
+    // Of the converged picture, which is trilinear and not denoised.
     std::uint32_t convergedSamples = 1024;
     int convergedBounces = 64;
 };
@@ -29,7 +29,8 @@ struct TradeoffPoint {
     std::uint32_t samples = 1;
     double traceMs = 0.0;    // for all samples
     double displayMs = 0.0;  // guides and denoising, if any, and the tone map
-    // Against the converged picture, display-encoded over black. PSNR over the pixels that show matter in it.
+    // Errors to the converged picture, display-encoded over black. PSNR covers pixels with matter in that
+    // picture.
     double psnrDb = 0.0;
     double ssim = 0.0;
     double flip = 0.0;
@@ -42,15 +43,15 @@ struct Tradeoff {
     std::vector<TradeoffPoint> points;
     image::Image converged;
     double convergedMs = 0.0;
-    // What chance leaves in the converged picture: FLIP of its first half of the samples to all of them.
+    // The remaining noise of the converged picture: FLIP of the first half of its samples to all.
     double convergedFlip = 0.0;
-    // Samples the converged picture left out: not a number, or too long for the device.
+    // Samples that the converged picture lost: not finite, or abandoned as too long for the device.
     std::uint64_t convergedLost = 0;
 };
 
 Result<Tradeoff> measureTradeoff(const BenchStudy& study, const TradeoffOptions& options, Progress& progress);
 
-// FLIP and PSNR over time, by filter; a curve for each number of bounces, dashed where denoised.
+// FLIP and PSNR over time, by filter, with a curve for each number of bounces, dashed if denoised.
 std::vector<Plot> plotsOf(const Tradeoff& tradeoff, const TradeoffOptions& options);
 
 }  // namespace macula::evaluate

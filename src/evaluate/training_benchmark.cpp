@@ -15,11 +15,11 @@
 
 namespace macula::evaluate {
 
-using namespace splat;  // what is measured
+using namespace splat;  // the namespace that is measured
 
 namespace {
 
-// Over which both compare.
+// The background over which both compare pictures.
 constexpr glm::vec3 kBackground{0.25f, 0.5f, 0.75f};
 
 struct Turn {
@@ -30,7 +30,7 @@ struct Turn {
 struct Tools {
     SplatBuffer parameters;
     SplatBuffer gradients;
-    SplatBuffer moved;  // by Adam; the model that is drawn stays as it is
+    SplatBuffer moved;  // by Adam; the drawn model does not change
     Rasterizer rasterizer;
     Rasterizer deviceSorted;
     LossTarget target;
@@ -83,7 +83,7 @@ class Bench {
           optimizer_(model.size(), model.shDegree, options.optimizer),
           parameters_(toDouble(componentsOf(model))) {}
 
-    // Times each stage until the device has done it.
+    // Times each stage until the device has finished it.
     Result<Turn> deviceTurn() {
         Turn turn;
         Tools& t = tools_;
@@ -167,7 +167,7 @@ class Bench {
     static std::vector<double> toDouble(const std::vector<float>& values) {
         return {values.begin(), values.end()};
     }
-    // As of Splats, in double.
+    // As componentsOf(Splats), in double.
     static std::vector<double> componentsOf(const ReferenceSplats& splats) {
         const std::size_t count = splats.size();
         std::vector<double> values(count * static_cast<std::size_t>(componentCount(splats.shDegree)));
@@ -196,7 +196,7 @@ class Bench {
     Blending blending_;
     Tools tools_;
     std::vector<glm::dvec4> target_;
-    std::uint64_t pairs_ = 0;  // of splats and tiles, of the last turn
+    std::uint64_t pairs_ = 0;  // pairs of splat and tile in the last turn
     ReferenceOptimizer optimizer_;
     std::vector<double> parameters_;
 };

@@ -26,7 +26,7 @@ std::optional<double> usableDb(std::optional<double> db) {
     return db && *db <= kMostDb ? db : std::nullopt;
 }
 
-// Linear premultiplied RGBA as it is displayed: three channels, not rounded.
+// Linear premultiplied RGBA as displayed: three channels, not rounded.
 image::Image exactImage(const glm::ivec2& sizePx, std::span<const glm::vec4> rgba) {
     image::Image image{.width = sizePx.x,
                        .height = sizePx.y,

@@ -1,4 +1,4 @@
-// Where frames are measured from: all that can be seen, from the front, the left, and above.
+// The viewpoints of measured frames: all visible matter from the front, the left, and above.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace macula::evaluate {
 
 struct Viewpoint {
     ViewDirection from;
-    std::string_view name;  // as in reports
+    std::string_view name;  // in reports
 };
 inline constexpr std::array kViewpoints{Viewpoint{ViewDirection::anterior, "anterior"},
                                         Viewpoint{ViewDirection::left, "left"},

@@ -1,4 +1,4 @@
-// VTK's ray casting on the CPU (vtkFixedPointVolumeRayCastMapper), beside which ours is measured.
+// VTK's ray casting on the CPU (vtkFixedPointVolumeRayCastMapper), for comparison with Macula's.
 #pragma once
 
 #include <functional>
@@ -14,28 +14,28 @@ namespace macula::evaluate {
 
 struct VtkCastRequest {
     const Volume* volume = nullptr;
-    TransferFunction function;  // fitted to it
+    TransferFunction function;  // fitted to `volume`
     trace::View view;
-    trace::Look look = trace::Look::dvr;  // one that is cast; a mean is VTK's sum of values
+    trace::Look look = trace::Look::dvr;  // a ray-cast look; VTK sums values for a mean
     bool shading = false;
-    DisplayWindow window;  // of projections
+    DisplayWindow window;  // for projections
     int turns = 5;
     std::size_t threads = 2;
 };
 
 struct VtkCast {
-    double firstSeconds = 0.0;    // with what VTK prepares once: gradients, its tree of values
-    std::vector<double> seconds;  // of each further picture
+    double firstSeconds = 0.0;    // with one-time preparation: gradients, tree of values
+    std::vector<double> seconds;  // of each later picture
     double stepMm = 0.0;          // VTK's own choice: half of the mean spacing
     image::Image picture;         // display-encoded RGB, over black
     double fineSeconds = 0.0;     // in steps of a third
     image::Image fine;
-    image::Image converged;  // nine rays to a pixel, in steps of a third
+    image::Image converged;  // nine rays per pixel, in steps of a third
 };
 
-// After each further picture `afterTurn` is called, so that contenders take turns. In a plug-in that is built
-// where VTK is installed. Fails with inputNotUsable when the grid is no box of right angles; with
-// deviceNotUsable when there is no plug-in, or no display, which VTK needs.
+// Calls `afterTurn` after each later picture, so that contenders alternate. Runs in a plug-in that is built
+// if VTK is installed. Fails with inputNotUsable if the axes of the grid are not at right angles; with
+// deviceNotUsable without the plug-in, or without a display, which VTK needs.
 Result<VtkCast> castWithVtk(const VtkCastRequest& options, const std::function<void()>& afterTurn);
 
 }  // namespace macula::evaluate

@@ -27,10 +27,10 @@ namespace {
 
 using trace::Look;
 
-// How far rays and steps are refined for the picture that counts as true.
+// The refinement of rays and steps for the converged picture.
 constexpr int kFiner = 3;
 
-// Whole values as VTK's fastest type for them, others as float.
+// Stores integers in VTK's fastest type for them, other values as float.
 vtkNew<vtkImageData> imageOf(const Volume& volume) {
     const glm::ivec3 size = volume.size();
     const ValueRange range = {volume.unitsFromStored()(volume.storedRange().low),
@@ -67,7 +67,7 @@ void setCurves(const VtkCastRequest& options, vtkVolumeProperty& property) {
         const double high = options.window.center + 0.5 * options.window.width;
         colour->AddRGBPoint(low, 0, 0, 0);
         colour->AddRGBPoint(high, 1, 1, 1);
-        // A sum that is full ends early.
+        // A small opacity, because VTK stops a sum that is full.
         const double share = options.look == Look::average ? 1e-3 : 1.0;
         opacity->AddPoint(low, share);
         opacity->AddPoint(high, share);
@@ -96,7 +96,7 @@ void setBlending(Look look, vtkFixedPointVolumeRayCastMapper& mapper) {
     if (look == Look::average) mapper.SetBlendModeToAdditive();
 }
 
-// VTK's CPU mapper takes no oriented grid: the eye goes into the frame of the grid's axes instead.
+// VTK's CPU mapper has no oriented grids, so the eye is transformed into the frame of the grid's axes.
 Result<void> setCamera(const trace::View& view, const Volume& volume, vtkCamera& camera) {
     const glm::dmat4& m = volume.worldFromVoxel();
     const glm::dmat3 axes(glm::normalize(glm::dvec3(m[0])), glm::normalize(glm::dvec3(m[1])),
@@ -118,7 +118,7 @@ Result<void> setCamera(const trace::View& view, const Volume& volume, vtkCamera&
     return {};
 }
 
-// Of a window `finer` times as large, averaged.
+// Reads a window `finer` times as large, and averages its pixels.
 image::Image pictureOf(vtkRenderWindow& window, const trace::View& view, int finer) {
     vtkNew<vtkUnsignedCharArray> bytes;
     const int width = view.width * finer;

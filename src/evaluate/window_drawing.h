@@ -1,4 +1,4 @@
-// What a window would draw of a study that is measured.
+// The drawing with which a window would show a measured study.
 #pragma once
 
 #include <memory>
@@ -11,10 +11,10 @@
 
 namespace macula::evaluate {
 
-// usage for lights that are not built in: a window has no others.
+// Fails with usage for lights that are not built in: a window has no others.
 Result<std::shared_ptr<const trace::LightRig>> builtInLights(const std::string& name);
 
-// Complete, with settings that nobody chose. Fails likewise.
+// A complete drawing with default settings. Fails likewise.
 Result<scene::Drawing> drawingOf(const BenchStudy& study);
 
 }  // namespace macula::evaluate

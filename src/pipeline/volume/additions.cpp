@@ -13,8 +13,8 @@ namespace macula {
 
 namespace {
 
-constexpr double kSlackVoxels = 0.05;  // of the second volume: what rounding may move a point by
-constexpr double kSlackOfWay = 1e-6;   // and in parts of its distance from the corner of it
+constexpr double kSlackVoxels = 0.05;  // voxels of the second volume by which rounding may move a point
+constexpr double kSlackOfWay = 1e-6;   // likewise, relative to its distance from the corner
 
 bool isShare(float x) {
     return x >= 0.0f && x <= 1.0f;
@@ -71,7 +71,7 @@ Result<void> validate(const SegmentTints& tints, const Volume& volume,
     return {};
 }
 
-// The box of a brick in voxels of the second volume, as large as rounding may make it.
+// The box of a brick in voxels of the second volume, enlarged against rounding.
 Box roomInSecond(const glm::dmat4& secondFromVoxel, const glm::ivec3& brick, const glm::ivec3& voxels) {
     const glm::dvec3 first = double(kBrickVoxels) * glm::dvec3(brick) - 1.0;
     const glm::dvec3 low = glm::max(first, glm::dvec3(-0.5));
@@ -121,7 +121,7 @@ std::vector<float> boundsInVolume(const DrawnSecondVolume& second, const SecondM
             if (glm::any(glm::lessThan(room.high, glm::dvec3(-0.5))) ||
                 glm::any(glm::greaterThan(room.low, end)))
                 continue;
-            // Before they become integers: what is far outside has no integer.
+            // Clamps before the conversion: points far outside would overflow an integer.
             const glm::dvec3 within = glm::dvec3(made.grid.size - 1) * double(kBrickVoxels);
             const glm::ivec3 low(
                 glm::floor(glm::clamp(room.low + 1.0, glm::dvec3(0.0), within) / double(kBrickVoxels)));

@@ -22,7 +22,7 @@ std::uint64_t full(std::uint8_t level) {
 void BlockPool::grow(std::uint64_t slots) {
     const std::uint64_t before = slots_.size();
     MACULA_CHECK_LE(before, slots);
-    MACULA_CHECK_LT(slots * kUnitsPerSlot, std::uint64_t{1} << 30);  // what a word of the table can say
+    MACULA_CHECK_LT(slots * kUnitsPerSlot, std::uint64_t{1} << 30);  // limit of a word of the table
     slots_.resize(slots);
     free_.reserve(free_.size() + slots - before);
     free_.insert(free_.begin(), slots - before, 0);

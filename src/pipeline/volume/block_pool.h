@@ -1,5 +1,4 @@
-// The allocator of the pool of voxels. It only keeps account of which part is free; the voxels are on the
-// device.
+// The allocator of the pool of voxels. It only records which parts are free; the voxels are on the device.
 #pragma once
 
 #include <array>
@@ -11,19 +10,20 @@
 
 namespace macula {
 
-// A slab allocator for blocks of voxels: a row of slots, each free or divided into blocks of one level. So
-// the pool is never compacted, and a slot that has become empty takes blocks of any level again.
+// A slab allocator for blocks of voxels: a row of slots, each free or divided into blocks of one level. An
+// empty slot takes blocks of any level again, so the pool never needs compaction.
 class BlockPool {
   public:
     std::uint64_t slots() const { return slots_.size(); }
     std::uint64_t freeSlots() const { return free_.size(); }
 
-    // Adds slots behind the others.
+    // Adds slots at the end, up to `slots` in all.
     void grow(std::uint64_t slots);
 
-    // Where the block begins, in units of 8 values; nothing when there is no room. `level` below kSingle.
+    // Returns where the block begins, in units of 8 values; nothing if there is no room. `level` below
+    // kSingle.
     std::optional<std::uint32_t> allocate(std::uint8_t level);
-    // Frees what allocate() gave for that level.
+    // Frees a block that allocate() returned for that level.
     void release(std::uint8_t level, std::uint32_t unit);
 
   private:

@@ -36,8 +36,7 @@ EntryRange rangeOf(const Volume& volume, const EntryMap& map, glm::ivec3 low, gl
     return range;
 }
 
-// The same over a whole block, without padding: eight columns side by side, which compilers turn into
-// vectors.
+// The same for a whole block without padding: eight columns side by side, so that compilers vectorise.
 EntryRange rangeOfWhole(const Volume& volume, const EntryMap& map, glm::ivec3 low) {
     const glm::ivec3 size = volume.size();
     std::array<std::uint16_t, kBrickVoxels> least{};

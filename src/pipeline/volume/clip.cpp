@@ -27,8 +27,8 @@ bool isInsideAll(const Sides& sides, const glm::dvec3& point) {
     return std::all_of(sides.begin(), sides.end(), [&](const HalfSpace& s) { return isInside(s, point); });
 }
 
-// The corners of a box, in the world. If all lie beyond one side of a region, the box is outside; if all lie
-// inside a convex region, the box is inside.
+// The corners of a box, in the world. If all lie beyond one side of a region, the box is outside it; if all
+// lie inside a convex region, the box is inside it.
 class Corners {
   public:
     Corners(const glm::dmat4& worldFromFrame, const Box& box) {
@@ -48,7 +48,7 @@ class Corners {
         return std::all_of(points_.begin(), points_.end(),
                            [&](const glm::dvec3& p) { return isInsideAll(sides, p); });
     }
-    // No point of a box is nearer than its centre less half its diagonal.
+    // No point of a box is nearer than its centre, minus half its diagonal.
     bool areBeyond(const Ball& ball) const {
         glm::dvec3 centre(0.0);
         for (const glm::dvec3& p : points_) centre += p / double(points_.size());

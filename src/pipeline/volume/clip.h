@@ -33,8 +33,8 @@ struct HalfSpace {
     bool operator==(const HalfSpace&) const = default;
 };
 
-// One of the eight parts around a point: that to which `towards` leads, each component 1 or -1 (L, P, S are
-// positive).
+// One of the eight octants around a point, in the direction `towards`, whose components are 1 or -1 (L, P and
+// S are positive).
 struct Octant {
     glm::dvec3 pointMm{0.0};
     glm::dvec3 towards{1.0, -1.0, 1.0};
@@ -51,61 +51,61 @@ struct Ball {
 
 struct MaskBits;
 
-// Shows voxels by the segment they belong to. On another grid than the volume's the nearest label counts;
-// what lies outside of the map's grid belongs to nothing.
+// Shows voxels by the segment that they belong to. If the map has another grid than the volume, the nearest
+// label counts; voxels outside its grid belong to no segment.
 struct Mask {
     std::shared_ptr<const LabelMap> labels = {};
-    std::vector<std::uint16_t> numbers = {};  // of segments; empty: any but 0
+    std::vector<std::uint16_t> numbers = {};  // of segments; empty: all but 0
     Keep keep = Keep::inside;
-    // Instead of the three above: which voxels of the volume are shown. Of no other volume.
+    // Replaces the three members above: which voxels are shown, of exactly this volume.
     std::shared_ptr<const MaskBits> bits = {};
-    // What a picture lacks because of it, in a few words for its remarks: "table left out". No patient data.
+    // For the remarks of a picture, what the mask hides: "table left out". No patient data.
     Text remark = {};
 
     bool operator==(const Mask&) const = default;
 };
 
-// Everything together: what is shown is what each part leaves.
+// A point is shown if all parts together show it.
 struct Clip {
     static constexpr std::size_t kMostPlanes = 6;
 
     std::optional<OrientedBox> box;
     Keep ofBox = Keep::inside;
     std::vector<HalfSpace> planes;  // at most kMostPlanes
-    std::optional<Octant> cut;      // is removed
+    std::optional<Octant> cut;      // the octant that is removed
     std::optional<Ball> ball;
     Keep ofBall = Keep::inside;
     std::optional<Mask> mask;
 
-    // What is removed is hidden from the eye only, and shades and reflects as before.
+    // Removed matter is hidden only from the eye; it casts shadow and reflects light as before.
     bool removedCastsShadow = false;
-    // The faces of the clip show the values themselves through this window, opaque above its low end.
+    // The faces of the clip show grey values through this window, opaque above its low end.
     std::optional<DisplayWindow> greyFaces;
-    // At and below that end they are black; else clear, and show what lies deeper.
+    // At and below that end faces are black; if false, clear, and show what lies behind.
     bool facesBelowWindowAreBlack = false;
 
     bool hasShape() const { return box || !planes.empty() || cut || ball; }
     bool isNothing() const { return !hasShape() && !mask; }
 
-    bool operator==(const Clip&) const = default;  // of masks: the same one
+    bool operator==(const Clip&) const = default;  // labels and bits: same objects
 };
 
-// The half-spaces whose intersection the box or the octant is.
+// The half-spaces whose intersection is the box, or the octant.
 std::array<HalfSpace, 6> sidesOf(const OrientedBox& box);
 std::array<HalfSpace, 3> sidesOf(const Octant& octant);
 
-// Fails with usage when a number is not finite, a size is not positive, axes are not orthonormal to 1e-6, or
+// Fails with usage if a number is not finite, a size is not positive, axes are not orthonormal to 1e-6, or
 // there are too many planes.
 Result<void> validate(const Clip& clip);
 
-// Nothing of this box (of any frame) is shown, whatever the mask says. Conservative: may be false of boxes of
-// which nothing is.
+// Whether the shape shows nothing of this box, given in any coordinate frame; ignores the mask. Conservative:
+// may return false although nothing is shown.
 bool removesAll(const Clip& clip, const glm::dmat4& worldFromFrame, const Box& boxInFrame);
 
-// All of this box is shown. Conservative likewise.
+// Whether the shape shows all of this box. Conservative likewise; ignores the mask.
 bool removesNothing(const Clip& clip, const glm::dmat4& worldFromFrame, const Box& boxInFrame);
 
-// Whether the point is shown, as far as box, planes, corner and ball go.
+// Whether box, planes, corner and ball show the point; ignores the mask.
 bool shows(const Clip& clip, const glm::dvec3& pointMm);
 
 }  // namespace macula

@@ -7,13 +7,13 @@ namespace macula {
 
 namespace {
 
-// The box of a brick, a voxel larger on all sides, so that rounding in the shaders cannot look into it.
+// The box of a brick, a voxel larger on all sides: rounding in a shader may reach slightly beyond a brick.
 Box roomOf(const glm::ivec3& brick) {
     const glm::dvec3 low = double(kBrickVoxels) * glm::dvec3(brick) - 2.0;
     return {low, low + double(kBrickVoxels) + 2.0};
 }
 
-// Calls body(index, room) for every brick, layers on all cores.
+// Calls body(index, room) for every brick, with layers on all cores.
 template <class Body>
 void forEachRoom(const BrickGrid& grid, const Body& body) {
     parallelFor(std::size_t(grid.size.z), [&](std::size_t layer) {

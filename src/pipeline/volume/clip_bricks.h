@@ -1,4 +1,4 @@
-// Which bricks a clip or a mask empties, and which hold grey faces of a clip.
+// Which bricks a clip or a mask empties, and which contain grey faces of a clip.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace macula {
 
-// Bounds (by brick) become 0 where a clip without shadow leaves nothing of a brick. On all cores.
+// Sets to 0 the majorants of bricks that a clip without shadow removes entirely. Uses all cores.
 void emptyRemovedBricks(const Clip& clip, const Volume& volume, const BrickGrid& grid,
                         std::span<float> bounds);
 
-// The same where the mask hides every voxel that interpolation in a brick can reach. On all cores.
+// The same for bricks in which the mask hides every voxel that interpolation can reach. Uses all cores.
 void emptyMaskedBricks(const MaskBits& mask, const BrickGrid& grid, std::span<float> bounds);
 
-// By brick: 1 where a face of the clip that shows values may pass through, whatever is visible there; empty
-// when no face shows any. On all cores.
+// By brick: 1 if a grey face of the clip may pass through it, whatever is visible there; empty if the clip
+// has none. Uses all cores.
 std::vector<std::uint8_t> bricksAtGreyFaces(const Clip& clip, const Volume& volume, const BrickGrid& grid);
 
 }  // namespace macula

@@ -33,7 +33,7 @@ struct Ends {
     glm::dvec3 high;
 };
 
-// Those from which `box` below makes the same box to the bit, where there are such: sums round.
+// Finds ends from which `box` below makes the same box bit for bit, if there are any, because sums round.
 Ends endsOf(const OrientedBox& box) {
     Ends ends{box.centreMm - box.halfSizeMm, box.centreMm + box.halfSizeMm};
     const auto isSame = [&](int axis, double low, double high) {

@@ -13,21 +13,21 @@ namespace macula {
 struct ClipPreset {
     std::string name;                  // key, as in `--clip left-half`
     std::string title;                 // for people
-    Clip clip;                         // frame: the box is [0, 1]^3, and normals are not scaled with it
-    std::vector<glm::dvec3> planesAt;  // a point of each plane, whose offsets are still unknown
-    bool greyFacesOfSeries = false;    // the window is that of the series
+    Clip clip;                         // the volume's box is [0, 1]^3; normals are not scaled
+    std::vector<glm::dvec3> planesAt;  // a point on each plane; offsets are not known yet
+    bool greyFacesOfSeries = false;    // greyFaces uses the window of the series
 
     bool operator==(const ClipPreset&) const = default;
 };
 
-// Fails with inputNotUsable; the message tells the line or the key, the hint what was expected. `where` is
-// the file, for the error.
+// Fails with inputNotUsable: the message names the line or the key, the hint says what was expected. `where`
+// names the file in the error.
 Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& where);
 
-// Reading it back gives the same clip, to the last bits of its numbers.
+// Reading this text gives the same clip, except for the last bits of numbers.
 std::string toJson(const ClipPreset& preset);
 
-// The clip for this volume, in patient LPS mm. The window of the series is seriesWindow.
+// The clip for this volume, in patient LPS mm. Uses seriesWindow for the window of the series.
 Clip clipFor(const ClipPreset& preset, const Volume& volume);
 
 }  // namespace macula

@@ -21,19 +21,19 @@ struct Candidate {
     }
 };
 
-// Slots for `count` blocks of a level, one for each level at most partly filled.
+// The slots for `count` blocks of a level; at most one is partly filled.
 std::uint64_t slotsFor(std::uint64_t count, std::uint8_t level) {
     const std::uint64_t perSlot = level < kSingle ? kSlotValues / poolValues(level) : 0;
     return perSlot > 0 ? (count + perSlot - 1) / perSlot : 0;
 }
 
-// How many of `count` blocks have to leave `level` for the next one.
+// How many of `count` blocks must move from `level` to the next one.
 std::uint64_t toLeave(std::uint64_t count, std::uint8_t level, std::uint64_t slots) {
     const auto fits = [&](std::uint64_t leaving) {
         return slotsFor(count - leaving, level) + slotsFor(leaving, level + 1) <= slots;
     };
     std::uint64_t low = 0;
-    std::uint64_t high = count;  // all, where even that does not suffice
+    std::uint64_t high = count;  // all, even if that does not suffice
     while (low < high) {
         const std::uint64_t middle = low + (high - low) / 2;
         if (fits(middle)) {

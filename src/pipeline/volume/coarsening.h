@@ -1,4 +1,4 @@
-// Which blocks are kept coarsely when not all fit.
+// Which blocks are stored coarsely if not all fit.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,24 @@
 namespace macula {
 
 struct Coarsening {
-    std::vector<std::uint8_t> levels;  // by block; kAbsent where nothing is to be shown
-    std::uint64_t slots = 0;           // of kSlotValues, that the pool needs for them
-    std::uint64_t slotsWanted = 0;     // that it would need if nothing were lost
-    std::size_t coarse = 0;            // blocks that lose something
-    std::uint8_t coarsest = 0;         // level of any of them
+    std::vector<std::uint8_t> levels;  // by block; kAbsent for blocks not to be shown
+    std::uint64_t slots = 0;           // of kSlotValues each, which the pool needs
+    std::uint64_t slotsWanted = 0;     // which it would need without loss
+    std::size_t coarse = 0;            // blocks that lose detail
+    std::uint8_t coarsest = 0;         // the coarsest level
 };
 
 // A slot of the pool holds blocks of one level: 1, 8 or 64 of them.
 inline constexpr std::uint32_t kSlotValues = poolValues(kFullLevel);
 
-// The levels at which what is to be shown (blocksToShow) fits into `slots`; it always does, single values
-// take none.
+// The levels at which the blocks of `show` (blocksToShow) fit into `slots`. They always do, because single
+// values take no slot.
 //
-// A block whose voxels are all alike is always kept as a single value, which loses nothing. Otherwise those
-// blocks are coarsened first whose extinction varies least, for that is what light can tell apart: within
-// opaque or evenly thin matter nothing is lost but shades of colour, so among equals those go first whose
-// values vary least. No block goes on to the next level while another has not come to this one: the worst
-// that is seen stays as fine as it can be.
+// A block whose voxels are equal is always stored as a single value, without loss. Otherwise the blocks whose
+// extinction varies least are coarsened first, because extinction is what a picture shows: within opaque or
+// evenly thin matter only shades of colour are lost. Among equals those whose values vary least come first.
+// No block moves on to the next level before all others have reached this one, so that the coarsest visible
+// block is as fine as possible.
 Coarsening fitBlocks(const BrickGrid& grid, std::span<const std::uint8_t> show,
                      std::span<const float> extinctionPerMm, std::uint64_t slots);
 

@@ -32,7 +32,7 @@ struct Shader : GlslInCpp<double> {
 #undef PI
 #undef GRAZING
 
-// The mean of what a facet that is seen reflects, less what others hide of it.
+// The mean reflectance of visible facets, reduced by the shadowing of other facets.
 double albedoAt(Shader& shader, double cosine) {
     constexpr int kSide = 64;
     const glm::dvec3 from(-std::sqrt(1.0 - cosine * cosine), 0.0, -cosine);
@@ -75,7 +75,7 @@ Coat computed(const Surface& surface) {
 
 }  // namespace
 
-// A curve that is dragged keeps its coat.
+// Cached, because dragging a curve does not change its coat.
 Coat coatOf(const Surface& surface) {
     thread_local std::pair<glm::dvec2, Coat> last{glm::dvec2(-1.0), {}};
     const glm::dvec2 of(surface.roughness, surface.reflectance);

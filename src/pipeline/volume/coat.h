@@ -1,4 +1,4 @@
-// The coat of a rough surface (shaders/lib/scattering.glsl): how much of the light it reflects.
+// The coat of a rough surface (shaders/lib/scattering.glsl): how much light it reflects.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 namespace macula {
 
 struct Coat {
-    // Of light that falls from one direction, by the root of its cosine to the normal, from 0 to 1 in even
-    // steps; 0 to 1.
+    // Directional albedo, 0 to 1, by the square root of the cosine between light and normal, in even steps
+    // from 0 to 1.
     std::array<double, shared::kCoatPlaces> albedo{};
-    double mean = 0.0;  // of light from all sides alike: over the hemisphere with the cosine
+    double mean = 0.0;  // cosine-weighted mean of the albedo over the hemisphere
 
     bool operator==(const Coat&) const = default;
 };

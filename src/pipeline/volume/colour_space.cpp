@@ -89,7 +89,7 @@ double angleBetween(double a, double b) {
     return difference > kPi ? 2.0 * kPi - difference : difference;
 }
 
-// The hue that an unsaturated colour of another magnitude is given, so that the way to it looks straight.
+// The hue for an unsaturated end of another magnitude, so that the path to it looks straight (AdjustHue).
 double spunHue(const Msh& saturated, double magnitude) {
     if (saturated.magnitude >= magnitude - 0.1) return saturated.hue;
     const double spin = saturated.saturation *

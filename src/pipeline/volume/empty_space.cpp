@@ -19,8 +19,8 @@ Distance oneMore(Distance distance) {
     return distance == kMaxLeap ? distance : static_cast<Distance>(distance + 1);
 }
 
-// Distances fall to at most one more than those of the row before, and of its left and right ends: a step
-// across, or diagonally.
+// Limits each distance to one more than the three nearest ones in the row before: a straight or a diagonal
+// step.
 void stepFrom(const Distance* before, Distance* row, int count) {
     for (int x = 0; x < count; ++x) {
         const Distance left = before[std::max(x - 1, 0)];
@@ -37,10 +37,10 @@ void sweepRow(Distance* row, int count) {
 
 }  // namespace
 
-// A distance transform, dimension by dimension: distances within rows, within planes by steps from row to row
-// both ways, and in space by steps from plane to plane. A step may go diagonally, which is what one unit of
-// Chebyshev distance is; so each sweep is exact for all that lies behind it. Planes, and then rows of a
-// plane, do not depend on each other: that is what all cores do.
+// A distance transform, dimension by dimension: distances within rows, then within planes by steps from row
+// to row in both directions, then in space by steps from plane to plane. A diagonal step is one unit of
+// Chebyshev distance, so each sweep is exact for all that it has passed. Planes, and later rows of a plane,
+// do not depend on each other, and are processed on all cores.
 void measureEmptySpace(glm::ivec3 gridSize, std::span<float> bounds) {
     const auto width = static_cast<std::size_t>(gridSize.x);
     const auto height = static_cast<std::size_t>(gridSize.y);
@@ -62,7 +62,7 @@ void measureEmptySpace(glm::ivec3 gridSize, std::span<float> bounds) {
         for (std::size_t y = height - 1; y-- > 0;) stepFrom(rowAt(y + 1, z), rowAt(y, z), gridSize.x);
     });
 
-    // Rows at a time, so that starting threads does not cost more than what they do.
+    // Several rows for each task, so that a task costs more than its start.
     constexpr std::size_t kBricksPerTask = 8192;
     const std::size_t rows = std::max<std::size_t>(kBricksPerTask / width, 1);
     const auto stepPlane = [&](std::size_t before, std::size_t z) {

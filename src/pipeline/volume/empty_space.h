@@ -8,9 +8,9 @@ namespace macula {
 
 inline constexpr int kMaxLeap = 255;  // bricks
 
-// `bounds` is by brick, x fastest. Whatever is not above 0 is replaced by minus the Chebyshev distance in
-// bricks to the nearest that is, at most kMaxLeap: what shaders/lib/brick_walk.glsl leaps over. Outside the
-// grid is empty. On all cores.
+// `bounds` has a majorant for each brick, x fastest. Replaces those that are not above 0 by minus the
+// Chebyshev distance in bricks to the nearest one that is, at most kMaxLeap: shaders/lib/brick_walk.glsl
+// leaps so far. Outside the grid is empty. Uses all cores.
 void measureEmptySpace(glm::ivec3 gridSize, std::span<float> bounds);
 
 }  // namespace macula

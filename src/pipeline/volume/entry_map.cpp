@@ -14,8 +14,8 @@ EntryMap entryMapOf(const Volume& volume) {
     const StoredRange range = volume.storedRange();
     EntryMap map{range.low, range.high, range.low, volume.padding()};
     if (map.padding) {
-        // Padding becomes air, but below all that was measured, so that it is told from air in the scan.
-        // Where the data fill all entries it is the lowest of them.
+        // Padding becomes air, but below all measured values, to be distinguishable from air in the scan. If
+        // the data fill all entries, it shares the lowest one.
         map.air = std::max(std::min(volume.airStored(), int(range.low) - 1), map.high - (kMostEntries - 1));
         map.low = std::min(map.low, map.air);
     }

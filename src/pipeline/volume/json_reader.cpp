@@ -19,7 +19,7 @@ struct JsonNode::State {
 
 namespace {
 
-// What a missing or wrong value reads as, so that getters can go on.
+// Stands for a missing or wrong value, so that getters can continue.
 const nlohmann::json& nothing() {
     static const nlohmann::json value;
     return value;
@@ -51,8 +51,8 @@ Text lineAndColumn(std::string_view text, std::size_t byte) {
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kMostKeys = 1000;
 
-// What no reader is given, however valid it is: brackets that are more than kMaxDepth deep, an object of more
-// than kMostKeys. Told by the text alone: comments and texts in quotes are left out.
+// Finds valid JSON that is rejected nevertheless: nested more than kMaxDepth deep, or with more than
+// kMostKeys in an object. Scans only the text, outside comments and quotes, before it is parsed.
 class TextLimits {
   public:
     explicit TextLimits(std::string_view text) {
@@ -91,7 +91,7 @@ class TextLimits {
         }
     }
 
-    std::array<std::size_t, kMaxDepth + 1> keys_{};  // so far, of the object that is open at each depth
+    std::array<std::size_t, kMaxDepth + 1> keys_{};  // so far, in the open object at each depth
     int depth_ = 0;
     std::size_t place_ = 0;
     bool isTooDeep_ = false;

@@ -1,8 +1,8 @@
-// Reading JSON that people write: the first thing that is wrong is told with its place and what was expected.
+// Reads JSON that people write: reports the first error, with its place and what was expected.
 //
-// Getters never fail on the spot; they remember the first error and give a harmless value back. Whoever reads
-// must ask status() at the end and drop what was read unless it is ok. That keeps readers as short as the
-// format they describe.
+// Getters never fail at once: they remember the first error and return a harmless value. The caller must
+// check status() at the end, and discard the values unless it is ok. So readers are as short as the format
+// that they describe.
 #pragma once
 
 #include <initializer_list>
@@ -26,11 +26,11 @@ struct JsonRange {
 // A value in a JsonDocument; keeps it alive. Cheap to copy.
 class JsonNode {
   public:
-    // Fails when this is no object or has no such key.
+    // Fails if this is not an object or has no such key.
     JsonNode operator[](std::string_view key) const;
-    // Nothing when this is an object without that key.
+    // Nothing if this is an object without that key; fails if it is not an object.
     std::optional<JsonNode> find(std::string_view key) const;
-    // Fails when this is an object with any other key: for formats of our own, where that is a typing error.
+    // Fails if this object has any other key: for Macula's own formats, where that is a typing error.
     void allowOnly(std::initializer_list<std::string_view> keys) const;
 
     // Fails unless this is an array with `minimum` to `maximum` entries.
@@ -62,12 +62,12 @@ enum class JsonComments { refused, ignored };
 
 class JsonDocument {
   public:
-    // `where` is the file for error messages. Text that is no JSON shows as the error of status(), with line
-    // and column; so does JSON that is nested more than 64 deep or has more than 1000 keys in an object. No
-    // file of ours needs that; it would exhaust the stack of whoever walks it, and the patience of whoever
-    // waits: in documents that keep their order (ordered_json), a key is found by asking each.
+    // `where` names the file in errors. status() reports text that is not JSON, with line and column;
+    // likewise JSON that is nested more than 64 deep or has more than 1000 keys in an object. No file of
+    // Macula needs that; deep nesting could overflow the stack, and many keys are slow in documents that keep
+    // their order (ordered_json), which search keys one by one.
     JsonDocument(std::string_view text, std::string where, JsonComments comments = JsonComments::refused);
-    // For what was no JSON, but was made into it.
+    // For values that were converted to JSON from another format.
     static JsonDocument of(const nlohmann::json& value, std::string where);
 
     JsonNode root() const;

@@ -10,14 +10,14 @@ namespace macula {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::size_t kLine = 140;  // characters of a list or object that stays on one line
+constexpr std::size_t kLine = 140;  // most characters of a list or object on one line
 
 std::string scalarText(const Json& value) {
     if (!value.is_number_float()) return value.dump(-1, ' ', false, Json::error_handler_t::replace);
     std::array<char, 32> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value.get<double>()).ptr;
     std::string text(buffer.data(), end);
-    // A fraction stays one: without the point -0.0 would be read back as the integer 0.
+    // A floating-point number keeps its point: otherwise -0.0 would be read back as the integer 0.
     if (text.find_first_of(".en") == std::string::npos) text += ".0";
     return text;
 }

@@ -1,4 +1,4 @@
-// JSON as people would write it: what fits on a line stays on one, and a number is the shortest text that
+// Writes JSON as people would: short lists and objects on one line, and numbers as the shortest text that
 // reads back as the same double.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace macula {
 
-// Indented by 4; ends with a line break. What is not UTF-8 is replaced. Objects that hold others and lists of
-// objects are broken into lines, all else is not. Writing what was read from such a text gives that text.
+// Indents by 4, and ends with a line break. Replaces what is not UTF-8. Breaks objects and lists that contain
+// objects or are long into lines, and no others. Reading and writing such a text gives the same text.
 std::string prettyJson(const nlohmann::ordered_json& value);
 
 }  // namespace macula

@@ -38,7 +38,7 @@ MaskBits maskBits(const Mask& mask, const Volume& volume) {
     const std::size_t row = std::size_t(size.x);
     const std::size_t voxels = row * std::size_t(size.y) * std::size_t(size.z);
     bits.words.resize((voxels + 31) / 32);
-    // Words are shared by rows, so each is written by the one thread that has all of its voxels.
+    // Rows share words, so work is divided by words: only one thread writes each.
     constexpr std::size_t kWords = 4096;
     parallelFor((bits.words.size() + kWords - 1) / kWords, [&](std::size_t portion) {
         const std::size_t end = std::min(voxels, (portion + 1) * kWords * 32);

@@ -18,11 +18,11 @@ struct MaskBits {
             (std::size_t(k) * std::size_t(size.y) + std::size_t(j)) * std::size_t(size.x) + std::size_t(i);
         return (words[n / 32] >> (n % 32) & 1u) != 0;
     }
-    // Whether it shows any voxel of a box, both corners included.
+    // Whether the mask shows any voxel of a box, both corners included.
     bool showsAny(const glm::ivec3& low, const glm::ivec3& high) const;
 };
 
-// On all cores.
+// Uses all cores.
 MaskBits maskBits(const Mask& mask, const Volume& volume);
 
 }  // namespace macula

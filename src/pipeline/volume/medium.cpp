@@ -20,7 +20,7 @@ namespace {
 constexpr float kOutward = 1.0f + 1e-6f;
 constexpr int kGradientSteps = 4096;
 
-// Calls body(x, y, z) for every brick, rows on all cores.
+// Calls body(x, y, z) for every brick, with rows on all cores.
 template <class Body>
 void forEachBrick(glm::ivec3 size, const Body& body) {
     parallelFor(std::size_t(size.y) * std::size_t(size.z), [&](std::size_t row) {
@@ -30,8 +30,8 @@ void forEachBrick(glm::ivec3 size, const Body& body) {
     });
 }
 
-// Of two media that fill the same brick. Where one has nothing it is the other's bound as it is, so that both
-// can be told apart again.
+// The majorant of two media that share a brick. If one has none there, it is exactly that of the other, so
+// that ownBounds() can separate them again.
 float sumOfBounds(float first, float second) {
     if (!(second > 0.0f)) return first;
     return first > 0.0f ? (first + second) * kOutward : second;
@@ -54,7 +54,7 @@ void boundBricks(Medium& medium, const Volume& volume, const BrickGrid& grid, co
     measureEmptySpace(grid.size, medium.bounds);
 }
 
-// The width of the narrowest feature, not below one stored value, where the tables end.
+// A third of the width of the narrowest piece, but at least one stored value, the resolution of the tables.
 double featureOf(const TransferFunction& function, double leastUnits) {
     double narrowest = std::numeric_limits<double>::infinity();
     const auto look = [&](const auto& points) {
@@ -71,12 +71,12 @@ double featureOf(const TransferFunction& function, double leastUnits) {
     return std::max(narrowest / 3.0, leastUnits);
 }
 
-// The preset's gradients are per voxel, of mean edge, as VTK has them: see docs/presets.md.
+// The preset's gradients are per voxel of mean edge, as in VTK (docs/presets.md).
 void tabulateGradientOpacity(const TransferFunction& function, const Volume& volume, Medium& medium) {
     const glm::dvec3 spacing = volume.spacingMm();
     const double voxelMm = (spacing.x + spacing.y + spacing.z) / 3.0;
-    // The table ends at the curve's last point, beyond which both are constant. A curve whose last point is
-    // at 0 is constant everywhere.
+    // The table ends at the curve's last point, beyond which the curve is constant. A curve whose last point
+    // is at 0 is constant everywhere.
     const double last = std::max(function.gradientOpacity.back().value, 1e-6);
     medium.gradientOpacity.resize(kGradientSteps + 1);
     for (int step = 0; step <= kGradientSteps; ++step) {

@@ -1,5 +1,5 @@
-// A volume under a transfer function, as tables the tracer reads: what light meets at each stored value, and
-// a bound on it for every brick.
+// A volume under a transfer function, as tables that the tracer reads: the optics of each stored value, and a
+// majorant for every brick.
 #pragma once
 
 #include <cstdint>
@@ -22,57 +22,56 @@ struct Medium {
     std::vector<float> extinctionPerMm;  // by entry
     std::vector<glm::vec4> albedo;       // by entry; linear RGB, and in w its extinction again
     glm::ivec3 gridSize{0};
-    // The majorant of each brick, see shaders/lib/brick_walk.glsl: a bound on the extinction anywhere in it,
-    // rounded up. Of an empty brick: minus the Chebyshev distance in bricks to the nearest that is not empty,
-    // at most 255.
+    // The majorant of each brick, rounded up (shaders/lib/brick_walk.glsl). For an empty brick: minus the
+    // Chebyshev distance in bricks to the nearest one that is not empty, at most 255.
     std::vector<float> bounds;
     float anisotropy = 0.0f;
-    Surface surface = {};  // its gradient in units per mm, as the fitted preset has it
-    Coat coat = {};        // of a surface that has a weight
+    Surface surface = {};  // its gradient in units per mm, from the fitted preset
+    Coat coat = {};        // set if `surface` has a weight
     // The gradient opacity, by the length of the gradient of values, in steps of `gradientStep` units per mm
-    // from 0; empty when it is 1 everywhere.
+    // from 0; empty if it is 1 everywhere.
     std::vector<float> gradientOpacity;
     double gradientStep = 0.0;
-    // As `albedo`, of steep matter; empty when it has no curves of its own. `steepGradientPerMm` is that of
+    // As `albedo`, for steep matter; empty if it has no curves of its own. `steepGradientPerMm` is that of
     // the fitted preset.
     std::vector<glm::vec4> steep;
     double steepGradientPerMm = 0.0;
-    double unitDepthMm = 1.0;  // of the preset: unit distance divided by density
+    double unitDepthMm = 1.0;  // unit distance of the preset, divided by its density
     // Values this far apart may have quite different optics: a third of the narrowest piece of the curves.
     double featureUnits = 1.0;
-    // By brick: the part of `bounds` that is of a second volume (additions.h); empty: there is none.
+    // By brick: the part of `bounds` that a second volume adds (additions.h); empty without one.
     std::vector<float> addedBounds;
-    float ambient = 1.0f;  // of the preset's lighting
+    float ambient = 1.0f;  // from the preset's lighting, as is `diffuse`
     float diffuse = 0.0f;
 
-    // By entry: the extinction per mm by the denser of the curves, which no gradient can exceed.
+    // By entry: the extinction per mm of the denser curve, an upper limit for any gradient.
     std::vector<float> mostPerMm() const;
     std::size_t visibleBricks() const;
-    // The bounds where there is matter of the volume itself, 0 elsewhere.
+    // `bounds` of bricks with matter of the volume itself, 0 for others.
     std::vector<float> ownBounds() const;
 };
 
 // By entry: linear RGB albedo, and in w the extinction per mm. `function` as below.
 std::vector<glm::vec4> opticsByEntry(const Volume& volume, const TransferFunction& function);
-// See Medium::featureUnits; of all curves.
+// Medium::featureUnits, over all curves.
 double featureUnitsOf(const TransferFunction& function, const Volume& volume);
 
 // `function` is used as it is: fit it to the volume before (fitted). It must be valid (validate). Bricks of
-// which a clip without shadow leaves nothing are empty. `added` is of a second volume in the same picture
-// (addedBounds in additions.h), or empty. On all cores.
+// which a clip without shadow leaves nothing are empty. `added` are the bounds of a second volume in the same
+// picture (addedBounds in additions.h), or empty. Uses all cores.
 Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
                   const Clip& clip = {}, const MaskBits* mask = nullptr, std::span<const float> added = {});
 
-// Makes the bounds of visible bricks true also where blocks are stored coarsely, by level (voxel_blocks.h):
-// the average of a few voxels across a brick's face may lie outside of what the brick itself holds. Empty
-// bricks stay empty.
+// Raises the majorants of visible bricks whose blocks are stored coarsely, by level (voxel_blocks.h):
+// averages of voxels on both sides of a brick's face may lie outside the brick's own range. Empty bricks stay
+// empty.
 void coverCoarseBlocks(Medium& medium, const BrickGrid& grid, std::span<const std::uint8_t> levels);
 
 enum class Projection { maximum, minimum, mean };
 
-// For rays that gather values and not light: everything but padding can be seen. A brick's bound tells how
-// much it can change the answer: one more than its largest entry; the number of entries minus its smallest;
-// the same for all bricks.
+// For rays that gather values instead of light: everything but padding is visible. The bound of a brick says
+// how much it can change the result: for a maximum, one more than its largest entry; for a minimum, the
+// number of entries minus its smallest; for a mean, the same for all bricks.
 Medium makeMedium(const Volume& volume, const BrickGrid& grid, Projection projection, const Clip& clip = {},
                   const MaskBits* mask = nullptr);
 

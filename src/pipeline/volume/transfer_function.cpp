@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kMaxOpacity = 0.999;
 
-// The piece of a curve that holds `value`: the last point at or below it, the next one, and how far between
-// they are.
+// The piece of a curve that contains `value`: the last point at or below it, the next one, and the position
+// between them.
 struct Piece {
     std::size_t from = 0;
     std::size_t to = 0;
@@ -69,7 +69,7 @@ bool isPositive(double x) {
     return x > 0.0 && std::isfinite(x);
 }
 
-// Nothing when the curves of steep matter and its gradient can be used.
+// Empty if the curves of steep matter and its gradient are usable.
 Text faultOf(const SteepMatter& steep) {
     if (!isPositive(steep.gradientPerMm))
         return Text("The preset's gradient of steep matter must be above 0.");
@@ -96,8 +96,8 @@ double gradientOpacityAt(const TransferFunction& function, double unitsPerVoxel)
 }
 
 bool usesGradientOpacity(const TransferFunction& function) {
-    // Between points a curve stays between their heights: it is 1 everywhere if it is 1 at 0 and at each
-    // point beyond.
+    // A curve never leaves the heights of its points, so it is 1 everywhere if it is 1 at 0 and at each later
+    // point.
     return gradientOpacityAt(function, 0.0) != 1.0 ||
            std::any_of(function.gradientOpacity.begin(), function.gradientOpacity.end(),
                        [](const OpacityPoint& point) { return point.value >= 0.0 && point.opacity != 1.0; });
@@ -112,7 +112,7 @@ glm::dvec3 colourAt(const TransferFunction& function, double value) {
     }
     const Piece piece = pieceAt(points, value);
     const ColourPoint& from = points[piece.from];
-    // Where a piece is a line in height, Moreland's curve is one too; VTK bends it by the warp only.
+    // In Moreland's colour space VTK applies only the warp, without the Hermite curve.
     const double fraction = function.colourSpace == ColourSpace::diverging
                                 ? warpedFraction(piece.fraction, from.midpoint, from.sharpness)
                                 : blendedFraction(piece.fraction, from.midpoint, from.sharpness);

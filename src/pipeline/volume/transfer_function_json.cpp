@@ -89,7 +89,7 @@ Surface surfaceFrom(const JsonNode& node) {
     return surface;
 }
 
-// The curves are written as those of the component are. Either both are there, or none.
+// The curves have the same form as those of the component. Either both are present, or none.
 SteepMatter steepFrom(const JsonNode& node) {
     node.allowOnly({"gradientPerMm", "scalarOpacity", "rgbTransferFunction"});
     SteepMatter steep;
@@ -139,7 +139,7 @@ void readProperty(const JsonNode& property, TransferFunction& function) {
     }
     if (const auto node = property.find("effectiveRange")) {
         const std::vector<double> range = node->numbers(2, kValue);
-        // 3D Slicer writes [0, -1] where there is none.
+        // 3D Slicer writes [0, -1] if there is none.
         if (range[0] < range[1]) function.effectiveRange = ValueRange{range[0], range[1]};
     }
 }
@@ -160,7 +160,7 @@ void readComponent(const JsonNode& component, TransferFunction& function) {
     const auto disabled = component.find("disableGradientOpacity");
     if (!disabled || !disabled->boolean()) {
         const auto gradient = component.find("gradientOpacity");
-        // An empty list is what some programs write for none.
+        // Some programs write an empty list for none.
         if (gradient && !(*gradient)["points"].items(0, kMaxPoints).empty())
             function.gradientOpacity = readOpacity(*gradient);
     }
@@ -168,13 +168,13 @@ void readComponent(const JsonNode& component, TransferFunction& function) {
     function.colour = readColour(component["rgbTransferFunction"]);
 }
 
-// Puts a value, but leaves one that says the same as it is: 1024 is not rewritten to 1024.0.
+// Sets a value, but leaves an equal one as it is: 1024 is not rewritten as 1024.0.
 void put(Json& object, const char* key, Json value) {
     if (const auto found = object.find(key); found != object.end() && *found == value) return;
     object[key] = std::move(value);
 }
 
-// Puts a key that may be missing: a default value is left out when the document does not have the key.
+// Sets an optional key: a default value is left out if the document does not have the key.
 void putUnless(bool isDefault, Json& object, const char* key, Json value) {
     if (!isDefault || object.contains(key)) put(object, key, std::move(value));
 }
@@ -191,8 +191,8 @@ Json& firstOf(Json& object, const char* key) {
     return list.front();
 }
 
-// The points as a list; whatever else a point of the old list said stays with the point at its place if that
-// did not move.
+// Writes the points as a list. A point with the same index and value as in the old list keeps its unknown
+// keys.
 template <class Point, class PutHeight>
 void putPoints(Json& curve, const char* type, const std::vector<Point>& points, const PutHeight& putHeight) {
     if (!curve.contains("type")) curve["type"] = type;

@@ -1,5 +1,5 @@
-// Transfer functions as JSON: 3D Slicer's volume property (.vp.json, schema 1.0.0) with one more object,
-// "macula". presets/schema/transfer-function.schema.json is the reference.
+// Transfer functions as JSON: the volume property of 3D Slicer (.vp.json, schema 1.0.0) with an additional
+// object "macula". presets/schema/transfer-function.schema.json is the reference.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace macula {
 
-// A file without the macula object is taken for a CT preset of 3D Slicer: Hounsfield units, named
-// `fallbackName`, or "preset". Of several volume properties or components the first is read. Fails with
-// inputNotUsable; the message tells the line or the key, the hint what was expected. `where` is the file, for
-// the error.
+// A file without the macula object counts as a CT preset of 3D Slicer: Hounsfield units, named
+// `fallbackName`, or "preset". Reads the first of several volume properties or components. Fails with
+// inputNotUsable: the message names the line or the key, the hint says what was expected. `where` names the
+// file in the error.
 Result<TransferFunction> transferFunctionFromJson(std::string_view text, const std::string& where,
                                                   const std::string& fallbackName = {});
 
-// Readable by 3D Slicer. Written into the document that the function was read from: keys that mean nothing to
-// Macula stay, and so does whatever still says the same. Reading it back gives an equal function, and writing
-// that the same text, bit for bit.
+// Makes a text that 3D Slicer can read. Writes into the document that the function was read from, and keeps
+// its unknown keys and unchanged values. Reading the text gives an equal function, and writing that gives the
+// same text, bit for bit.
 std::string toJson(const TransferFunction& function);
 
 }  // namespace macula

@@ -13,8 +13,8 @@ namespace macula {
 
 namespace {
 
-constexpr double kLeastDepth = 0.1;  // optical; less is no outline
-constexpr int kNowhere = -1;         // in a row
+constexpr double kLeastDepth = 0.1;  // optical depth; a run with less does not count
+constexpr int kNowhere = -1;         // no index in a row
 constexpr int kBisections = 10;      // to a thousandth of a voxel
 
 double cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b) {
@@ -58,8 +58,8 @@ class Rows {
         opaqueFrom_ = clip.facesBelowWindowAreBlack ? -1.0 : (low - units.intercept) / units.slope - map_.low;
     }
 
-    // Where along an axis the row through `voxel` begins to be seen, from its low end (`step` 1) or its high
-    // end (-1). Nothing where it does not begin before `known`, a place on the axis.
+    // Where on an axis visible matter begins in the row through `voxel`, from its low end (`step` 1) or its
+    // high end (-1). Nothing if it does not begin before the place `known` on the axis.
     std::optional<double> end(glm::ivec3 voxel, int axis, int step, double known) const {
         const int count = volume_.size()[axis];
         const double stepMm = glm::length(glm::dvec3(volume_.worldFromVoxel()[axis]));
@@ -70,8 +70,7 @@ class Rows {
             voxel[axis] = i;
             if (!maySee(voxel)) {
                 const int brick = (i + 1) / kBrickVoxels;
-                i = brick * kBrickVoxels +
-                    (step > 0 ? kBrickVoxels - 2 : -1);  // the last one of it on the way
+                i = brick * kBrickVoxels + (step > 0 ? kBrickVoxels - 2 : -1);  // the last voxel of the brick
                 begin = kNowhere;
                 depth = 0.0;
                 continue;
@@ -100,8 +99,8 @@ class Rows {
     double entryOf(const glm::ivec3& voxel) const {
         return double(map_.entryOf(volume_.stored(voxel.x, voxel.y, voxel.z)));
     }
-    // The extinction per mm, linear between the entries, of matter of which `steepPart()` is steep: that is
-    // asked only where it matters, since it reads six voxels.
+    // The extinction per mm, linear between the entries, of matter of which `steepPart()` is steep. Calls
+    // steepPart() only if it matters, because it reads six voxels.
     template <class SteepPart>
     double extinctionOf(double entry, const SteepPart& steepPart) const {
         if (entry > opaqueFrom_) return 1e9;
@@ -166,14 +165,14 @@ class Rows {
     double opaqueFrom_;  // above this entry there may be a face of the clip
 };
 
-// Of a row, in voxels; nothing where the low end is above the high one.
+// The ends of matter in a row, in voxels; none if the low end is above the high one.
 struct Ends {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     bool areThere() const { return low <= high; }
 };
 
-// Where a convex polygon is cut by the line of this x.
+// Where the vertical line at `x` cuts a convex polygon.
 Ends cutAt(const std::vector<glm::dvec2>& polygon, double x) {
     Ends cut;
     const auto add = [&cut](double y) {
@@ -189,7 +188,7 @@ Ends cutAt(const std::vector<glm::dvec2>& polygon, double x) {
     return cut;
 }
 
-// Ends of the rows of one plane along its x: in the plane's coordinates, `place` of a row is its y.
+// The ends of the rows along x of one plane, by their second coordinate in that plane.
 using RowsAlongX = std::vector<Ends>;
 std::vector<glm::dvec2> hullOf(const RowsAlongX& rows) {
     std::vector<glm::dvec2> points;
@@ -201,9 +200,9 @@ std::vector<glm::dvec2> hullOf(const RowsAlongX& rows) {
     return convexHull(std::move(points));
 }
 
-// The convex hull that also has the ends of the rows along the plane's y, which is `axis` of the volume;
-// `first` is the first voxel of the plane. A row is searched only as far as the hull: what begins inside of
-// it would not change it.
+// The convex hull of `hull` and the ends of the plane's rows along its second coordinate, which is `axis` of
+// the volume; `first` is the first voxel of the plane. A row is searched only up to the hull: an end inside
+// the hull does not change it.
 std::vector<glm::dvec2> widened(const std::vector<glm::dvec2>& hull, const Rows& rows,
                                 const glm::ivec3& first, int axis, int columns) {
     std::vector<glm::dvec2> points = hull;
@@ -211,7 +210,7 @@ std::vector<glm::dvec2> widened(const std::vector<glm::dvec2>& hull, const Rows&
         const Ends known = cutAt(hull, x);
         const glm::ivec3 voxel(x, first.y, first.z);
         const std::optional<double> low = rows.end(voxel, axis, 1, known.low);
-        if (!low && !known.areThere()) continue;  // nothing is seen in it
+        if (!low && !known.areThere()) continue;  // nothing is visible in this row
         const std::optional<double> high = rows.end(voxel, axis, -1, known.high);
         if (low) points.emplace_back(x, *low);
         if (high) points.emplace_back(x, *high);
@@ -226,8 +225,8 @@ std::vector<glm::dvec3> visibleHullMm(const Volume& volume, const BrickGrid& gri
     MACULA_CHECK_EQ(medium.bounds.size(), grid.ranges.size());
     const Rows rows(volume, grid, medium, clip, mask, additions);
     const glm::ivec3 size = volume.size();
-    // Slices hold the rows along x, which lie in memory as they are read, and those along y; the planes
-    // across y those along z.
+    // Slices give the rows along x, which are contiguous in memory, and those along y; planes of constant y
+    // give those along z.
     std::vector<RowsAlongX> alongX(std::size_t(size.z), RowsAlongX(std::size_t(size.y)));
     std::vector<std::vector<glm::dvec3>> hulls(std::size_t(size.z) + std::size_t(size.y));
     const auto keep = [&](std::size_t plane, const glm::dvec3& voxel) {

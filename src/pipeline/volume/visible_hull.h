@@ -1,4 +1,4 @@
-// The outline of what can be seen of a volume, from any side.
+// The outline of the visible matter of a volume, for any direction of view.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@
 
 namespace macula {
 
-// Points, LPS mm, whose convex hull is that of what an eye sees of the matter, to a small part of a voxel:
-// where along the rows of the grid the first and the last stretch begins and ends that hides a tenth of what
-// is behind it; of both volumes where there are two. What a clip removes is not in it; where its faces show
-// grey values, all that these could show is. None where there is nothing. `medium` must be made of this
-// volume and grid by a function, with this clip, mask and additions. On all cores.
+// Points, LPS mm, whose convex hull is that of the visible matter, to a small part of a voxel. In each row of
+// the grid they mark the outer ends of the first and the last run of matter that hides a tenth of what is
+// behind it; a second volume counts as well. Matter that a clip removes does not count, but everything that
+// its grey faces could show does. Empty without matter. `medium` must be made from this volume and grid by a
+// function, with this clip, mask and additions. Uses all cores.
 std::vector<glm::dvec3> visibleHullMm(const Volume& volume, const BrickGrid& grid, const Medium& medium,
                                       const Clip& clip = {}, const MaskBits* mask = nullptr,
                                       const Additions& additions = {});

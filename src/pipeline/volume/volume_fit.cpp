@@ -10,8 +10,8 @@ namespace {
 constexpr double kLowPercentile = 0.02;
 constexpr double kHighPercentile = 0.98;
 
-// Foreground: not below the mean of all voxels that are not padding. Air makes the lowest and largest peak of
-// every MR histogram, and the mean lies above it.
+// The foreground is not below the mean of all voxels except padding. Air is the lowest and largest peak of
+// every MR histogram, and the mean lies above that.
 struct Foreground {
     ValueRange range;
     bool fromBackground = false;
@@ -32,8 +32,8 @@ Foreground foregroundOf(const Volume& volume) {
     const auto threshold = static_cast<std::size_t>(count > 0.0 ? sum / count : 0.0);
     double foreground = 0.0;
     for (std::size_t v = threshold; v < histogram.size(); ++v) foreground += double(histogram[v]);
-    // Masks and label maps: the background is what the curves begin with, or the lowest label would be
-    // nothing.
+    // In masks and label maps the curves begin at the background: otherwise the lowest label would be
+    // invisible.
     constexpr std::ptrdiff_t kFewestGreys = 8;
     const auto isThere = [](std::uint64_t voxels) { return voxels > 0; };
     const auto firstOfForeground = histogram.begin() + static_cast<std::ptrdiff_t>(threshold);
@@ -66,7 +66,7 @@ std::optional<VolumeFit> fitOf(const TransferFunction& function, const Volume& v
     } else {
         fit.volume = volume.valueRange().value_or(ValueRange{0.0, 0.0});
     }
-    // A volume of one value would squeeze the curves into nothing.
+    // With a single value in the volume, the curves would have no width.
     fit.volume.high = std::max(fit.volume.high, fit.volume.low + volume.unitsFromStored().slope);
     return fit;
 }

@@ -1,5 +1,5 @@
-// Curves made for other numbers, stretched to those of a volume. The preset itself is never changed: a fit is
-// made anew for each volume, and leaving it out gives the preset's own numbers back.
+// Stretches curves to the values of a volume. The preset itself never changes: each volume gets its own fit,
+// and without one the preset's own numbers hold.
 #pragma once
 
 #include <string>
@@ -15,26 +15,25 @@ struct VolumeFit {
     ValueRange preset;  // in the preset's values
     ValueRange volume;  // in units of the volume
     TransferFunction::Fit::To to = TransferFunction::Fit::To::foreground;
-    bool fromBackground = false;  // of a foreground with few values: volume.low is what lies below it
+    bool fromBackground = false;  // a foreground of few values: volume.low is the background
 
     double scale() const { return (volume.high - volume.low) / (preset.high - preset.low); }
     double operator()(double value) const { return volume.low + (value - preset.low) * scale(); }
 };
 
-// Where the function's curves fall on the volume; nothing when it asks for no fit. The foreground are the
-// voxels that are not padding and not below the mean of all that are not; where these have fewer than eight
-// values, as in a mask, the curves begin at the background. The volume must be stored16.
+// How the function's curves are stretched to the volume; nothing if the function asks for no fit. The
+// foreground is all voxels, except padding, that are not below the mean of these. If it has fewer than eight
+// different values, as in a mask, the curves begin at the background. The volume must be stored16.
 std::optional<VolumeFit> fitOf(const TransferFunction& function, const Volume& volume);
 
-// The function with its curves stretched to the volume, its gradients with them, or itself when it asks for
-// no fit.
+// The function with its curves and gradients stretched to the volume; unchanged if it asks for no fit.
 TransferFunction fitted(const TransferFunction& function, const Volume& volume);
 
-// The function, asking for a fit of its effective range to the foreground; as it is when it asks for one.
-// Fails with inputNotUsable when it has no effective range.
+// Makes the function ask for a fit of its effective range to the foreground; unchanged if it asks for one
+// already. Fails with inputNotUsable if it has no effective range.
 Result<TransferFunction> withFit(TransferFunction function);
 
-// What was done, for the person who looks at the picture; key "preset.fitted".
+// The message about the fit, for the person who looks at the picture; key "preset.fitted".
 Message fitMessage(const VolumeFit& fit);
 
 }  // namespace macula

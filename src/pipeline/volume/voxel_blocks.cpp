@@ -18,7 +18,7 @@ const std::uint16_t* rowAt(const Volume& volume, glm::ivec3 voxel) {
            std::size_t(voxel.x);
 }
 
-// Average over a cube of voxels, of those within the volume; 0 when there are none.
+// The average over those voxels of a cube that lie within the volume; 0 if there are none.
 std::uint16_t average(const Volume& volume, const EntryMap& map, glm::ivec3 low, int edge) {
     const glm::ivec3 end = glm::min(low + edge, volume.size());
     std::uint64_t sum = 0;

@@ -14,7 +14,7 @@ double gradientPerMmAt(const Volume& volume, const EntryMap& map, const glm::ive
         perVoxel[axis] = 0.5 * (double(map.entryOf(volume.stored(high.x, high.y, high.z))) -
                                 double(map.entryOf(volume.stored(low.x, low.y, low.z))));
     }
-    // A gradient over voxels becomes one over mm by the inverse transpose.
+    // The inverse transpose turns a gradient over voxels into one over mm.
     const glm::dmat3 voxelFromWorld = glm::inverse(glm::dmat3(volume.worldFromVoxel()));
     return volume.unitsFromStored().slope * glm::length(glm::transpose(voxelFromWorld) * perVoxel);
 }

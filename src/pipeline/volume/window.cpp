@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUsualHighSuv = 10.0;
 
-// Values of the volume that are no padding, some hundred thousand at most, evenly.
+// At most 200 000 evenly spaced values of the volume, without padding.
 std::vector<double> someValues(const Volume& volume) {
     constexpr std::size_t kMost = 200'000;
     const glm::ivec3 size = volume.size();
@@ -59,7 +59,7 @@ DisplayWindow seriesWindow(const Volume& volume) {
 
 namespace {
 
-// The largest stored values along evenly spread rays in each axis, ascending, of rays that meet anything but
+// The largest stored values along evenly spread rays in each axis, ascending, without rays that meet only
 // padding.
 std::vector<std::uint16_t> largestAlongAxes(const Volume& volume) {
     constexpr int kRaysPerSide = 64;

@@ -1,4 +1,4 @@
-// Default windows (PS3.3 C.11.2), for when nobody chose one.
+// Default windows (PS3.3 C.11.2), used until a person chooses one.
 #pragma once
 
 #include <optional>
@@ -9,31 +9,33 @@
 
 namespace macula {
 
-// The first window of the series; when it names none, all of its values. Of activity activityWindow.
+// The first window of the series, or one over all values if it names none. For activity, activityWindow.
 DisplayWindow seriesWindow(const Volume& volume);
 
-// Whether values are those of emission tomography: Bq/mL, SUV, or any numbers of PET.
+// Whether values come from emission tomography: Bq/mL, SUV, or any numbers of PET.
 bool isActivity(const Volume& volume);
 
-// From 0 to 10 SUV, or to the highest value below that. Of other activity up to what all but a thousandth of
-// the values stay below, because the bladder would leave everything else black; PET scanners name windows
-// over all of a slice. Nothing where no value is above 0. Looks at some hundred thousand values, but for SUV.
+// From 0 to 10 SUV, or to the highest value if that is lower. For other activity up to the 99.9th percentile,
+// because the bladder would leave everything else black. Ignores windows of the series: PET scanners write
+// them over all values of a slice. Nothing if no value is above 0. Samples some hundred thousand values,
+// except for SUV.
 std::optional<DisplayWindow> activityWindow(const Volume& volume);
 
-// For a projection of largest values: the first window of the series, unless that makes a third of the
-// picture plain white, as one for soft tissue does in a chest; then, or when there is none, from the tenth to
-// the highest hundredth of the largest values along the axes of the volume. The volume must be stored16.
+// For a maximum intensity projection: the first window of the series, unless it makes a third of the picture
+// plain white, as one for soft tissue does in a chest. Then, or without a window, from the 10th to the 99th
+// percentile of the maxima along the axes of the volume. For activity, seriesWindow. The volume must be
+// stored16.
 DisplayWindow maximumWindow(const Volume& volume);
 
-// The effective range of the preset, fitted to the volume as the preset is; nothing when it names none.
+// The effective range of the preset, fitted to the volume like the preset; nothing if it has none.
 std::optional<DisplayWindow> presetWindow(const TransferFunction& preset, const Volume& volume);
 
-// Black and white of a window, as positions in the tables of entries (entry_map.h). PS3.3 C.11.2.1.2: LINEAR
-// is white one unit before the end of the window. A SIGMOID is drawn as the line that its centre and width
-// tell.
+// Black and white of a window, as positions in the tables of entries (entry_map.h). By PS3.3 C.11.2.1.2,
+// LINEAR reaches white one unit before the end of the window. A SIGMOID is drawn as a line over its centre
+// and width.
 std::pair<float, float> entriesOf(const DisplayWindow& window, const Volume& volume);
 
-// The window in units that is black at the low end of a range and white at its high end.
+// The window that is black at the low end of a range and white at its high end.
 DisplayWindow windowOver(const ValueRange& range);
 
 }  // namespace macula

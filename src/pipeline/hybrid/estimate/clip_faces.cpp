@@ -34,7 +34,7 @@ class FaceSearch {
                 outwards += worldFromVoxel_ * by;
                 if (firstRemoved == glm::dvec3(0.0)) firstRemoved = worldFromVoxel_ * by;
             }
-            // What is removed on both sides of a thin slab faces either way.
+            // A slab so thin that both sides are removed has no net direction: either one will do.
             if (!(glm::length(outwards) > 0.0)) outwards = firstRemoved;
             if (!(glm::length(outwards) > 0.0)) continue;
             const GreyValues& values = *shown_.faces;
@@ -49,7 +49,7 @@ class FaceSearch {
     }
 
   private:
-    // Cells of one voxel have the same one in several eighths.
+    // In a cell of few voxels several octants sample the same voxel.
     bool isRepeated(std::size_t cell, std::size_t s) const {
         const glm::ivec3 voxel = matter_.voxelOf(cell, s);
         for (std::size_t before = 0; before < s; ++before) {
@@ -69,7 +69,7 @@ class FaceSearch {
     const CoarseMatter& matter_;
     const ShownMatter& shown_;
     glm::dvec3 half_;   // of a cell, voxels
-    glm::dvec3 apart_;  // samples are whole voxels: at most so far from each other
+    glm::dvec3 apart_;  // largest distance of neighbouring samples, whole voxels
     glm::dmat3 worldFromVoxel_;
 };
 

@@ -9,7 +9,7 @@
 
 namespace macula::hybrid {
 
-// A place on a face: a sample of a cell that is shown, beside a place that the shape of the clip removes.
+// A place on a face: a shown sample of a cell, next to a place that the shape of the clip removes.
 struct FacePlace {
     std::uint32_t cell = 0;
     glm::dvec3 voxel{0.0};
@@ -17,7 +17,8 @@ struct FacePlace {
     float radiance = 0.0f;     // linear and grey, before exposure and tone map
 };
 
-// Half an edge of a cell apart, where faces are not clear; empty where they show no values. On all cores.
+// Places half a cell edge apart, except where a face is transparent; none if faces show no values. Uses all
+// cores.
 std::vector<FacePlace> facePlaces(const CoarseMatter& matter, const ShownMatter& shown);
 
 }  // namespace macula::hybrid

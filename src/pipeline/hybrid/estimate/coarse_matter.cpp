@@ -12,7 +12,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// The edges of cells in voxels, for cells of that many mm.
+// The edges in voxels of cells that measure about `mm`.
 glm::ivec3 edgesFor(double mm, const glm::dvec3& spacingMm, const glm::ivec3& voxels) {
     return glm::clamp(glm::ivec3(glm::round(mm / spacingMm)), glm::ivec3(1), voxels);
 }
@@ -32,7 +32,7 @@ CoarseMatter::CoarseMatter(std::shared_ptr<const Volume> volume, std::size_t mos
     MACULA_CHECK(volume_->format() == VoxelFormat::stored16 && mostCells > 0);
     const glm::ivec3 voxels = volume_->size();
     const glm::dvec3 spacing = volume_->spacingMm();
-    // Rounding to whole voxels makes too many cells of some sizes.
+    // A search, because rounding to whole voxels can make more cells than the size suggests.
     for (double mm = std::min({spacing.x, spacing.y, spacing.z});; mm *= 1.05) {
         edge_ = edgesFor(mm, spacing, voxels);
         size_ = cellsFor(edge_, voxels);
@@ -107,7 +107,7 @@ bool ShownMatter::isInShape(const Volume& volume, const glm::dvec3& voxel) const
 PartShown ShownMatter::partInShape(const CoarseMatter& matter, const glm::ivec3& first,
                                    const glm::ivec3& end) const {
     if (!clip.hasShape()) return PartShown::all;
-    // From the outer faces of voxels to those on the other side.
+    // Voxels reach half a voxel beyond their centres.
     const glm::dvec3 edge(matter.cellVoxels());
     const Box voxels{glm::dvec3(first) * edge - 0.5, glm::dvec3(end) * edge - 0.5};
     const glm::dmat4& worldFromVoxel = matter.volume().worldFromVoxel();
@@ -117,7 +117,7 @@ PartShown ShownMatter::partInShape(const CoarseMatter& matter, const glm::ivec3&
 
 void forEachCell(const CoarseMatter& matter, const ShownMatter& shown, int margin,
                  const std::function<void(std::size_t cell, PartShown part)>& body) {
-    constexpr int kRun = 12;  // cells along x that are asked about together
+    constexpr int kRun = 12;  // cells along x that are tested together
     const glm::ivec3 size = matter.size();
     parallelFor(std::size_t(size.z), [&](std::size_t layer) {
         const int z = int(layer);

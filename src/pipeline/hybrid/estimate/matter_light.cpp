@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kSides = 6;
 
-// Lights are large, so each layer blurs a beam: this part of it goes on straight, and this one to each of the
-// four neighbours beside.
+// Lights are large, so each layer blurs a beam: kStraight of it continues straight, and kBeside spreads to
+// each of the four neighbours.
 constexpr float kStraight = 0.4f;
 constexpr float kBeside = 0.15f;
 
@@ -48,7 +48,7 @@ LitMatter shownMatterOf(const CoarseMatter& matter, const ShownMatter& shown) {
     return matterOf;
 }
 
-// Lets the light of one side through the grid, from layer to layer.
+// Carries the light of one side through the grid, layer by layer.
 class Sweep {
   public:
     Sweep(const CoarseMatter& matter, const std::vector<float>& extinction, std::size_t side)
@@ -80,7 +80,7 @@ class Sweep {
     }
 
   private:
-    // Beyond the border it is as light as everywhere outside.
+    // Light beyond the border is not weakened.
     static void spread(const std::vector<float>& from, int width, int height, std::vector<float>& to) {
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
@@ -164,7 +164,7 @@ LightOfSides lightOf(const trace::Environment& environment, const glm::dmat3& wo
         const double polar = kPi * (y + 0.5) / environment.height();
         for (int x = 0; x < environment.width(); ++x) {
             const double azimuth = 2.0 * kPi * ((x + 0.5) / environment.width() - 0.5);
-            // The table has left, superior and anterior; the world left, posterior and superior.
+            // The table's axes are left, superior and anterior; the world's are left, posterior and superior.
             const glm::dvec3 towards{-std::sin(polar) * std::sin(azimuth),
                                      -std::sin(polar) * std::cos(azimuth), std::cos(polar)};
             const std::size_t at = std::size_t(y) * std::size_t(environment.width()) + std::size_t(x);
@@ -189,7 +189,7 @@ LightOfSides lightOf(const trace::Environment& environment, const glm::dmat3& wo
 LightOfSides fittedLight(std::span<const LitSample> samples, const LightOfSides& expected) {
     constexpr std::size_t kUnknowns = kSides + 1;
     constexpr int kTurns = 200;
-    constexpr double kOfExpected = 0.002;  // what `expected` counts beside as many samples of white matter
+    constexpr double kOfExpected = 0.002;  // weight of `expected` for each unit of the samples' weight
     using Row = std::array<glm::dvec3, kUnknowns>;
     std::array<Row, kUnknowns> products{};
     Row right{};

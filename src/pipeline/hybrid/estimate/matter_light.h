@@ -1,5 +1,5 @@
-// From where light comes into what is shown of coarse matter: along the six sides of the volume, as diffuse
-// beams that matter weakens cell by cell; and what light that must be, by what a model has learnt.
+// How light reaches the shown part of coarse matter: from the six sides of the volume, as diffuse beams that
+// matter weakens cell by cell; and how bright these must be to explain the colours that a model has learnt.
 #pragma once
 
 #include <array>
@@ -12,24 +12,24 @@
 
 namespace macula::hybrid {
 
-// The parts of the light from -x, +x, -y, +y, -z and +z of the grid that get to a cell, 0 to 1.
+// The shares, 0 to 1, of the light from -x, +x, -y, +y, -z and +z of the grid that reach a cell.
 using SideLight = std::array<float, 6>;
 
 struct LitMatter {
     std::vector<float> extinctionPerMm;  // by cell: the mean over its samples that are shown
-    std::vector<float> opacity;          // by cell: of a cube as large
+    std::vector<float> opacity;          // by cell, of a cube of its volume
     std::vector<SideLight> light;        // by cell
 
-    // How much of a cell is seen from outside, on average over sides.
+    // The share of the light outside that reaches a cell, averaged over the sides.
     float openness(std::size_t cell) const;
 };
-// How opacity rises around a cell, along the axes of the grid: for a whole cell's more on one side than on
-// the other, 1.
-inline constexpr float kSurfaceRise = 0.1f;  // of less, there is no surface
+// The rise of opacity across a cell, along the axes of the grid: 1 from a transparent to an opaque neighbour.
+inline constexpr float kSurfaceRise = 0.1f;  // a smaller rise is not a surface
 glm::vec3 riseAround(const CoarseMatter& matter, const LitMatter& lit, std::size_t cell);
-// The light that falls on the surface that a cell is part of: a cell outside of it. Else its own.
+// The light that falls on the surface that a cell is part of, found one cell outside it. The cell's own light
+// if it is not part of a surface.
 SideLight lightOn(const CoarseMatter& matter, const LitMatter& lit, std::size_t cell);
-// On all cores.
+// Uses all cores.
 LitMatter litMatter(const CoarseMatter& matter, const ShownMatter& shown);
 
 // The part of diffuse light that a half space of isotropic scatterers of that albedo reflects, by channel:
@@ -37,25 +37,25 @@ LitMatter litMatter(const CoarseMatter& matter, const ShownMatter& shown);
 // reflects all.
 glm::vec3 reflectanceOf(const glm::vec3& albedo);
 
-// Linear radiance that leaves white matter for light of 1 from each side, and whatever the light.
+// The linear radiance of white matter for a SideLight of 1 from each side; the last is added in any light.
 struct LightOfSides {
     std::array<glm::vec3, 7> radiance{};
 
     glm::vec3 at(const SideLight& light) const;
 };
 
-// Of an environment in the patient's frame, as matter of a volume with those axes meets it: a surface is lit
-// from three sides.
+// The light of an environment in the patient's frame on a volume with these axes. A surface is lit from three
+// sides: each gives a third.
 LightOfSides lightOf(const trace::Environment& environment, const glm::dmat3& worldFromVoxel);
 
 struct LitSample {
     SideLight light;
     glm::vec3 reflectance;
-    glm::vec3 radiance;  // linear, that leaves matter of it there
+    glm::vec3 radiance;  // linear, of the matter there
     float weight;
 };
-// The non-negative light that explains the samples' radiance with the least squares. Sides that samples say
-// little about stay near to `expected`.
+// The non-negative light that explains the samples' radiance with the least squared error. Sides that the
+// samples do not determine stay near `expected`.
 LightOfSides fittedLight(std::span<const LitSample> samples, const LightOfSides& expected);
 
 }  // namespace macula::hybrid

@@ -13,28 +13,28 @@ namespace macula::hybrid {
 
 namespace {
 
-constexpr float kLeastExtinction = 1e-4f;  // per mm: of less, 100 mm hide a hundredth
-constexpr float kLeastOpacity = 0.01f;     // of a splat that is worth drawing
+constexpr float kLeastExtinction = 1e-4f;  // per mm: 100 mm of it hide a hundredth
+constexpr float kLeastOpacity = 0.01f;     // of a splat worth drawing
 constexpr float kMostOpacity = 0.98f;
 constexpr float kMostLearntOpacity = 0.9999f;
-// What was haze is no surface: where matter has become that, cells have splats of their own.
+// A splat of haze gets no denser than this: where haze has become a surface, cells get splats of their own.
 constexpr float kMostDenser = 8.0f;
-// A surface fills part of a cell, and hides what lies behind all of it.
+// A surface that fills part of a cell hides what lies behind the whole of it.
 constexpr float kDenser = 1.3f;
-// A cell that less of the light around gets to shows nothing.
+// A cell that receives less than this share of the light outside counts as invisible.
 constexpr float kLeastOpenness = 0.03f;
-// What was seen of a cell when the model was learnt, over what is seen now: above that it is known.
+// A cell is known if the model, when it learnt, saw more than this share of what is visible of it now.
 constexpr float kKnownShare = 0.75f;
-// Splats of a model that cover so much of a cell leave nothing to be added.
+// A cell that the model's splats cover this far gets no new splat.
 constexpr float kWhollyCovered = 0.75f;
-// Reflectances between which a splat's own colour begins to count.
+// Below kDark, a splat's learnt colour does not count; above kBright, only it does.
 constexpr float kDark = 0.02f;
 constexpr float kBright = 0.2f;
-// Light of a splat is changed by so much at most.
+// Limits of the factor by which the light of a splat changes.
 constexpr float kLeastLight = 0.25f;
 constexpr float kMostLight = 4.0f;
-// Standard deviations of a cell's splat in edges of it: along its surface, so that neighbours overlap to
-// even cover, and across.
+// Standard deviations of a cell's splat, in cell edges: along its surface, where neighbours overlap enough to
+// cover it evenly, and across.
 constexpr double kAlong = 0.55;
 constexpr double kAcross = 0.3;
 
@@ -50,7 +50,7 @@ glm::vec3 colourOf(const splat::Splats& splats, std::size_t i) {
     return glm::max(splat::colourOfDc(splats.dc[i]), glm::vec3(0.0f));
 }
 
-// Of the larger two of its axes.
+// The area that a splat covers, seen along its shortest axis.
 float broadSideMm2(const splat::Splats& splats, std::size_t i) {
     constexpr float kTwoPi = 6.2831853f;
     const glm::vec3 scale = splats.logScale[i];
@@ -82,12 +82,12 @@ struct Lit {
     glm::vec3 light;
 };
 
-// As its matter and its light are now. What dark matter showed says little about how light it would be: the
-// darker it was, the more its colour is what matter and light make it.
+// Gives a splat the colour of its present matter and light. The learnt colour of dark matter says little
+// about how bright it would be: the darker it was, the more its new colour follows from matter and light.
 void recolour(splat::Splats& splats, std::size_t i, const Lit& before, const Lit& now) {
     const std::size_t count = splat::shCount(splats.shDegree);
     glm::vec3 colour = splat::colourOfDc(splats.dc[i]);
-    // For all channels the same: what a channel lacks in the dark is noise.
+    // One factor for all channels: the hue of dim light is mostly noise.
     const float lightBefore = before.light.r + before.light.g + before.light.b;
     const float lightNow = now.light.r + now.light.g + now.light.b;
     const float brighter =
@@ -122,8 +122,8 @@ void appendAll(const splat::Splats& from, splat::Splats& to) {
     add(from.sh, to.sh);
 }
 
-// Calls body(i, part) for each i of `count` on all cores, and then take(part) for each part, which begins as
-// `empty`: in the order of i, whoever was first.
+// Calls body(i, part) for each i below `count` on all cores; each part begins as `empty`. Then calls
+// take(part) for each part in the order of i, whichever was finished first.
 template <typename Part, typename Body, typename Take>
 void inParts(std::size_t count, const Part& empty, const Body& body, const Take& take) {
     constexpr std::size_t kOfPart = 4096;
@@ -187,7 +187,7 @@ SplatEstimate::SplatEstimate(std::shared_ptr<const CoarseMatter> matter,
 SplatEstimate::Matter SplatEstimate::matterAt(const Place& place, const ShownMatter& shown) const {
     Matter sum;
     glm::vec3 albedo{0.0f};
-    // All of a splat is as steep as its middle.
+    // The gradient at its middle stands for the whole splat.
     const glm::ivec3 voxel(
         glm::clamp(glm::round(place.voxel), glm::vec3(0.0f), glm::vec3(matter_->volume().size() - 1)));
     for (const std::uint16_t entry : place.entries) {
@@ -224,7 +224,7 @@ splat::Splats SplatEstimate::under(const ShownMatter& shown) const {
     inParts<Part>(
         places_.size(), {.splats = none(), .covers = {}},
         [&](std::size_t i, Part& part) {
-            // What was learnt of one face is not seen on another, and hides what is.
+            // Splats that learnt one face do not show another, and would hide it.
             const bool isOfFace = isFace[places_[i].cell] || wasFace_[places_[i].cell];
             if (hasOtherFaces && isOfFace) return;
             if (shown.shows(matter_->volume(), glm::dvec3(places_[i].voxel))) addChanged(i, shown, lit, part);
@@ -255,7 +255,7 @@ void SplatEstimate::addChanged(std::size_t i, const ShownMatter& shown, const Li
         denser = std::min(now.extinction / before.extinction, kMostDenser);
     } else if (const float cell = learntLit_.extinctionPerMm[place.cell]; cell > kLeastExtinction) {
         denser = std::min(lit.extinctionPerMm[place.cell] / cell,
-                          kMostDenser);  // it lies beside the matter that it stands for
+                          kMostDenser);  // the splat lies beside the matter that it stands for
     }
     const float learnt = std::min(opacityOf(model_->opacityLogit[i]), kMostLearntOpacity);
     const float opacity = denser == 1.0f ? learnt : -std::expm1(denser * std::log1p(-learnt));
@@ -291,7 +291,7 @@ std::vector<std::uint32_t> SplatEstimate::cellsWithout(const LitMatter& lit,
         std::uint32_t cell;
         float worth;
     };
-    // How much of a cell is seen from around.
+    // How much of a cell is visible from outside.
     const auto worthOf = [&](const LitMatter& of, std::size_t cell) {
         return opacityOfCell(of, cell) * of.openness(cell);
     };
@@ -323,7 +323,7 @@ float SplatEstimate::opacityOfCell(const LitMatter& lit, std::size_t cell) const
     return -std::expm1(-kDenser * float(matter_->edgeMm()) * lit.extinctionPerMm[cell]);
 }
 
-// As wide as the cell, and flat where that is part of a surface.
+// The splat is as wide as the cell, and flat if the cell is part of a surface.
 void SplatEstimate::addSplatOf(std::uint32_t cell, const ShownMatter& shown, const LitMatter& lit,
                                float covered, splat::Splats& splats) const {
     const Volume& volume = matter_->volume();
@@ -344,7 +344,7 @@ void SplatEstimate::addSplatOf(std::uint32_t cell, const ShownMatter& shown, con
     if (!(weight > 0.0f)) return;
     const double edge = matter_->edgeMm();
     const glm::dvec3 middle = transformPoint(volume.worldFromVoxel(), voxel / double(weight));
-    // A gradient over voxels becomes one of the world by the inverse transpose.
+    // The inverse transpose turns a gradient over voxels into one in the world.
     const glm::dvec3 rise =
         glm::transpose(glm::dmat3(voxelFromWorld_)) *
         (glm::dvec3(riseAround(*matter_, lit, cell)) / matter_->cellMm() * volume.spacingMm());

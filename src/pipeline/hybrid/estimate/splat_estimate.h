@@ -4,7 +4,7 @@
 // the model has learnt (matter_light.h); so do clip faces that show grey values. Where nothing was learnt
 // yet, the estimate has only coarse splats, in the light of the environment.
 //
-// An estimate, not a model: it is right about what is hidden and what is shown, and nearly about its light.
+// An estimate, not a model: it hides and shows the right matter, but its light is only nearly right.
 #pragma once
 
 #include <array>
@@ -21,24 +21,23 @@
 namespace macula::hybrid {
 
 struct SplatEstimateOptions {
-    std::size_t mostNewSplats = 50'000;  // those that show most
+    std::size_t mostNewSplats = 50'000;  // the most visible ones
 };
 
 class SplatEstimate {
   public:
-    // `model` was learnt of that matter, shown so; it may have no splats, and then nothing was shown. All are
-    // kept, and not changed. On all cores.
-    // `environment` is the light, in the patient's frame.
+    // `model` learnt `matter` as `learntOf` shows it; if it has no splats, nothing counts as learnt.
+    // `environment` is in the patient's frame. Keeps all of them, and changes none. Uses all cores.
     SplatEstimate(std::shared_ptr<const CoarseMatter> matter, std::shared_ptr<const splat::Splats> model,
                   ShownMatter learntOf, const trace::Environment& environment,
                   const SplatEstimateOptions& options = {});
 
-    // Valid; splats of the model that are hidden are left out. The model itself for what it was learnt of, up
-    // to rounding. On all cores.
+    // Returns valid splats, without those of the model that are hidden now; for `learntOf` the model itself,
+    // up to rounding. Uses all cores.
     splat::Splats under(const ShownMatter& shown) const;
 
   private:
-    // The voxels around a splat: its middle, and a standard deviation to each side of it.
+    // The sampled voxels of a splat: its middle, and one standard deviation to each side along its axes.
     static constexpr std::size_t kPlaces = 7;
     struct Place {
         std::array<std::uint16_t, kPlaces> entries;
@@ -51,7 +50,7 @@ class SplatEstimate {
     };
 
     Matter matterAt(const Place& place, const ShownMatter& shown) const;
-    // Splats that were made beside others, and the cells that they cover, by so much.
+    // The splats of one part of the parallel work, and how much of which cells they cover.
     struct Part {
         splat::Splats splats;
         std::vector<std::pair<std::uint32_t, float>> covers;
@@ -72,7 +71,7 @@ class SplatEstimate {
     std::vector<Place> places_;         // by splat of the model
     std::vector<Matter> learntMatter_;  // likewise
     LitMatter learntLit_;
-    std::vector<bool> wasFace_;  // by cell: of what was learnt, a face that shows grey values
+    std::vector<bool> wasFace_;  // by cell: `learntOf_` had a face with grey values there
     LightOfSides light_;
 };
 

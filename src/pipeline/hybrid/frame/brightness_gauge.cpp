@@ -46,7 +46,7 @@ double brightnessGain(std::span<const std::vector<glm::vec4>> traced,
 }
 
 BrightnessGauge::BrightnessGauge(const Box& seenMm) {
-    // The first and the fourth are held out of what a model learns: not the one that most begin with.
+    // A model never learns from the first and the fourth: neither is anterior, with which most people begin.
     for (const ViewDirection side : {ViewDirection::posterior, ViewDirection::anterior, ViewDirection::left,
                                      ViewDirection::right, ViewDirection::superior, ViewDirection::inferior})
         cameras_.push_back(frameBox(seenMm, side, kFieldDeg, 1.0));

@@ -17,7 +17,7 @@ Result<Compositor> Compositor::create(const std::shared_ptr<gpu::Device>& device
     return Compositor(device, std::move(nothing));
 }
 
-// The device keeps what is compiled.
+// Cheap after the first call: the device keeps compiled kernels.
 Result<gpu::Kernel> Compositor::kernelFor(const Layers& layers, const Display& display) const {
     const bool isMixed = layers.tracedShare < 1.0f;
     const bool isTrusted = layers.tracedTrusts == nullptr || layers.tracedShare <= 0.0f;
@@ -48,7 +48,7 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
                                                           .height = height,
                                                           .format = VK_FORMAT_R8G8B8A8_UNORM}));
     }
-    // Something has to be bound where nothing is read.
+    // Each binding needs a buffer, even if the kernel does not read it.
     const gpu::TexelBuffer& splats = layers.splats != nullptr ? layers.splats->texels : nothing_;
     const gpu::TexelBuffer& fovea = layers.fovea != nullptr ? *layers.fovea->lights : nothing_;
     const gpu::TexelBuffer& weights = layers.fovea != nullptr ? *layers.fovea->weights : nothing_;

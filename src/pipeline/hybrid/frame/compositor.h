@@ -1,4 +1,4 @@
-// The picture that a person sees, of splats and of what is traced.
+// Composes the picture that a person sees from splats and traced light.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,12 +21,12 @@ struct Layers {
     const splat::DevicePicture* splats = nullptr;
     const ReprojectedPicture* fovea = nullptr;   // over the splats, by its weights
     const trace::TracedLight* traced = nullptr;  // with all pixels
-    // float for each pixel: how far what is traced is to be trusted over the splats (trust.h). Null: wholly.
+    // float for each pixel: the trust in `traced` over the splats (trust.h). Null: full trust.
     const gpu::TexelBuffer* tracedTrusts = nullptr;
     glm::ivec2 sizePx{0};
     float splatGain = 1.0f;  // multiplies their light, not their coverage
-    // 0 to 1: of what is traced, over splats as far as it is trusted; the rest is of splats and fovea. Must
-    // be 1 without splats, and 0 without what is traced.
+    // 0 to 1: the share of `traced`, which splats replace where it is not trusted; the rest is splats and
+    // fovea. Must be 1 without splats, and 0 without `traced`.
     float tracedShare = 0.0f;
 };
 
@@ -38,15 +38,15 @@ struct Display {
     bool keepsCoverage = false;
 };
 
-// Used by one thread at a time, the one that uses the device. Nothing goes through the host, and nothing is
-// waited for.
+// Used by one thread at a time, the one that uses the device. No pixels pass through the host, and no call
+// waits for the device.
 class Compositor {
   public:
     static Result<Compositor> create(const std::shared_ptr<gpu::Device>& device);
 
-    // Mixed as light (shaders/lib/compose.glsl), laid over the background, exposed, tone mapped and encoded
-    // as PathTracer::display: RGBA8, opaque unless coverage is kept, in layout GENERAL, valid until the next
-    // one of another size. outOfMemory.
+    // Mixes the layers as light (shaders/lib/compose.glsl), lays them over the background, exposes, tone maps
+    // and encodes as PathTracer::display does: RGBA8, opaque unless coverage is kept, in layout GENERAL,
+    // valid until the next picture of another size. Fails with outOfMemory.
     Result<const gpu::Image*> compose(const Layers& layers, const Display& display);
 
   private:
@@ -55,7 +55,7 @@ class Compositor {
     Result<gpu::Kernel> kernelFor(const Layers& layers, const Display& display) const;
 
     std::shared_ptr<gpu::Device> device_;
-    gpu::TexelBuffer nothing_;  // bound where there is no layer
+    gpu::TexelBuffer nothing_;  // bound in place of missing layers
     std::optional<gpu::Image> picture_;
 };
 

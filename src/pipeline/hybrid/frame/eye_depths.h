@@ -1,5 +1,5 @@
-// How far away is what each eye is shown, as a depth buffer has it: for who lays other things beside the
-// picture, or shifts it to where the eye is by then.
+// The depth of each pixel that an eye is shown, as in a depth buffer: for those who draw other things into
+// the picture, or shift it to where the eye is by the time of display.
 #pragma once
 
 #include <deque>
@@ -14,8 +14,8 @@
 
 namespace macula::hybrid {
 
-// Between its planes, in whatever unit: a depth is 0 at the near one and 1 at the far one, and changes as 1
-// over the distance along the middle of the view.
+// The near and the far plane, in any unit. A depth is 0 at the near one and 1 at the far one, and linear in
+// the reciprocal of the distance along the middle of the view.
 struct DepthRange {
     float nearest = 0.01f;
     float farthest = 100.0f;
@@ -27,8 +27,8 @@ class EyeDepths {
   public:
     static Result<EyeDepths> create(const std::shared_ptr<gpu::Device>& device);
 
-    // The depth of each pixel of `splats` that is more than half covered, else 1: float32, row 0 on top,
-    // perhaps more behind. Valid until the next one of that eye. `splats` has depth sums.
+    // The depth of each pixel of `splats` that is more than half covered, else 1: float32, row 0 on top; the
+    // buffer may be longer. Valid until the next call for that eye. `splats` must have depth sums. Fails with
     // outOfMemory.
     Result<const gpu::Buffer*> make(std::size_t eye, const DrawnSplats& splats, const DepthRange& range);
 
@@ -38,7 +38,7 @@ class EyeDepths {
 
     std::shared_ptr<gpu::Device> device_;
     gpu::Kernel kernel_;
-    std::deque<gpu::Buffer> depths_;  // by eye; what was returned stays where it is when another eye comes
+    std::deque<gpu::Buffer> depths_;  // by eye; a deque, so that returned pointers stay valid
 };
 
 }  // namespace macula::hybrid

@@ -10,7 +10,7 @@ namespace {
 constexpr double kFieldBeforeCoarser = 0.6;
 constexpr double kCoarsest = 0.5;
 constexpr double kLeastField = 0.1;
-constexpr double kLeastFieldDeg = 0.1;  // that a camera may have
+constexpr double kLeastFieldDeg = 0.1;  // smallest field of a camera
 
 double halfTangent(double fieldDeg) {
     return std::tan(0.5 * glm::radians(fieldDeg));
@@ -29,8 +29,8 @@ FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, doubl
     const double aspect = double(whole.width) / double(whole.height);
     const double half = std::min(halfTangent(request.fieldDeg), halfOfFrame * std::max(aspect, 1.0));
     const double wantedPx = std::max(2.0 * half * pixelsPerTangent, 1.0);
-    // Of the side that is wanted. In steps: a picture as large as the one before keeps its memory, and its
-    // noise can be filtered with that of the one before.
+    // The share of the wanted side, in steps: a picture as large as the last one reuses its memory, and the
+    // denoiser can use the samples of both.
     constexpr double kLeastShare = kLeastField * kCoarsest;
     const double affordable = std::clamp(
         std::sqrt(budgetMs / (msPerSample * request.samplesPerPixel)) / wantedPx, kLeastShare, 1.0);

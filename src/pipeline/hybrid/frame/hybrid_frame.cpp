@@ -14,7 +14,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// A frame that follows a hand waits for one of these.
+// A frame that follows a hand waits for one dispatch.
 constexpr double kDispatchMs = 12.0;
 constexpr double kTurnsKeptMs = 300.0;
 constexpr double kMostWallPerTracing = 20.0;  // a hand may pause for minutes
@@ -39,13 +39,13 @@ Result<void> HybridFrame::setScene(const trace::Settings& settings) {
     fovea_.reset();
     aim_.reset();
     settings_ = settings;
-    // Guides need a few more voxels: now, because a picture under way would begin anew for them.
+    // Guides need a few more voxels. Asking for them later would restart an unfinished picture.
     settings_.denoising = trace::Denoising::on;
     settings_.errorThreshold = 0.0;
     tracer_.forgetViews();
     MACULA_TRY_VOID(tracer_.setSettings(settings_));
-    // Who asks what can be seen needs a view, whichever. As large as the last picture, whose film the next
-    // one finds in its place.
+    // seenMm() needs a view, no matter which. This one is as large as the last picture, so that the next
+    // picture can use the same film.
     const bool isFirst = count_ == 0;
     MACULA_TRY_VOID(
         tracer_.setView({.width = isFirst ? 64 : view_.width, .height = isFirst ? 64 : view_.height}));
@@ -101,10 +101,10 @@ Result<bool> HybridFrame::traceFovea(const std::function<bool()>& keepGoing) {
 
 Result<void> HybridFrame::adopt(trace::PathTracer& tracer, const FoveaAim& aim) {
     fovea_.reset();
-    aim_.reset();  // what was under way is of an earlier motion
+    aim_.reset();  // the unfinished picture belongs to an earlier motion
     const trace::View& view = aim.whole;
     const glm::dvec2 wholePx(view.width, view.height);
-    // As many pixels on both sides.
+    // Cuts off as many pixels on both sides.
     const glm::ivec2 besidePx((glm::dvec2(1.0) - extentOf(aim, true).half) * wholePx * 0.5);
     MACULA_TRY(
         CapturedPicture picture,
@@ -113,22 +113,21 @@ Result<void> HybridFrame::adopt(trace::PathTracer& tracer, const FoveaAim& aim) 
     return {};
 }
 
-// What was adopted lies around the middle of the picture, and reaches to the fovea's end on the side of the
-// gaze.
+// An adopted fovea is centred in the view, and reaches to where a traced one around the gaze would end.
 HybridFrame::Extent HybridFrame::extentOf(const FoveaAim& aim, bool isAdopted) {
     const double halfOfFrame = std::tan(0.5 * glm::radians(aim.whole.camera.verticalFovDeg));
-    const double fovea = std::tan(0.5 * glm::radians(aim.fieldDeg)) / halfOfFrame;  // of half of the height
+    const double fovea = std::tan(0.5 * glm::radians(aim.fieldDeg)) / halfOfFrame;  // part of half the height
     const glm::dvec2 half = fovea * glm::dvec2(double(aim.whole.height) / aim.whole.width, 1.0);
     if (!isAdopted) return {.middle = aim.gaze, .half = half};
     return {.middle = glm::dvec2(0.0), .half = glm::min(glm::abs(aim.gaze) + half, glm::dvec2(1.0))};
 }
 
-// Half of a fovea away from where it was traced for, an eye sees its end.
+// An eye that looks half a fovea away from its middle sees its edge.
 bool HybridFrame::isWithinFovea(const glm::dvec2& gaze) const {
     const Extent there = extentOf(fovea_->aim, fovea_->isAdopted);
     const glm::dvec2 spare = glm::min(0.5 * extentOf(fovea_->aim, false).half, there.half);
     const glm::dvec2 reaches = glm::abs(gaze - there.middle) + spare;
-    // No picture goes on beyond the frame's own edge.
+    // Beyond the frame's own edge there is nothing to show.
     return glm::all(glm::lessThanEqual(glm::min(reaches, glm::dvec2(1.0)), there.half + 1e-9));
 }
 
@@ -136,11 +135,11 @@ bool HybridFrame::isFoveaOf(const Camera& eye, const glm::dvec2& gaze) const {
     return fovea_ && fovea_->aim.whole.camera == eye && isWithinFovea(gaze);
 }
 
-// How many times as large as it was traced an eye sees the middle of the scene.
+// How many times larger than in the traced picture an eye sees the middle of the scene.
 double HybridFrame::magnificationFor(const Camera& eye) const {
     const Camera& traced = fovea_->aim.whole.camera;
     const auto sizeFrom = [this](const Camera& from) {
-        const double leastMm = 0.05 * seenMm_.diagonal();  // inside of it all is near
+        const double leastMm = 0.05 * seenMm_.diagonal();  // inside the scene all is near
         return 1.0 / (std::tan(0.5 * glm::radians(from.verticalFovDeg)) *
                       std::max({glm::length(from.positionMm - seenMm_.centre()), leastMm, 1e-6}));
     };
@@ -186,7 +185,7 @@ double HybridFrame::foveaBudgetMs(double mostMs) const {
     double degrees = 0.0;
     for (const Turn& turn : turns_) degrees += turn.degrees;
     if (!(degrees > 0.0)) return mostMs;
-    // Half of the turn passes while it is traced, and half while it is shown.
+    // Half of the turn passes while the fovea is traced, and half while it is shown.
     const double leftMs = 0.5 * kMostTurnDeg * kTurnsKeptMs / degrees;
     return std::min(mostMs, leftMs / wallPerTracing_);
 }
@@ -205,7 +204,7 @@ Result<void> HybridFrame::weighFovea(const Periphery& periphery) {
     return {};
 }
 
-// There is nothing any more that it would be weighed against.
+// Gives a fovea full trust again: these splats are not a likeness to weigh it against.
 Result<void> HybridFrame::trustFovea() {
     if (!fovea_->isWeighed) return {};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "trust"));

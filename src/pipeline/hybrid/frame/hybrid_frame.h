@@ -1,6 +1,6 @@
-// What a person sees: traced where the eye looks, splats everywhere else. The picture for the fovea is traced
-// in slices from where the eye was; every frame shows it as the eye sees it now (reprojection.h), over splats
-// that are drawn for that eye.
+// Draws the frames that a person sees in motion: traced where the eye looks, splats everywhere else. The
+// picture for the fovea is traced in slices, from where the eye was at its begin; each frame reprojects it to
+// the present eye (reprojection.h), over splats drawn for that eye.
 //
 //     frame.setScene(settings);     // whenever the tracer's scene or look was changed
 //     if (!frame.isTracing()) frame.aim({.whole = view, .gaze = gaze, .sidePx = 300});
@@ -28,108 +28,109 @@
 
 namespace macula::hybrid {
 
-// Who draws the splats, of the scene that is traced.
+// Draws the splats of the traced scene.
 struct Periphery {
     // Linear, premultiplied; valid until the next call.
     std::function<Result<DrawnSplats>(const Camera& eye, const glm::ivec2& sizePx)> draw;
-    float gain = 1.0f;  // of their light: LiveModel::gain
-    bool isLikeness =
-        true;  // they show nearly what is there; a frame weighs a noisy fovea against these only
+    float gain = 1.0f;       // of their light: LiveModel::gain
+    bool isLikeness = true;  // nearly like the scene: only then a noisy fovea is weighed against it
 };
 
 // The next picture for the fovea.
 struct FoveaAim {
-    trace::View whole;     // what the eye sees
-    glm::dvec2 gaze{0.0};  // in it, -1 to 1, right and up are positive
+    trace::View whole;     // the whole view of the eye
+    glm::dvec2 gaze{0.0};  // in that view, -1 to 1; right and up are positive
     double fieldDeg = trace::kFovealFieldDeg;
-    int sidePx = 512;  // of a square
+    int sidePx = 512;  // the picture is square
     std::uint32_t samplesPerPixel = 1;
-    // Without it guides are found nevertheless, for their depths, but all of them in the last slice.
+    // Without denoising, guides are still traced for their depths, but all of them in the last slice.
     trace::Denoising denoising = trace::Denoising::on;
 };
 
-// What a picture for the fovea took, by the clock, from its aim until it is there.
+// The wall time that traceFovea() spent on one picture.
 struct FoveaTimes {
     double traceMs = 0.0;
     double developMs = 0.0;  // guides and filter
-    double captureMs = 0.0;  // of the host, which does not wait for the device there
+    double captureMs = 0.0;  // of the host, which does not wait for the device here
 };
 
-// A traced picture of all pixels, of exactly what the eye sees, that takes the frame's place by and by.
+// A traced picture of exactly what the eye sees, with all pixels, that gradually replaces the frame.
 struct FadingIn {
-    trace::TracedLight light;  // without variances it is trusted wholly
-    float share = 0.0f;        // of it, 0 to 1; the rest is of splats and fovea
+    trace::TracedLight light;  // without variances it has full trust
+    float share = 0.0f;        // of this picture, 0 to 1; the rest is splats and fovea
 };
 
 struct FrameRequest {
     std::vector<Camera> eyes;  // at least one
-    glm::ivec2 sizePx{0};      // of the picture for each
+    glm::ivec2 sizePx{0};      // of the picture for each eye
     Display display;
-    std::vector<glm::ivec2> sizesPx = {};   // of each, where they differ; as many as there are eyes, or none
-    std::optional<FadingIn> fadingIn = {};  // of the one eye that there is
+    std::vector<glm::ivec2> sizesPx = {};   // by eye, if sizes differ; otherwise empty
+    std::optional<FadingIn> fadingIn = {};  // only with a single eye
 };
 
 struct Frame {
-    std::vector<const gpu::Image*> pictures;  // for each eye, as Compositor::compose; until the next frame
-    std::optional<double> foveaAgeMs;         // since its tracing began; nothing while there is none
-    std::uint32_t foveaSamples = 0;           // of each of its pixels
-    double foveaShare = 0.0;                  // of the first eye's pixels, at most: where it can lie
-    // What the fovea weighs in each pixel, as float32, row 0 on top, and perhaps more behind that; of the
-    // last eye, until the next frame. Null without a fovea.
+    std::vector<const gpu::Image*> pictures;  // by eye, from Compositor::compose; until the next frame
+    std::optional<double> foveaAgeMs;         // since its tracing began; nothing without a fovea
+    std::uint32_t foveaSamples = 0;           // per pixel of the fovea
+    double foveaShare = 0.0;                  // upper bound of its share of the first eye's pixels
+    // The weight of the fovea in each pixel of the last eye: float32, row 0 on top; the buffer may be longer.
+    // Valid until the next frame. Null without a fovea.
     const gpu::Buffer* foveaWeights = nullptr;
 };
 
 // Used by one thread at a time, the one that uses the device.
 class HybridFrame {
   public:
-    // With a view of its own of the scene that `beside` shows. Share of the fovea's sides over which it
-    // fades.
+    // The share of the fovea's sides over which it fades into the splats.
     static constexpr double kEdgeFade = 0.15;
+    // Traces the scene of `beside`, with a view of its own.
     static Result<HybridFrame> create(const std::shared_ptr<gpu::Device>& device,
                                       const trace::PathTracer& beside);
 
-    // The scene or its look is another one: what was traced is dropped. Of `settings`, what is seen; how
-    // far a fovea is denoised, its aim says. What is shown of the scene must be on the device.
+    // Call when the scene or its look has changed: drops all traced pictures. `settings` say what is seen,
+    // except denoising, which is that of an aim. The shown part of the scene must be on the device.
     Result<void> setScene(const trace::Settings& settings);
 
-    // Of the settings: grey faces of a clip depend on both.
+    // From the settings: the grey faces of a clip depend on both.
     double exposure() const { return settings_.exposure; }
     trace::ToneMap toneMap() const { return settings_.toneMap; }
 
-    // Begins a picture, and drops the one that is under way. After setScene. usage as trace::fovealWindow.
+    // Begins a picture, and drops the unfinished one. Call after setScene. Fails with usage as
+    // trace::fovealWindow does.
     Result<void> aim(const FoveaAim& aim);
     bool isTracing() const { return aim_.has_value(); }
-    // What `tracer` has traced of all that an eye saw at rest becomes the fovea, as far as the eye may look
-    // at: many samples, with all pixels. The samples of `aim` say how many the picture has; its denoising
-    // is ignored. Fails with outOfMemory, and there is no fovea then.
+    // Makes a fovea of what `tracer` has traced for an eye at rest, with all pixels and many samples; it
+    // reaches as far as the eye may look. `aim` says how many samples it has; its denoising is ignored. Fails
+    // with outOfMemory, and there is no fovea then.
     Result<void> adopt(trace::PathTracer& tracer, const FoveaAim& aim);
-    // Whether a picture traced from there would be better than the one that frames show: one that was adopted
-    // is good for kGoodForDeg around what can be seen, where it is seen at most kMostMagnified times as large
-    // and the eye looks at what it shows.
+    // Whether a picture traced for this eye would be better than the fovea that frames show. An adopted one
+    // is good enough while the eye has turned by at most kGoodForDeg around the scene, sees it at most
+    // kMostMagnified times as large, and looks within the fovea.
     static constexpr double kGoodForDeg = 8.0;
     static constexpr double kMostMagnified = 1.25;
     bool wantsFovea(const Camera& eye, const glm::dvec2& gaze = glm::dvec2(0.0)) const;
-    // Whether the picture that is under way could not be shown to that eye any more.
+    // Whether the eye has turned too far for the unfinished picture to be shown to it.
     bool hasLeftAim(const Camera& eye) const;
-    // Whether the fovea that frames show was traced from just there, and the eye looks well within it.
+    // Whether the fovea that frames show was traced for exactly this eye, which looks well within it.
     bool isFoveaOf(const Camera& eye, const glm::dvec2& gaze = glm::dvec2(0.0)) const;
-    // Whether a fovea that is traced from just there in `budgetMs` would show more than the one there is:
-    // that is of something else, or has not its whole field and took less than half of that.
+    // Whether a fovea traced for this eye in `budgetMs` would show more than the present one. It would if
+    // that was traced for another eye or gaze, or lacks part of its field and took less than half of that
+    // time.
     bool wouldGrow(const Camera& eye, double budgetMs, const glm::dvec2& gaze = glm::dvec2(0.0)) const;
-    // While it is tracing: goes on; `keepGoing` is asked between dispatches of some 40 ms. Whether the
-    // picture is there: from then on frames show it.
+    // Continues the picture, only while isTracing(). Asks `keepGoing` between dispatches of some 12 ms.
+    // Returns whether the picture is finished: from then on frames show it.
     Result<bool> traceFovea(const std::function<bool()>& keepGoing);
-    // The time that pictures took lately, per pixel and sample; nothing before the first.
+    // The tracing time of the last finished picture, per pixel and sample; nothing before the first.
     std::optional<double> foveaMsPerSample() const { return msPerSample_; }
-    // An eye that has gone farther around what can be seen is not shown the fovea: most of what it sees was
-    // hidden from where that was traced.
+    // An eye that has turned farther around the scene is not shown the fovea: it would see too much that was
+    // hidden where the fovea was traced.
     static constexpr double kMostTurnDeg = 20.0;
-    // Whether frames for that eye show the fovea that there is; with parallel rays they show splats alone.
+    // Whether frames for this eye show the present fovea; those of parallel cameras show only splats.
     bool showsFoveaTo(const Camera& eye) const;
     // Of the last picture that traceFovea finished.
     const FoveaTimes& foveaTimes() const { return times_; }
-    // Tracing time of a fovea that is begun now, at most `mostMs`, so that it is there while it can still be
-    // shown, by how fast the eyes of the last frames go around.
+    // The tracing time for a fovea begun now, at most `mostMs`: short enough that an eye which turns as fast
+    // as in the last frames can still be shown it.
     double foveaBudgetMs(double mostMs) const;
     bool hasFovea() const { return fovea_.has_value(); }
     // Frames show no traced picture until the next is there.
@@ -149,7 +150,7 @@ class HybridFrame {
         double tracingMs = 0.0;
         bool isWeighed = false;  // against the splats
     };
-    struct Extent {  // in the whole of an aim, -1 to 1: the middle, and from there to where the fovea ends
+    struct Extent {  // of a fovea within the whole view of its aim, -1 to 1
         glm::dvec2 middle{0.0};
         glm::dvec2 half{1.0};
     };
@@ -174,20 +175,20 @@ class HybridFrame {
     trace::PathTracer tracer_;
     Reprojection reprojection_;
     Trust trust_;
-    std::optional<gpu::TexelBuffer> trusts_;  // in what fades in; there may be room for more
+    std::optional<gpu::TexelBuffer> trusts_;  // in the picture that fades in; may have room for more
     std::vector<Compositor> compositors_;     // for each eye
     Box seenMm_;
     trace::Settings settings_;
-    std::uint32_t count_ = 0;      // of pictures: each has other noise
-    std::optional<FoveaAim> aim_;  // what is under way
-    trace::View view_;             // of that
+    std::uint32_t count_ = 0;      // of pictures begun: each has its own seed
+    std::optional<FoveaAim> aim_;  // of the unfinished picture
+    trace::View view_;             // of the unfinished picture
     Clock::time_point begun_{};
     double spentMs_ = 0.0;
-    FoveaTimes timesSoFar_;  // of what is under way
+    FoveaTimes timesSoFar_;  // of the unfinished picture
     FoveaTimes times_;
     std::optional<Fovea> fovea_;
     std::optional<double> msPerSample_;
-    double wallPerTracing_ = 4.0;  // time from aim to picture over that of tracing; a guess at first
+    double wallPerTracing_ = 4.0;  // time from aim to picture over tracing time; a guess at first
     struct Turn {
         Clock::time_point at;
         double degrees = 0.0;  // since the frame before

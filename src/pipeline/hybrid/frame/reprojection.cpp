@@ -18,7 +18,7 @@ struct PictureAxes {
     glm::vec3 right, up, forward;
 };
 
-// Half of the picture's width and height, at distance 1.
+// `right` and `up` are half of the picture's width and height at distance 1.
 Result<PictureAxes> axesOf(const Camera& camera, const glm::ivec2& sizePx) {
     MACULA_TRY(const CameraBasis axes, basis(camera));
     const double halfHeight = std::tan(0.5 * glm::radians(camera.verticalFovDeg));
@@ -56,14 +56,14 @@ Result<shared::ReprojectPush> reprojectionOf(const Camera& before, const glm::iv
                                  .edgeFade = float(edgeFade)};
 }
 
-// The picture before and the distances of what can be seen bound a frustum; its image lies within that of its
-// corners.
+// The earlier picture, and the nearest and farthest depth of the scene, bound a frustum. Its image lies
+// within the box around the images of its corners.
 PixelRegion reprojectedRegion(const Camera& before, const glm::ivec2& beforeSizePx, const Camera& now,
                               const glm::ivec2& sizePx, const Box& seenMm) {
     const PictureAxes here = *axesOf(now, sizePx);
     const PictureAxes there = *axesOf(before, beforeSizePx);
     const glm::dvec2 whole(sizePx);
-    double nearMm = std::numeric_limits<double>::infinity();  // along the axis of the picture before
+    double nearMm = std::numeric_limits<double>::infinity();  // along the axis of the earlier picture
     double farMm = 0.0;
     for (const glm::dvec3& p : cornersOf(seenMm)) {
         const double depthMm = glm::dot(p - before.positionMm, glm::dvec3(there.forward));

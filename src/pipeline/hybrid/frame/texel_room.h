@@ -20,7 +20,7 @@ inline Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& d
                  .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
 }
 
-// Room for so many at least; what was in them is lost where there was not.
+// Makes room for at least so many elements. If there was less, the old contents are lost.
 inline Result<void> makeRoom(std::optional<gpu::TexelBuffer>& texels,
                              const std::shared_ptr<gpu::Device>& device, const char* label, VkFormat format,
                              std::uint64_t elements) {

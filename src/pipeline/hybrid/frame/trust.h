@@ -1,6 +1,5 @@
-// How far traced light is to be trusted over splats of the same view, pixel by pixel: what
-// shaders/lib/trust.glsl says, on the device. Few samples are worse than a good model, and better than a bad
-// one.
+// How far traced light is to be trusted over splats of the same view, pixel by pixel: runs
+// shaders/lib/trust.glsl on the device. Few samples are worse than a good model, and better than a bad one.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,14 +15,15 @@
 
 namespace macula::hybrid {
 
-// Used by one thread at a time, the one that uses the device. Nothing goes through the host, and nothing is
-// waited for.
+// Used by one thread at a time, the one that uses the device. No pixels pass through the host, and no call
+// waits for the device.
 class Trust {
   public:
     static Result<Trust> create(const std::shared_ptr<gpu::Device>& device);
 
-    // `traced` is noisyLight(). Into `trusts`, float for each pixel, row 0 on top: 0, the splats are better
-    // there, to 1. All are of the size of `splats`, whose light `splatGain` multiplies. outOfMemory.
+    // Writes a float for each pixel into `trusts`, row 0 on top: from 0, where the splats are better, to 1.
+    // `traced` is noisyLight(). All have the size of `splats`, whose light `splatGain` multiplies. Fails with
+    // outOfMemory.
     Result<void> weigh(const trace::TracedLight& traced, const splat::DevicePicture& splats, float splatGain,
                        const gpu::TexelBuffer& trusts);
 
@@ -34,7 +34,7 @@ class Trust {
     std::shared_ptr<gpu::Device> device_;
     gpu::Kernel rows_;
     gpu::Kernel trust_;
-    std::optional<gpu::Buffer> terms_;  // vec2 for each pixel; there may be room for more
+    std::optional<gpu::Buffer> terms_;  // vec2 for each pixel; may have room for more
 };
 
 }  // namespace macula::hybrid

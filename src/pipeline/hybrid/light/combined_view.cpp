@@ -16,9 +16,9 @@ constexpr double kSigmaPx = 16.0;
 constexpr int kReach = int(3.0 * kSigmaPx);
 constexpr std::size_t kTaps = 2 * kReach + 1;
 constexpr float kMostChange = 2.0f;
-constexpr float kDark = 1e-4f;  // of white: what is darker tells nothing
-// Sums that are kept in registers side by side; a row has whole groups of them. With 16 GCC 12 keeps them one
-// by one, and takes eight times as long.
+constexpr float kDark = 1e-4f;  // of white: added to both, so that black has ratio 1
+// Sums kept in registers side by side; a row is a whole number of such groups. With 16, GCC 12 does not
+// vectorise the loop, which then takes eight times as long.
 constexpr std::size_t kAtOnce = 32;
 
 bool isKnown(const glm::vec4& pixel) {
@@ -35,8 +35,7 @@ std::array<float, kTaps> gaussian() {
     return weights;
 }
 
-// sums[i] is that of weight k times from[i + k * stride], from the first k to the last: nearly all of the
-// time that a picture takes is spent here.
+// to[i] is the sum over k of weights[k] * from[i + k * stride]. Nearly all of a picture's time is spent here.
 void weigh(const float* from, std::size_t stride, const std::array<float, kTaps>& weights, float* to) {
     std::array<float, kAtOnce> sums{};
     for (const float weight : weights) {
@@ -46,7 +45,7 @@ void weigh(const float* from, std::size_t stride, const std::array<float, kTaps>
     std::copy(sums.begin(), sums.end(), to);
 }
 
-// Three colours of each pixel, in rows of whole groups of kAtOnce numbers. What lies beside the picture is 0.
+// Three colours of each pixel, in rows padded with 0 to a multiple of kAtOnce numbers.
 struct Plane {
     explicit Plane(const glm::ivec2& sizePx)
         : width(3 * std::size_t(sizePx.x)),
@@ -66,8 +65,8 @@ struct Plane {
     std::unique_ptr<float[]> values;
 };
 
-// The sums of the Gaussian along a row of the plane; fill(row) writes the row before. Weights do not add up
-// to 1: only ratios are asked for.
+// Blurs a row of the plane by the Gaussian; fill(row) first writes its values. Weights do not add up to 1,
+// because only ratios are needed.
 template <class Fill>
 void blurRow(Plane& plane, std::size_t y, const std::array<float, kTaps>& weights, const Fill& fill) {
     std::vector<float> wide(plane.stride + 3 * (kTaps - 1), 0.0f);
@@ -76,7 +75,7 @@ void blurRow(Plane& plane, std::size_t y, const std::array<float, kTaps>& weight
     for (std::size_t i = 0; i < plane.stride; i += kAtOnce) weigh(wide.data() + i, 3, weights, to + i);
 }
 
-// Likewise along columns, for those from `first` on that are summed at once.
+// Likewise along columns, for the kAtOnce columns from `first` on.
 void blurColumns(Plane& plane, std::size_t first, const std::array<float, kTaps>& weights) {
     std::vector<float> strip(kAtOnce * (plane.height + kTaps - 1), 0.0f);
     for (std::size_t y = 0; y < plane.height; ++y)
@@ -85,7 +84,7 @@ void blurColumns(Plane& plane, std::size_t first, const std::array<float, kTaps>
         weigh(strip.data() + kAtOnce * y, kAtOnce, weights, plane.row(y) + first);
 }
 
-// What a row of a picture adds up from: its light, where both pictures are known.
+// Writes the light of a row where both pictures are known; other pixels stay 0.
 void writeKnown(const glm::vec4* from, const glm::vec4* beside, std::size_t count, float* to) {
     for (std::size_t x = 0; x < count; ++x, to += 3) {
         if (!isKnown(from[x]) || !isKnown(beside[x])) continue;
@@ -120,7 +119,7 @@ TracedView combined(const TracedView& traced, TracedView lit, double tracedShare
             }
             glm::vec3 light(pixel);
             const glm::vec3 before = had.at(x, y);
-            // Where the weight is 0 nothing was traced near the pixel.
+            // 0 means that no pixel nearby is known in both pictures.
             if (before.x > 0.0f)
                 light *= glm::clamp(wanted.at(x, y) / before, 1.0f / kMostChange, kMostChange);
             if (isKnown(own)) light = glm::mix(light, glm::vec3(own), float(tracedShare));

@@ -15,8 +15,8 @@ constexpr std::size_t kFirstSlots = 1u << 12;  // a power of two
 constexpr int kFarthest = LightInSpace::kFarthest;
 constexpr int kCoarser = 3;            // levels beyond the first
 constexpr float kMostRadiance = 1e6f;  // 1 is white; sums of larger values might not be finite
-constexpr float kPrior = 0.5f;         // samples that the cells around count for, as a prior
-// A cell with so many samples counts in full beside its neighbours.
+constexpr float kPrior = 0.5f;         // samples that the mean around a cell counts for
+// With so many samples a cell has its full weight among its neighbours.
 constexpr double kEnough = 4.0;
 constexpr double kAtLeast = 1e-3;
 
@@ -31,14 +31,14 @@ glm::ivec3 cellOf(std::uint64_t key) {
     return {part(42), part(21), part(0)};
 }
 
-// Slot of the key, or the free one where it belongs.
+// The slot of the key, or the free slot in which it belongs.
 std::size_t slotOf(const std::vector<std::uint64_t>& keys, std::uint64_t key) {
     std::size_t slot = LightInSpace::hashOf(key) & (keys.size() - 1);
     while (keys[slot] != key && keys[slot] != kFree) slot = (slot + 1) & (keys.size() - 1);
     return slot;
 }
 
-// Which of the tables; their slots come from the lower bits.
+// The table of a key, from the upper bits of its hash; slots come from the lower ones.
 std::size_t tableOf(std::uint64_t key, std::size_t tables) {
     return LightInSpace::hashOf(key) >> 28 & (tables - 1);
 }
@@ -52,7 +52,7 @@ glm::ivec3 parentOf(const glm::ivec3& at) {
     return {at.x >> 1, at.y >> 1, at.z >> 1};
 }
 
-// body(lobe, weight) for the three lobes that a direction lies between.
+// Calls body(lobe, weight) for the three lobes next to a direction.
 template <class Body>
 void forEachLobe(const glm::dvec3& direction, const Body& body) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -114,7 +114,7 @@ const LightInSpace::Cell* LightInSpace::find(const Level& level, const glm::ivec
     return level[tableOf(key, kTables)].find(key);
 }
 
-// What is kFree is left out.
+// Leaves out keys that are kFree.
 LightInSpace::Sorted LightInSpace::sortedByTable(std::span<const std::uint64_t> keys) {
     Sorted sorted;
     std::vector<std::uint8_t> tables(keys.size());
@@ -134,7 +134,7 @@ LightInSpace::Sorted LightInSpace::sortedByTable(std::span<const std::uint64_t> 
     return sorted;
 }
 
-// Slots, by the table of the cell that theirs is a part of when cells are twice as large.
+// The slots, sorted by the table of the cell of twice the size that contains theirs.
 LightInSpace::Sorted LightInSpace::sortedByParent(const Table& table) {
     std::vector<std::uint64_t> parents(table.keys.size(), kFree);
     for (std::size_t slot = 0; slot < parents.size(); ++slot)
@@ -142,7 +142,7 @@ LightInSpace::Sorted LightInSpace::sortedByParent(const Table& table) {
     return sortedByTable(parents);
 }
 
-// On all cores; cells are summed in the order of tables and slots on any number of them.
+// Uses all cores; sums cells in the order of tables and slots, whatever the number of cores.
 LightInSpace::Level LightInSpace::halved(const Level& level) {
     std::array<Sorted, kTables> sorted;
     parallelFor(kTables, [&](std::size_t t) { sorted[t] = sortedByParent(level[t]); });
@@ -161,7 +161,7 @@ LightInSpace::Level LightInSpace::halved(const Level& level) {
     return half;
 }
 
-// kFree where it is left out.
+// kFree if the place is to be ignored.
 std::uint64_t LightInSpace::keyOfPlace(const Seen& seen) const {
     const glm::dvec3 cell = glm::floor(seen.atMm / cellMm_);
     const glm::vec3& light = seen.radiance;
@@ -209,7 +209,7 @@ void LightInSpace::addAll(const glm::dvec3& eyeMm, std::span<const shared::Prima
     halveWhileTooMany();
 }
 
-// Cells that are far apart stay as many, until those next to each other are one.
+// A loop, because cells far apart merge only after several doublings.
 void LightInSpace::halveWhileTooMany() {
     while (cells() > mostCells_) {
         levels_.front() = halved(levels_.front());
@@ -219,7 +219,7 @@ void LightInSpace::halveWhileTooMany() {
 
 void LightInSpace::finish() {
     for (int i = 0; i < kCoarser; ++i) levels_.push_back(halved(levels_.back()));
-    // From the coarsest level on, so that the cells around hold means already.
+    // Begins with the coarsest level, so that coarser cells already hold means.
     for (std::size_t i = levels_.size(); i-- > 0;) {
         const Level* coarser = i + 1 < levels_.size() ? &levels_[i + 1] : nullptr;
         parallelFor(kTables, [&](std::size_t t) { finish(coarser, levels_[i][t]); });

@@ -1,12 +1,11 @@
-// A radiance cache: the light that leaves matter, by place, as traced views have found it, for views from
-// elsewhere that are not traced.
+// A radiance cache: the light that leaves matter, by place, as traced views have found it. It lights views
+// from elsewhere that are not traced.
 //
-// Where the phase function is isotropic, what is scattered at a place goes to all sides alike, so light that
-// was found for one view is that of every other, in thin matter and haze as well, where a picture has no one
-// depth. Places are gathered in cells, though, and a cell may hold both sides of a thin wall. So each keeps
-// six means, of light that was seen along +x, -x, +y, -y, +z and -z, a direction counting for the three it
-// lies between with the squares of its components: the ambient cube (McTaggart 2004, "Half-Life 2 / Valve
-// Source Shading").
+// With an isotropic phase function, a place scatters light equally to all sides, so what one view has found
+// holds for every other, even in thin matter and haze, where a pixel has no single depth. A cell, though, may
+// hold both sides of a thin wall. So each cell keeps six means, of light seen along +x, -x, +y, -y, +z and
+// -z; a direction counts for the three next to it, with the squares of its components as weights: the
+// ambient cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
 #pragma once
 
 #include <array>
@@ -22,29 +21,29 @@
 
 namespace macula::hybrid {
 
-// All places in mm of one frame, directions of unit length, from the eye.
+// All places are in mm of one coordinate frame; directions have unit length and lead away from the eye.
 class LightInSpace {
   public:
-    static constexpr std::size_t kMostCells = 1u << 21;  // cells of 96 bytes: as many as a body has pixels
+    static constexpr std::size_t kMostCells = 1u << 21;  // cells of 96 bytes: about the pixels of a body
 
-    // `cellMm` above 0: about what a pixel of the views shows. Doubled when, after what is added at once,
-    // there are more than `mostCells`, which is at least 8.
+    // `cellMm` above 0: about what a pixel of the views covers. It is doubled whenever add() or addAll() has
+    // left more than `mostCells` cells. `mostCells` must be at least 8.
     explicit LightInSpace(double cellMm, std::size_t mostCells = kMostCells)
         : cellMm_(cellMm), mostCells_(mostCells) {}
 
-    // What does not come as finite numbers, or from too far (10^6 cells), is left out; radiance above 10^6
-    // counts as that.
+    // Ignores light that is not finite, or from too far away (10^6 cells); radiance above 10^6 counts as
+    // 10^6.
     void add(const glm::dvec3& atMm, const glm::dvec3& direction, const glm::vec3& radiance);
-    // The same for all that paths from an eye have met, in their order, on all cores; the same sums, to the
-    // last bit, on any number of them.
+    // The same for all vertices that paths from an eye have met, in their order. Uses all cores; the sums are
+    // the same, to the last bit, on any number of cores.
     void addAll(const glm::dvec3& eyeMm, std::span<const shared::PrimaryVertex> met);
 
-    // Turns sums into means, once all is added. Where a cell knows little, what is known around it counts as
-    // well, as half a sample.
+    // Turns sums into means. Call once, after the last add. The mean around a cell counts as half a sample of
+    // it, which helps cells with few samples.
     void finish();
 
-    // The radiance that leaves `atMm` against `direction`, linear between the cells around; nothing where
-    // nothing was seen within a cell.
+    // The radiance that leaves `atMm` against `direction`, interpolated linearly between cells; nothing if no
+    // light was seen within about a cell.
     std::optional<glm::vec3> at(const glm::dvec3& atMm, const glm::dvec3& direction) const;
 
     double cellMm() const { return cellMm_; }
@@ -52,8 +51,8 @@ class LightInSpace {
 
     // Sums of radiance and of weights along +x, -x, +y, -y, +z and -z; after finish() means and weights.
     using Cell = std::array<glm::vec4, 6>;
-    // at() weighs the means of a cell's sides by how near the cell is, times this: a side of which more
-    // samples are known counts for more.
+    // at() weighs the means of a cell's sides by how near the cell is, times this: a side with more samples
+    // counts for more.
     static double trust(float weight);
 
     // A cell's coordinates as a key: x << 42 | y << 21 | z, each plus 2^20.
@@ -61,10 +60,10 @@ class LightInSpace {
     // The hash of a key: a finaliser of MurmurHash3 over its two halves, which a shader without 64-bit
     // numbers computes too (scatteredKey in shaders/lib/light_cells.glsl).
     static std::uint32_t hashOf(std::uint64_t key);
-    // Each table has its part of all places, so that as many cores can fill and read them.
+    // Each table holds a share of the cells, so that as many cores can fill and read them.
     static constexpr std::size_t kTables = 16;
-    // The cells of a table, in the order in which they were first seen, and the key of each, in an order that
-    // only depends on what was added.
+    // The cells of a table, in the order in which they were first seen; and the key of each, in an order that
+    // depends only on what was added.
     std::span<const Cell> cellsOf(std::size_t table) const { return levels_.front()[table].cells; }
     void forEachKeyOf(std::size_t table,
                       const std::function<void(std::uint64_t key, std::size_t cell)>& body) const;
@@ -73,7 +72,7 @@ class LightInSpace {
     // Cells by place: a hash table with open addressing.
     struct Table {
         std::vector<std::uint64_t> keys;    // by slot; kFree: none
-        std::vector<std::uint32_t> places;  // by slot: which cell
+        std::vector<std::uint32_t> places;  // by slot: index into `cells`
         std::vector<Cell> cells;
 
         const Cell* find(std::uint64_t key) const;
@@ -88,8 +87,8 @@ class LightInSpace {
         glm::dvec3 direction{0.0};  // from the eye
         glm::vec3 radiance{0.0f};
     };
-    // Which of some things belong to which table: those of table t are ordered[begins[t]] and so on, in their
-    // order.
+    // Indices of things by their table: those of table t are ordered[begins[t]] to before ordered[begins[t +
+    // 1]], in their original order.
     struct Sorted {
         std::vector<std::uint32_t> ordered;
         std::array<std::uint32_t, kTables + 1> begins{};
@@ -99,7 +98,7 @@ class LightInSpace {
     static Sorted sortedByParent(const Table& table);
     static std::size_t countOf(const Level& level);
     static const Cell* find(const Level& level, const glm::ivec3& at);
-    static Level halved(const Level& level);  // of cells twice as large
+    static Level halved(const Level& level);  // with cells twice as large
     std::uint64_t keyOfPlace(const Seen& seen) const;
     static void addTo(Cell& sums, const Seen& seen);
     void halveWhileTooMany();
@@ -107,8 +106,8 @@ class LightInSpace {
 
     double cellMm_;
     std::size_t mostCells_;
-    std::vector<Level> levels_ = std::vector<Level>(1);  // each of cells twice as large as the one before
-    // What addAll works with, kept for the next time.
+    std::vector<Level> levels_ = std::vector<Level>(1);  // each has cells twice as large as the last
+    // Scratch of addAll, kept for the next call.
     std::vector<std::uint64_t> keys_;
     std::vector<Sorted> sorted_;
 };

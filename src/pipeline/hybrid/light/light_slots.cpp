@@ -14,7 +14,7 @@ namespace {
 using shared::LightSlot;
 
 constexpr std::size_t kTables = LightInSpace::kTables;
-// Parts of the slots that are filled by one core each. A power of two.
+// Parts of the slots, each filled by one core. A power of two.
 constexpr std::size_t kParts = 16;
 constexpr LightSlot kFree{.low = 0, .high = shared::kFreeSlot, .cell = 0};
 
@@ -25,7 +25,7 @@ std::size_t homeOf(const LightSlot& slot, std::size_t slots) {
 
 using ByPart = std::array<std::vector<LightSlot>, kParts>;
 
-// What a table of the cache has to put into each part of the slots. Its cells begin at `firstCell`.
+// The slots of a table of the cache, by the part that they belong into. Its cells begin at `firstCell`.
 ByPart sortedByPart(const LightInSpace& light, std::size_t table, std::size_t firstCell, std::size_t slots) {
     ByPart sorted;
     light.forEachKeyOf(table, [&](std::uint64_t key, std::size_t cell) {
@@ -43,7 +43,7 @@ void copyCells(std::span<const LightInSpace::Cell> from, glm::vec4* to) {
             *to++ = glm::vec4(glm::vec3(mean), float(LightInSpace::trust(mean.w)));
 }
 
-// Puts slots where they belong, from `begin` to `end`; gives those that found no place there.
+// Fills one part of the slots, and returns the slots that found no place in it.
 std::vector<LightSlot> fillPart(const std::array<ByPart, kTables>& sorted, std::size_t part,
                                 std::span<LightSlot> all) {
     const std::size_t begin = part * all.size() / kParts;
@@ -71,7 +71,7 @@ LightSlots::LightSlots(const LightInSpace& light)
       cellCount_(std::max<std::size_t>(6 * light.cells(), 6)) {
     slots_ = std::make_unique_for_overwrite<LightSlot[]>(slotCount_);
     cells_ = std::make_unique_for_overwrite<glm::vec4[]>(cellCount_);
-    if (light.cells() == 0) std::fill_n(cells_.get(), cellCount_, glm::vec4(0.0f));  // none points here
+    if (light.cells() == 0) std::fill_n(cells_.get(), cellCount_, glm::vec4(0.0f));  // no slot points here
     std::array<std::size_t, kTables + 1> firstCell{};
     for (std::size_t t = 0; t < kTables; ++t) firstCell[t + 1] = firstCell[t] + light.cellsOf(t).size();
 
@@ -83,7 +83,7 @@ LightSlots::LightSlots(const LightInSpace& light)
     const std::span<LightSlot> all(slots_.get(), slotCount_);
     std::array<std::vector<LightSlot>, kParts> beyond;
     parallelFor(kParts, [&](std::size_t part) { beyond[part] = fillPart(sorted, part, all); });
-    // From their home to the end of their part there is no free slot, so they are found behind it.
+    // A search finds these too: there is no free slot from their home to the end of their part.
     for (const std::vector<LightSlot>& ofPart : beyond) {
         for (const LightSlot& slot : ofPart) {
             std::size_t at = homeOf(slot, slotCount_);

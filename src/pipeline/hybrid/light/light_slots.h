@@ -1,5 +1,5 @@
-// A radiance cache (light_in_space.h) as shaders/lib/light_cells.glsl looks it up: one table of slots, and
-// the cells of all. Made on all cores.
+// A radiance cache (light_in_space.h) in the form that shaders/lib/light_cells.glsl reads: one table of slots
+// and one array of cells. Making it uses all cores.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,14 @@ class LightSlots {
   public:
     explicit LightSlots(const LightInSpace& light);
 
-    // A power of two, at least one of them free; open addressing from LightInSpace::hashOf on.
+    // A hash table with open addressing that begins at LightInSpace::hashOf. Its size is a power of two, and
+    // at least one slot is free.
     std::span<const shared::LightSlot> slots() const { return {slots_.get(), slotCount_}; }
-    // Six for each cell, and six where there are no cells: what a shader reads must have some size.
+    // Six means for each cell; six zeros without cells, because a shader's buffer must not be empty.
     std::span<const glm::vec4> cells() const { return {cells_.get(), cellCount_}; }
 
   private:
-    // Not zeroed when they are made: at a gigabyte a second and core that would take longer than all else.
+    // Made without zeroing: at a gigabyte a second and core that would take longer than all the rest.
     std::unique_ptr<shared::LightSlot[]> slots_;
     std::size_t slotCount_;
     std::unique_ptr<glm::vec4[]> cells_;

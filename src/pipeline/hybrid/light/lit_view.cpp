@@ -46,7 +46,7 @@ shared::LitPush LightTable::pushFor(const CameraBasis& eye, const Camera& camera
                                     const glm::ivec2& sizePx) const {
     const double half = std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
     const glm::dvec3 eyeAt = camera.positionMm / cellMm_;
-    // An eye farther than that sees nothing that is kept.
+    // An eye farther away sees no cell of the cache.
     const glm::dvec3 eyeCell = glm::clamp(glm::floor(eyeAt), -kFarthest, kFarthest);
     return {.right = eye.right * (half * sizePx.x / sizePx.y),
             .up = eye.up * half,

@@ -1,7 +1,6 @@
-// A picture from a side that no light need have been traced for: coverage as the guides find it, and light
-// from the radiance cache of the traced views (light_in_space.h) where its rays meet matter. It costs a small
-// part of what tracing does, and teaches a model how what it knows looks from many more sides than it has
-// pictures of.
+// A picture from a side for which no light was traced: its rays are marched for coverage, and the radiance
+// cache of the traced views (light_in_space.h) lights the matter that they meet. It costs a fraction of a
+// traced picture, and teaches a model how a scene looks from many more sides.
 #pragma once
 
 #include <memory>
@@ -19,15 +18,15 @@
 
 namespace macula::hybrid {
 
-// The rays along each side of a pixel of a lit picture. With one ray, detail smaller than a pixel is there or
-// not, which costs 0.15 dB with bone; large pictures have small pixels, and need fewer.
+// The rays along each side of a pixel of a lit picture, 2 or 1. One ray hits or misses detail smaller than a
+// pixel, which costs 0.15 dB with bone; large pictures have small pixels, and need fewer.
 int raysAside(const glm::ivec2& sizePx);
 
-// A lit picture on its way to the host. Begun, finished and dropped by the thread that uses the device.
+// A lit picture on its way to the host. Only the thread that uses the device begins, finishes and drops it.
 class LitPicture {
   public:
-    Result<void> finish() { return reading_.finish(); }  // waits
-    // After that, on any thread, until it is begun again. It has no samples.
+    Result<void> finish() { return reading_.finish(); }  // waits for the device
+    // Call after finish(), on any thread, until the next begin(). The view has no samples.
     TracedView view() const;
 
   private:
@@ -38,18 +37,18 @@ class LitPicture {
     glm::ivec2 sizePx_{0};
 };
 
-// A radiance cache on the device, as it was when this was made.
+// A copy of a radiance cache on the device.
 class LightTable {
   public:
-    // After LightInSpace::finish(). Errors: outOfMemory.
+    // Call after LightInSpace::finish(). Fails with outOfMemory.
     static Result<LightTable> create(const std::shared_ptr<gpu::Device>& device, const LightInSpace& light);
 
-    // The picture has no samples. Where matter is seen that no traced view has come near, pixels are NaN: not
-    // known. `tracer`, on the same device, is left with another view. Waits. Errors: usage with parallel
-    // rays.
+    // The picture has no samples. Pixels that show mostly matter which no traced view has met are NaN:
+    // unknown. `tracer`, on the same device, is left with another view. Waits for the device. Fails with
+    // usage for a parallel camera.
     Result<TracedView> lit(trace::PathTracer& tracer, const Camera& camera, const glm::ivec2& sizePx);
-    // The same without waiting where device memory is not host memory: many pictures may be under way, and
-    // take no more of the device's memory than one.
+    // The same, without waiting where device memory is separate from host memory: many pictures may be under
+    // way, with the device memory of one.
     Result<void> begin(trace::PathTracer& tracer, const Camera& camera, const glm::ivec2& sizePx,
                        LitPicture& picture);
 
@@ -63,7 +62,7 @@ class LightTable {
     gpu::Buffer slots_;
     gpu::TexelBuffer cells_;
     double cellMm_;
-    std::optional<gpu::Buffer> layers_;  // of the picture begun last; likewise
+    std::optional<gpu::Buffer> layers_;  // of the picture begun last, as is `pixels_`
     std::optional<gpu::Buffer> pixels_;
 };
 

@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::size_t kPixelsAtOnce = 1u << 14;
 
-// The mean over the middle pixel of a function that is linear between three centres.
+// The mean over the middle one of three pixels, of a function that is linear between their centres.
 float mean(float before, float here, float after) {
     return 0.125f * before + 0.75f * here + 0.125f * after;
 }
 
-// body(y) for each row, some at once.
+// Calls body(y) for each row, in parallel groups of rows.
 template <class Body>
 void forEachRow(const glm::ivec2& sizePx, const Body& body) {
     const auto rows = std::size_t(sizePx.y);
@@ -40,7 +40,7 @@ std::vector<float> pixelCoverageOf(std::span<const float> atCentres, const glm::
     MACULA_CHECK_EQ(atCentres.size(), std::size_t(sizePx.x) * std::size_t(sizePx.y));
     const auto columns = std::size_t(sizePx.x);
     const auto rows = std::size_t(sizePx.y);
-    // First along rows, then along columns of that.
+    // The filter is separable: first along rows, then along columns.
     std::vector<float> ofRows(atCentres.size());
     forEachRow(sizePx, [&](std::size_t y) {
         const float* from = atCentres.data() + y * columns;

@@ -1,4 +1,4 @@
-// How much of each pixel is covered by matter, without chance.
+// How much of each pixel matter covers, without noise.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,7 +14,7 @@ namespace macula::hybrid {
 // top; 0 to 1.
 std::vector<float> pixelCoverage(std::span<const trace::GuidePixel> guides, const glm::ivec2& sizePx);
 
-// The same of what the guides find along the centre rays, GuidePixel::coverage.
+// The same, from the coverage along the centre rays (GuidePixel::coverage).
 std::vector<float> pixelCoverageOf(std::span<const float> atCentres, const glm::ivec2& sizePx);
 
 }  // namespace macula::hybrid

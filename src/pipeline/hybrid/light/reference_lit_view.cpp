@@ -36,8 +36,8 @@ Result<EyeRays> eyeRays(const Camera& camera, const glm::ivec2& sizePx) {
                    .sizePx = sizePx};
 }
 
-// The sum of what its layers send, each for as much as it hides; what is not known is as bright as the rest.
-// NaN where hardly anything is known.
+// The sum of the light of the layers, each weighted by its opacity; unknown layers count as the mean of the
+// others. NaN where less than half is known.
 glm::vec4 lit(const shared::PixelLayers& layers, const glm::dvec3& eyeMm, const glm::dvec3& direction,
               const LightInSpace& light) {
     const std::array<float, shared::kPixelLayers> middleMm{layers.nearMm.x, layers.nearMm.y, layers.nearMm.z,
@@ -49,7 +49,7 @@ glm::vec4 lit(const shared::PixelLayers& layers, const glm::dvec3& eyeMm, const 
     double known = 0.0;
     double atMm = double(layers.meanMm);
     for (std::size_t i = 0; i < middleMm.size() && double(i) * kLayer < coverage; ++i) {
-        // The last layer may end before its middle: then it is taken to be where the one before is.
+        // The last layer may have no middle: then it lies where the one before lies.
         if (middleMm[i] >= 0.0f) atMm = double(middleMm[i]);
         if (atMm < 0.0) break;
         const double hides = std::min(coverage - double(i) * kLayer, kLayer);

@@ -1,4 +1,4 @@
-// LightTable::lit in C++ and double, which that is compared with.
+// LightTable::lit as C++ in double, for tests of the kernel.
 #pragma once
 
 #include <span>

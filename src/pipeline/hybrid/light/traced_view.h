@@ -1,5 +1,5 @@
-// What a peripheral model learns from, and is judged by: a picture, and where it was seen from. Without
-// depth: thin matter has no one depth, and what was tried with it made two of three scenes worse
+// What a peripheral model learns from, and is judged by: a picture and its camera. It has no depth: thin
+// matter has no single depth, and training with depths made two of three scenes worse
 // (docs/peripheral-model.md).
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace macula::hybrid {
 
-// Width and height in pixels of what is learnt from, and of what models are compared with, unless somebody
-// says otherwise.
+// The default width and height in pixels of training views, and of the pictures that models are compared
+// with.
 inline constexpr int kTrainingSizePx = 512;
 // Their vertical field of view.
 inline constexpr double kTrainingFieldDeg = 20.0;
@@ -21,8 +21,8 @@ struct TracedView {
     glm::ivec2 sizePx{0};         // columns, rows
     std::vector<glm::vec4> rgba;  // linear, premultiplied; row 0 on top
     double samplesPerPixel = 0.0;
-    bool isLit = false;  // marched through the light that several views found (training_set.h): it has no
-                         // noise of its own
+    bool isLit = false;  // lit by what several views have found (training_set.h), so without noise of its
+    // own
 };
 
 }  // namespace macula::hybrid

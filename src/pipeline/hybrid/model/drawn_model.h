@@ -1,4 +1,5 @@
-// What a live model (live_model.h) draws: splats on the device, as bright as what is traced.
+// What a live model (live_model.h) draws: splats on the device, with a gain that makes them as bright as
+// traced pictures.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,24 +22,24 @@ class DrawnModel {
   public:
     bool canDraw() const { return painter_.has_value(); }
     bool isOf(const SharedSplats& splats) const { return painter_ && splats == splats_; }
-    const SharedSplats& splats() const { return splats_; }  // even where it cannot be drawn
+    const SharedSplats& splats() const { return splats_; }  // even if they cannot be drawn
     double gain() const { return gain_; }
 
-    // Makes these drawable; the gain stays where there is no `gauge`, or it is not whole.
+    // Makes these splats drawable; without a whole `gauge` the gain stays.
     Result<void> show(const std::shared_ptr<gpu::Device>& device, const SharedSplats& splats,
                       const BrightnessGauge* gauge);
     Result<void> show(const std::shared_ptr<gpu::Device>& device, const SharedSplats& splats, double gain);
     void setGain(double gain) { gain_ = gain; }
-    // It is drawn as it is no more, and has to be shown again.
+    // After this the model cannot be drawn until the next show().
     void stopDrawing() { painter_.reset(); }
     void forget();
 
-    // When it can: LiveModel::draw, and Rasterizer::depths of that picture.
+    // Only if canDraw(): as LiveModel::draw; then the Rasterizer::depths of that picture.
     Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx, double nearMm);
     const gpu::Buffer& depths() const { return painter_->depthsOnDevice(); }
 
   private:
-    SharedSplats splats_;  // what the painter has
+    SharedSplats splats_;  // those of the painter, if there is one
     std::optional<splat::ModelPainter> painter_;
     double gain_ = 1.0;
 };

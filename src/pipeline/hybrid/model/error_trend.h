@@ -1,4 +1,4 @@
-// Whether an error that is measured now and then still falls, however noisy single measurements are.
+// Whether an error that is measured from time to time still falls, however noisy single measurements are.
 #pragma once
 
 #include <cstddef>
@@ -8,29 +8,29 @@
 namespace macula::hybrid {
 
 struct ErrorTrendOptions {
-    // An error that falls by less than this part of itself in a second of training counts as flat.
+    // An error that falls by less than this part of itself per second of training counts as flat.
     double leastFallPerSecond = 0.002;
-    // The trend is that of so many means, each over at least so many seconds: measurements that come faster
-    // than that are averaged first, because over short times noise hides any trend.
+    // The trend is that of `window` means, each over at least `leastSeconds`: faster measurements are
+    // averaged first, because over short times noise hides any trend.
     std::size_t window = 9;
     double leastSeconds = 0.25;
 };
 
-// The slope is the median of those between any two of the means (Theil 1950, Sen 1968): no two of nine that
-// are far off decide it. With independent noise of standard deviation n for each mean, s seconds apart, nine
-// of them tell the fall per second to about 0.14 n / s.
+// The slope is the median of the slopes between any two means (Theil 1950, Sen 1968), so two outliers among
+// nine do not decide it. If the means have independent noise of standard deviation n and are s seconds apart,
+// nine of them give the fall per second to about 0.14 n / s.
 class ErrorTrend {
   public:
     explicit ErrorTrend(const ErrorTrendOptions& options = {}) : options_(options) {}
 
-    // `seconds` of training until now, never less than before. An error that is not above 0 and finite is
-    // left out.
+    // `seconds` of training until now, never less than before. Ignores errors that are not finite or not
+    // above 0.
     void add(double seconds, double error);
-    // Starts anew: the errors that follow are of something else.
+    // Starts over, because the next errors measure something else.
     void forget() { means_.clear(); }
 
-    // The fall of the error, as a part of it: 0.01 means that it falls by a hundredth in a second. Nothing
-    // before the window is full.
+    // The relative fall of the error: 0.01 means by a hundredth in a second. Nothing before the window is
+    // full.
     std::optional<double> fallPerSecond() const;
     bool isFlat() const;
 

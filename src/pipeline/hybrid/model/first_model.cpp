@@ -13,12 +13,12 @@ namespace macula::hybrid {
 
 namespace {
 
-// The parts of the budget left after the choice of points and views that must remain for views to be traced,
-// and for sides to be lit.
+// Of the time left after the choice of points and views, the share that must remain after tracing, and after
+// lighting.
 constexpr double kLeftAfterTracing = 0.6;
 constexpr double kLeftAfterLighting = 0.5;
 
-// Says whether one more view, taking as long as the last one did, leaves enough of a budget.
+// Whether one more view, if it takes as long as the last one, leaves enough of a budget.
 class Allowance {
   public:
     Allowance(const TimeBudget& budget, double leaveSeconds)
@@ -34,7 +34,7 @@ class Allowance {
   private:
     const TimeBudget* budget_;
     double leaveSeconds_;
-    std::optional<double> leftSeconds_;  // when it was asked last
+    std::optional<double> leftSeconds_;  // at the last call
 };
 
 Error cancelled() {
@@ -69,8 +69,8 @@ Result<void> train(FirstModel& model, const FirstModelOptions& options, const Ti
 
 }  // namespace
 
-// The rates are where the error of 400 to 700 steps is least on the phantom and a chest CT (that of
-// positions: on the phantom), docs/peripheral-model.md.
+// The rates minimise the error after 400 to 700 steps on the phantom and a chest CT (the rate of positions
+// only on the phantom): docs/peripheral-model.md.
 splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
     splat::TrainerOptions training;
     training.capacity = options.capacity;
@@ -79,7 +79,7 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
     splat::OptimizerOptions& rates = training.optimizer;
     rates.position = 0.05;
     rates.positionAtLast = 0.005;
-    // Towards the end single views pull the model about; with smaller steps it comes to rest between them.
+    // Towards the end single views pull the model to and fro; with smaller steps it settles between them.
     rates.decayFrom = options.iterations * 7 / 10;
     rates.positionSteps = std::max<std::uint64_t>(options.iterations, 1);
     rates.othersAtLast = 0.2;
@@ -88,11 +88,11 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
     rates.opacityLogit = 0.1;
     rates.dc = 0.015;
     rates.sh = rates.dc / 20.0;
-    // Training begins with pictures of half the size, for a fifth of the steps. Small pictures are not
-    // halved: they would show too little.
+    // The first fifth of the steps uses pictures of half the size. Small pictures are not halved: they would
+    // show too little.
     training.stages = {{.firstStep = 0, .halvings = options.sizePx >= 256 ? 1 : 0},
                        {.firstStep = options.iterations / 5, .halvings = 0}};
-    // The last steps compare squares, which put right the light that absolute differences leave out.
+    // The last steps use squared differences: absolute ones favour the median, and lose light.
     if (options.iterations > 0)
         training.stages.push_back(
             {.firstStep = options.iterations * 3 / 4, .halvings = 0, .measure = splat::LossMeasure::squared});

@@ -13,17 +13,17 @@ namespace {
 
 constexpr double kLeastShare = 0.02;
 
-// Of the picture that the window traces while a hand moves and there is no model, on two cores.
+// The lines of the picture that the window traces in motion without a model, on two cores.
 constexpr int kCoarseLines = 42;
-constexpr int kCoarserThanPicture = 3;  // at least so many times
+constexpr int kCoarserThanPicture = 3;  // at least by this factor
 
-// Compares with a copy of what was shown that is on the device only for that time: pictures are held out
-// rarely, and a copy that stayed would take room from the model that learns.
+// Compares with a copy of the shown splats that is on the device only for this: pictures are held out rarely,
+// and a permanent copy would take memory from the model that learns.
 Result<void> judgeShown(std::span<HeldOutPicture> held, const std::shared_ptr<gpu::Device>& device,
                         const glm::dvec3& originMm, splat::TrainerOptions options,
                         const ShownOfModel& shown) {
     if (held.empty()) return {};
-    options.capacity = 0;  // room for as many splats as there are
+    options.capacity = 0;  // 0: just room for the splats
     const auto compare = [&](const splat::Splats& splats, double HeldOutErrors::*error) -> Result<void> {
         const splat::Splats here = relativeTo(splats, originMm);
         MACULA_TRY(splat::Trainer judge, splat::Trainer::create(device, here, options));

@@ -1,4 +1,4 @@
-// The pictures that judge a model (held_out.h), and how far it was from each.
+// The pictures that judge a model (held_out.h), and its error in each.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ namespace macula::hybrid {
 struct HeldOutErrors {
     double trained = 0.0;  // of the model, when it was last judged
     double shown = 0.0;
-    double best = 0.0;    // of the best that was shown
-    double coarse = 0.0;  // of the picture itself, as a coarse one would show it
+    double best = 0.0;    // of the best one that was shown
+    double coarse = 0.0;  // of the picture itself at a coarse resolution
 };
 
 struct HeldOutPicture {
@@ -27,7 +27,7 @@ struct HeldOutPicture {
     HeldOutErrors errors;
 };
 
-// What was shown of a model; the same object where it is the best that was.
+// The splats that frames show, and the best that were shown; one object if these are the same.
 struct ShownOfModel {
     const splat::Splats& now;
     const splat::Splats& best;
@@ -38,29 +38,30 @@ class HeldOutPictures {
   public:
     bool empty() const { return held_.empty(); }
     std::size_t size() const { return held_.size(); }
-    bool canJudge() const;  // kLeastHeldOut
+    bool canJudge() const;  // has kLeastHeldOut pictures
     auto begin() const { return held_.begin(); }
     auto end() const { return held_.end(); }
 
-    // Compares the model and what was shown of it with these, which are held out from now on. The trained
-    // model must not stand in for what was shown: it may have become worse since. `options` are those of its
-    // training. Fails as Trainer::create and differenceTo, and then nothing has changed.
+    // Holds these pictures out from now on, and compares the trained model and the shown splats with them.
+    // Errors of shown splats are measured, because the trained model may have become worse since. `options`
+    // are those of its training. Fails as Trainer::create and differenceTo do, and then nothing has changed.
     Result<void> take(std::span<const std::shared_ptr<const splat::TrainingView>> pictures,
                       splat::Trainer& trainer, const std::shared_ptr<gpu::Device>& device,
                       const splat::TrainerOptions& options, const ShownOfModel& shown);
 
-    // Compares the model with all of them, one for each judgeNext(); it has to stay as it is meanwhile.
+    // Begins a comparison of the model with all pictures, one in each judgeNext(). The model must not change
+    // meanwhile.
     void beginJudging() { judged_ = 0; }
     bool isJudged() const { return judged_ >= held_.size(); }
     Result<void> judgeNext(splat::Trainer& trainer);
-    // The model is shown as it was judged.
+    // Frames now show the model as it was judged.
     void judgedIsShown(bool isBest);
 
-    HeldOutErrors meanErrors() const;  // zeros where nothing is held out
-    double pixels() const;             // of all of them
-    // From so many degrees beside the nearest of them it is seen, around `centre`; 180 where there is none.
+    HeldOutErrors meanErrors() const;  // zeros if no pictures are held out
+    double pixels() const;             // of all pictures together
+    // The angle around `centre` between the eye of `view` and the nearest held-out one; 180 without any.
     double degreesBeside(const splat::RasterView& view, const glm::dvec3& centre) const;
-    // Whether one is from there (isSamePose).
+    // Whether a held-out picture was seen from there (isSamePose).
     bool hasFrom(const splat::RasterView& view, double radiusMm, const AdmissionOptions& options) const;
 
   private:
@@ -68,8 +69,8 @@ class HeldOutPictures {
     std::size_t judged_ = 0;  // in this round of judging
 };
 
-// The mean coverage that the difference to a view is divided by: no less than a small part, because the error
-// of a view that shows hardly anything is not that of its few pixels.
+// The mean coverage by which the difference to a view is divided. It has a lower limit, so that a view that
+// shows hardly anything has no huge error.
 double judgedCoverage(const splat::TrainingView& view);
 
 }  // namespace macula::hybrid

@@ -11,7 +11,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// Limits for what the points say: of a radius in mm, and of light, which is 1 for white.
+// Limits for the radius of a point, in mm, and for its radiance, which is 1 for white.
 constexpr double kLeastRadius = 1e-6;
 constexpr double kMostRadius = 1e6;
 constexpr float kMostRadiance = 1e6f;
@@ -35,7 +35,7 @@ double logit(double opacity) {
 PrincipalAxes principalAxes(const glm::dmat3& symmetric) {
     glm::dmat3 a = symmetric;
     glm::dmat3 axes(1.0);
-    constexpr int kSweeps = 12;  // convergence is quadratic; five are enough for any matrix of three rows
+    constexpr int kSweeps = 12;  // ample: convergence is quadratic, and five sweeps suffice for 3 x 3
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         for (const int left : {2, 1, 0}) {
             const int p = left == 0 ? 1 : 0;
@@ -72,8 +72,8 @@ splat::Splats initialSplats(const trace::SurfacePoints& points, const InitialSpl
         const trace::SurfacePoint& point = points.points[i];
         const double radius = std::clamp(double(point.radiusMm), kLeastRadius, kMostRadius);
         const PrincipalAxes principal = principalAxes(glm::dmat3(point.spreadMm2));
-        const glm::dvec3 deviation =
-            glm::min(glm::sqrt(principal.variance), glm::dvec3(radius));  // of the matter within the radius
+        // The standard deviations of the matter within the radius, which limits them.
+        const glm::dvec3 deviation = glm::min(glm::sqrt(principal.variance), glm::dvec3(radius));
         const glm::dvec3 scale = glm::max(options.width * deviation, glm::dvec3(options.thinnest * radius));
         const glm::dquat turn = glm::normalize(glm::quat_cast(principal.axes));
         // The extinction of the matter itself: the mean over the ball includes the air around it.

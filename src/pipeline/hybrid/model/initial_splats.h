@@ -7,28 +7,28 @@
 
 namespace macula::hybrid {
 
-// The defaults are where the error of the first picture is least over phantom, chest CT (bone, soft tissue)
-// and CTA (vessels), each from four sides, see docs/peripheral-model.md.
+// The defaults minimise the error of the first picture over phantom, chest CT (bone, soft tissue) and CTA
+// (vessels), each from four sides: docs/peripheral-model.md.
 struct InitialSplatOptions {
-    // The standard deviation of a splat over that of the matter around it: neighbours overlap so that there
-    // is no gap, and no more.
+    // The standard deviation of a splat over that of the matter around it: neighbours overlap just enough to
+    // leave no gap.
     double width = 1.1;
-    // A splat lies so far from its point towards the middle of the matter, so that its outer half does
-    // not stand out of the surface.
+    // How far a splat is moved from its point towards the centre of the matter, as a part of that distance,
+    // so that its outer half does not stick out of the surface.
     double inwards = 1.1;
-    // How many times denser splats are than the matter: they stand only for the surface, and have to hide
-    // what lies behind it too.
+    // How many times denser splats are than the matter: they represent only the surface, but must also hide
+    // what lies behind it.
     double denser = 6.0;
-    // No splat is thinner than this part of the distance to its neighbours: as an edge of a voxel is soft.
+    // No splat is thinner than this part of a point's radius, because edges between voxels are soft.
     double thinnest = 0.15;
 };
 
-// A splat for each point, in the same order: as wide as the matter around it reaches, as opaque as that is,
-// with the light that leaves it. Of degree 0, linear radiance. Valid for any points of finite numbers.
+// A splat for each point, in the same order: as wide and as opaque as the matter around it, with the light
+// that leaves it. Degree 0, linear radiance. Valid for any points of finite numbers.
 splat::Splats initialSplats(const trace::SurfacePoints& points, const InitialSplatOptions& options = {});
 
-// Axes of a covariance: the columns of `axes` are unit and right-handed, `variance` along each, largest
-// first. By Jacobi's rotations; `symmetric` must be finite.
+// Axes of a covariance: the columns of `axes` are unit vectors and right-handed, with `variance` along each,
+// largest first. principalAxes uses Jacobi rotations; `symmetric` must be finite.
 struct PrincipalAxes {
     glm::dmat3 axes{1.0};
     glm::dvec3 variance{0.0};

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kWeightOfFaster = 0.2;
 constexpr double kSpare = 1.25;
-constexpr double kForgottenByRefusal = 0.97;  // a frame each: half of it in a third of a second
+constexpr double kForgottenByRefusal = 0.97;  // one refusal a frame: halved in a third of a second
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// How long the parts of learning take on this device, and so which may be done in the time that is left
-// before a frame is due: the rules alone, without device or clock.
+// How long the parts of learning take on this device, and so which ones fit into the time before the next
+// frame is due. Only the rules: no device, no clock.
 #pragma once
 
 #include <array>
@@ -9,30 +9,30 @@
 
 namespace macula::hybrid {
 
-// What learning cannot be interrupted in.
+// The parts of learning that cannot be interrupted.
 enum class LearningPart {
-    step,   // of training, or of judging
-    show,   // the model that was learnt becomes the one that is drawn
-    ask,    // for the view that teaches most
-    trace,  // a dispatch of it
-    take,   // it is read back, and given to the trainer
+    step,   // of training or judging
+    show,   // make the learnt model the drawn one
+    ask,    // which view teaches most
+    trace,  // a dispatch of that view
+    take,   // read it back, and give it to the trainer
 };
 inline constexpr std::size_t kLearningParts = 5;
 
-// The name as in reports; a literal.
+// The name in reports; a string literal.
 std::string_view nameOf(LearningPart part);
 
 class LearningPace {
   public:
-    // What took longer than expected is believed at once, what was faster by and by: whoever waits for a
-    // frame waits for the slowest.
+    // Notes how long a part took. A longer time than expected counts at once, a shorter one gradually: a
+    // frame has to wait for the slowest.
     void took(LearningPart part, double ms);
-    // A step was not begun for lack of time. One that had more to do, such as judging, must not keep all
-    // others from being tried for ever.
+    // Notes that a step was not begun for lack of time, and expects a little less from now on: otherwise one
+    // slow step, such as one of judging, would forbid all later ones.
     void refusedStep();
-    // Nothing before it was done once.
+    // Nothing until the part was done once.
     std::optional<double> expectedMs(LearningPart part) const;
-    // Whether it is expected to be done in that time, with something to spare.
+    // Whether the part is expected to fit into `leftMs`, with some time to spare.
     bool fits(LearningPart part, double leftMs) const;
 
   private:

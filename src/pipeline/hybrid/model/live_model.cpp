@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Of a model that is sharp, as most are: where nothing is held out that could tell.
+// After so many steps most models are sharp; used when too few pictures are held out to judge it.
 constexpr std::uint64_t kStepsOfSharpModels = 120;
 
 double msSince(Clock::time_point start) {
@@ -68,7 +68,7 @@ Result<void> LiveModel::tryShow() {
     origin_ = ModelOrigin::points;
     if (!archive_.hasStore()) return {};
     archive_.beginAsking();
-    // Where the answer is here already, the first picture is of the model.
+    // If the store answers at once, the first frame already shows the model.
     const StoredModel stored = archive_.stored(key_);
     return stored.answer == StoredModel::Answer::pending ? Result<void>() : takeFromStore(stored);
 }
@@ -87,7 +87,7 @@ void LiveModel::beginWithPoints(ModelOrigin origin) {
     stage_ = ModelStage::searching;
 }
 
-// Whoever calls has other work in between.
+// Returns between waits, because the caller has other work.
 Result<void> LiveModel::askStore(const std::function<bool()>& goesOn) {
     const TimelineStage stage("model: store");
     const auto stored =
@@ -99,11 +99,11 @@ Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
     using Answer = StoredModel::Answer;
     if (stored.answer != Answer::drawable && stored.answer != Answer::whole) {
         archive_.endAsking();
-        // What is drawn has gone from the store since, or the rest of it could not be read.
+        // The drawn model is no longer in the store, or the rest of its file could not be read.
         if (stage_ == ModelStage::resuming) beginWithPoints(ModelOrigin::points);
     }
     switch (stored.answer) {
-        case Answer::pending:  // for too long
+        case Answer::pending:  // has taken too long
         case Answer::none:
             return {};
         case Answer::damaged:
@@ -118,7 +118,7 @@ Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
             return drawStored(stored);
         case Answer::whole: {
             archive_.holdWhole(stored);                                 // the store gives it once
-            if (!taught_.drawn().canDraw()) return drawStored(stored);  // first it is shown
+            if (!taught_.drawn().canDraw()) return drawStored(stored);  // show it first
             Result<void> done = goOnWith(*stored.state, ModelOrigin::stored);
             if (!done && done.error().code != ErrorCode::inputNotUsable) return done;
             archive_.dropWhole();
@@ -147,7 +147,7 @@ void LiveModel::hide() {
     key_.clear();
 }
 
-// Only a model that has taken its first steps goes on the shelf: less is soon found again.
+// Only a model that has taken its first steps goes on the shelf: anything less is quickly made again.
 void LiveModel::putAway() {
     archive_.putWholeOnShelf();
     if (!taught_.exists() || !canBeDrawn()) return;
@@ -216,7 +216,7 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
 }
 
 Result<void> LiveModel::takeFirstSteps(double budgetMs, const std::function<bool()>& goesOn) {
-    // A model that was trained in other lights has the right geometry: it needs no first steps.
+    // A model that was trained under other lights has the right geometry: it needs no first steps.
     const bool isWarm = origin_ == ModelOrigin::otherLights || origin_ == ModelOrigin::otherTrainer;
     MACULA_TRY(const bool areDone,
                taught_.takeFirstSteps(isWarm ? 0 : options_.stepsBeforeShown, budgetMs, goesOn));
@@ -246,7 +246,7 @@ Result<void> LiveModel::workWithin(double leftMs, const std::function<bool()>& k
 
 Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const trace::View& view, std::uint32_t samples) {
     MACULA_CHECK(canBeDrawn());
-    if (!taught_.exists()) return {};  // it is resuming
+    if (!taught_.exists()) return {};  // still resuming
     if (std::int64_t(view.width) * view.height > kMostPixelsToLearn) return {};
     MACULA_TRY(const bool hasLearnt, taught_.learnFrom(tracer, view, samples));
     if (hasLearnt) stage_ = ModelStage::learning;

@@ -1,7 +1,7 @@
-// The peripheral model of what is on a screen: found, taught while nothing moves, or in the time between two
-// frames, and drawn while something does. All of it in slices, so that whoever has the thread keeps it.
+// The peripheral model of the scene on a screen. It is found and taught while nothing moves or between two
+// frames, and drawn while the view moves. All work is done in slices, so that the thread stays responsive.
 //
-//     model.show(key, settings);                       // what the scene shows now, or showed before
+//     model.show(key, settings);                       // what the scene shows now
 //     if (model.hasWork()) model.work(20.0, keepGoing);
 //     if (model.canBeDrawn()) picture = model.draw(camera, sizePx);
 #pragma once
@@ -32,23 +32,22 @@ namespace macula::hybrid {
 // Used by one thread at a time, the one that uses the device.
 class LiveModel {
   public:
-    // The model of the scene that `beside` shows; it traces a view of its own of that scene. Models that are
-    // put away go to the shelf, which may outlive the device, and to the store, which may be null.
+    // Makes the model of the scene of `beside`, which it traces with a view of its own. Models that are put
+    // away go to the shelf, which may outlive the device, and to the store, which may be null.
     static Result<LiveModel> create(const std::shared_ptr<gpu::Device>& device,
                                     const trace::PathTracer& beside, std::shared_ptr<ModelShelf> shelf,
                                     std::shared_ptr<ModelStore> store, const LiveModelOptions& options);
 
-    // The scene shows what is called `key`, in a path-traced look with these settings, in light that stays
-    // where it is: nothing happens when it did already. Else the model of before is put away at once, and
-    // that of the key comes from the shelf or the store, or is searched for. No model is ever drawn for
-    // another key than its own. Where the device has no room, the stage says so; other errors are told.
+    // Call when the scene shows what `key` names, in a path-traced look with these settings, and with lights
+    // fixed to the patient. Does nothing if the key is the same. Otherwise puts the old model away at once,
+    // and finds that of the key on the shelf or in the store, or begins one. A model is never drawn for
+    // another key than its own. If the device has no room, the stage says so; other errors are returned.
     Result<void> show(const std::string& key, const trace::Settings& settings);
-    // The screen shows nothing that has a model: the one there is is put on the shelf, and none is drawn.
+    // Call when the screen shows nothing that has a model: puts the present one away, and draws none.
     void hide();
-    // Drops the model of this key until another key is shown; `stage` says why: noRoom or failed. What was
-    // learnt goes to the shelf.
+    // Puts the model away, and makes none until another key is shown; `stage` says why: noRoom or failed.
     void giveUp(ModelStage stage);
-    // Puts what was learnt until a few seconds ago on the shelf, after the device was lost.
+    // Call after the device was lost: puts away the model as it was at most a few seconds ago.
     void save();
 
     bool canBeDrawn() const {
@@ -58,36 +57,35 @@ class LiveModel {
         return stage_ == ModelStage::searching || stage_ == ModelStage::resuming ||
                stage_ == ModelStage::learning;
     }
-    // A slice: about `budgetMs`, at least one dispatch of some 40 ms or one step; `keepGoing` is asked
-    // between these. Running out of memory ends the search or the learning, and is no error.
+    // Works for about `budgetMs`, at least one dispatch of some 40 ms or one step; asks `keepGoing` between
+    // these. Lack of memory ends the search or the learning, and is not an error.
     Result<void> work(double budgetMs, const std::function<bool()>& keepGoing);
 
-    // The same between two frames of a picture in motion: only what is expected to be done in `leftMs`, by
-    // what it took so far; nothing that was never done.
+    // The same between two frames of a picture in motion: only parts that, by their times so far, fit into
+    // `leftMs`, and none that was never done before.
     Result<void> workWithin(double leftMs, const std::function<bool()>& keepGoing);
 
-    // Takes in what `tracer` has traced of its view, which is `view`, with `samples` of each pixel, for a
-    // person who looks at it: the model learns all of that, once for each pose, and again with four times as
-    // many samples. While it can be drawn; waits. Where there is no room for it, or the picture has more than
-    // kMostPixelsToLearn, nothing happens.
+    // Learns from the picture on screen, which `tracer` has traced for its view `view` with `samples` per
+    // pixel: once for each pose, and again with four times as many samples. Only while canBeDrawn(); waits
+    // for the device. Does nothing if there is no room, or the picture has more than kMostPixelsToLearn.
     static constexpr std::int64_t kMostPixelsToLearn = 2560 * 1440;
     Result<void> learnFrom(trace::PathTracer& tracer, const trace::View& view, std::uint32_t samples);
 
-    // Linear, premultiplied; on the device until the next is drawn, done when what was submitted is. Its
-    // light is to be multiplied by gain() to be as bright as what is traced (brightness_gauge.h). Where it
-    // cannot be drawn for lack of memory it is given up, outOfMemory.
+    // Returns a linear, premultiplied picture on the device, valid until the next one, and finished when the
+    // submitted work is. Multiply its light by gain() to make it as bright as traced pictures
+    // (brightness_gauge.h). Gives the model up if memory does not suffice, and fails with outOfMemory.
     Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx,
                                              double nearMm = splat::RasterView{}.nearMm);
-    // Of that picture: Rasterizer::depths.
+    // The Rasterizer::depths of that picture.
     const gpu::Buffer& drawnDepths() const { return taught_.drawn().depths(); }
     double gain() const { return taught_.drawn().gain(); }
 
     // The model that draw() draws; null when there is none.
     std::shared_ptr<const splat::Splats> shown() const;
-    // All that it goes on with; null while nothing was learnt. Waits.
+    // All that the model needs to continue; null while nothing was learnt. Waits for the device.
     Result<std::shared_ptr<const PeripheralState>> state() const;
     ModelNews news() const;
-    // Of the model that learns; nothing while there is none.
+    // Of the model that learns, if there is one.
     std::optional<PeripheralReport> report() const;
     const std::string& key() const { return key_; }
 
@@ -117,7 +115,7 @@ class LiveModel {
     trace::Settings settings_;
     ModelStage stage_ = ModelStage::none;
     ModelOrigin origin_ = ModelOrigin::none;
-    std::uint64_t stepsOfStored_ = 0;  // of what is drawn while it resumes
+    std::uint64_t stepsOfStored_ = 0;  // training steps of the model drawn while resuming
     ModelSearch search_;
     TaughtModel taught_;
 };

@@ -13,7 +13,7 @@ LiveModelOptions liveModelOptions(const gpu::Device& device) {
     LiveModelOptions options;
     if (device.isCpu()) {
         options.model.wanted.sizePx = glm::ivec2(kSideOnCpuPx);
-        // A person waits until the model is sharp, so the steps before that are few.
+        // A person waits until the model is sharp, so it begins with few points.
         options.points.count = 5000;
         options.points.candidatesPerPoint = 2;
         options.roughSidePx = kRoughSideOnCpuPx;

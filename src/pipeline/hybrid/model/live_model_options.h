@@ -13,21 +13,22 @@
 namespace macula::hybrid {
 
 struct LiveModelOptions {
-    PeripheralOptions model;            // wanted.sizePx: of the pictures that it learns from
+    PeripheralOptions model;            // wanted.sizePx is the size of training views
     trace::SurfacePointOptions points;  // count: at most model.firstCapacity
-    std::uint32_t samplesPerPixel = 2;  // of these pictures
-    std::uint64_t roughSteps = 0;       // first steps of training, which take
-    int roughSidePx = 0;                // pictures of such sides
-    std::size_t views = 48;             // pictures in all
-    // Of training: at least so many, and so many more that training takes as long as tracing does.
+    std::uint32_t samplesPerPixel = 2;  // of training views
+    std::uint64_t roughSteps = 0;       // so many first training steps use
+    int roughSidePx = 0;                // training views of this size
+    std::size_t views = 48;             // most views that a model asks for
+    // Training steps between two traced views: at least the first number, then until training has taken as
+    // long as tracing the last view, but at most the second.
     std::uint64_t stepsBetweenViews = 8;
     std::uint64_t mostStepsBetweenViews = 24;
-    std::uint64_t stepsBeforeShown = 40;               // of training, on the small pictures of the gauge
-    std::chrono::milliseconds mostWaitForStore{2000};  // then it begins without
+    std::uint64_t stepsBeforeShown = 40;               // training steps with the small pictures of the gauge
+    std::chrono::milliseconds mostWaitForStore{2000};  // then a model begins without
     std::chrono::milliseconds leastBetweenKeeping{20000};
-    std::optional<double> dispatchMs = {};  // of tracing its views; nothing: as PathTracer has it
+    std::optional<double> dispatchMs = {};  // of tracing; nothing: PathTracer's own
 };
-// What is fast enough on the device to be taught beside a picture that converges.
+// Options that are fast enough on this device for learning while a picture converges.
 LiveModelOptions liveModelOptions(const gpu::Device& device);
 
 }  // namespace macula::hybrid

@@ -1,4 +1,4 @@
-// Where a live model (live_model.h) is found again: the shelf of this run of the program, and the store.
+// Where a live model (live_model.h) is kept: the shelf of this run of the program, and the store.
 #pragma once
 
 #include <chrono>
@@ -26,34 +26,35 @@ class ModelArchive {
     bool hasStore() const { return store_ != nullptr; }
     StoredModel stored(const std::string& key) { return store_->find(key); }
 
-    // The store is asked, and has not given its last answer yet.
+    // Between these the store is being asked, and has not given its last answer.
     void beginAsking();
     void endAsking() { askingSince_.reset(); }
     bool isAsking() const { return askingSince_.has_value(); }
-    // Waits for an answer that is news, where it is drawn or not; nothing when `goesOn`, which is asked in
-    // between, says no. After a while it gives a pending answer too, if `hasOther` work waits.
+    // Waits for an answer that is news: not pending, and not drawable if the model is drawn already. Returns
+    // nothing if `goesOn`, asked in between, says no; and, after a while, even a pending answer if other work
+    // waits (`hasOther`).
     std::optional<StoredModel> answer(const std::string& key, bool isDrawn, bool hasOther,
                                       const std::function<bool()>& goesOn);
 
-    // A whole model that came from the store, which gives it once, until it is gone on with.
+    // Holds a whole model, which the store gives only once, until training continues with it.
     void holdWhole(const StoredModel& stored) { whole_ = stored; }
     void dropWhole() { whole_.reset(); }
     const std::optional<StoredModel>& whole() const { return whole_; }
-    // A device that is lost or full is no reason to begin anew.
+    // So that a lost or full device does not cost a model that the store has given.
     void putWholeOnShelf();
 
-    // To the shelf, and to the store what is news to it.
+    // Puts a model on the shelf, and gives it to the store if it has changed.
     void put(PeripheralState state, double gain);
-    // So that a program that is killed loses little: to the store, now and then. lastGood() is on the host
-    // already: no frame waits for it.
+    // Gives the model to the store from time to time, so that little is lost if the program is killed. Uses
+    // lastGood(), which is on the host already, so no frame waits.
     void putSometimes(const PeripheralModel& model, double gain);
-    // The model has just come from there.
+    // Call when the model has just come from shelf or store: it need not be stored again.
     void noteResumed(const PeripheralModel& model, double gain);
-    // Another model is next.
+    // Call before another model.
     void forget();
 
   private:
-    // What tells a model from itself some time before.
+    // Changes whenever a model does.
     struct Kept {
         std::uint64_t steps = 0;
         std::uint64_t generation = 0;
@@ -68,7 +69,7 @@ class ModelArchive {
     std::chrono::milliseconds leastBetween_;
     std::optional<std::chrono::steady_clock::time_point> askingSince_;
     std::optional<StoredModel> whole_;
-    Kept kept_;  // what the store was given last
+    Kept kept_;  // the model that the store was last given
     std::chrono::steady_clock::time_point keptAt_;
 };
 

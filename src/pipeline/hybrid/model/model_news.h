@@ -1,4 +1,4 @@
-// How far a live model (live_model.h) has come, for those who tell a person.
+// The progress of a live model (live_model.h), for display.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +8,17 @@
 namespace macula::hybrid {
 
 enum class ModelStage {
-    none,       // nobody asked for one
-    searching,  // for a stored one, or for the points that it begins with, and learns what they look like
-    resuming,   // what was shown before is drawn, while the rest of it is read
+    none,       // no model was requested
+    searching,  // for a stored model, or for points to begin with; then takes the first steps
+    resuming,   // draws the stored splats, while the rest of the file is read
     learning,
-    resting,       // it has learnt what its pictures can teach it
-    nothingToSee,  // there is nothing that it could be of
-    noRoom,        // the device has no memory for it beside what is shown
-    failed,        // it could not be made or drawn, for another reason
+    resting,       // has learnt what its pictures can teach it
+    nothingToSee,  // the scene shows nothing
+    noRoom,        // the device has too little memory for a model
+    failed,        // the model could not be made or drawn, for another reason
 };
 
-// The name as in reports; a literal.
+// The name in reports; a string literal.
 constexpr std::string_view nameOf(ModelStage stage) {
     switch (stage) {
         case ModelStage::none:
@@ -41,18 +41,18 @@ constexpr std::string_view nameOf(ModelStage stage) {
     return {};
 }
 
-// What it began with.
+// What a model began with.
 enum class ModelOrigin {
     none,           // there is no model
-    points,         // nothing of use was stored
-    damagedPoints,  // likewise: what was stored is damaged
-    shelf,          // itself, shown before in this run of the program
-    stored,         // itself, stored by an earlier one
-    otherLights,    // the stored model of other lights
-    otherTrainer,   // the stored model of an older trainer or tracer
+    points,         // no useful model was stored
+    damagedPoints,  // likewise, because the stored model is damaged
+    shelf,          // this model, shown before in this run of the program
+    stored,         // this model, stored by an earlier run
+    otherLights,    // a stored model under other lights
+    otherTrainer,   // a stored model of another trainer or tracer version
 };
 
-// The name as in reports, and why; literals.
+// The name in reports, and the reason; string literals.
 constexpr std::string_view nameOf(ModelOrigin origin) {
     switch (origin) {
         case ModelOrigin::none:
@@ -95,16 +95,16 @@ struct ModelNews {
     ModelOrigin origin = ModelOrigin::none;
     std::uint32_t splats = 0;
     std::uint64_t steps = 0;
-    std::size_t views = 0;  // it has learnt from, or is judged by
+    std::size_t views = 0;  // learnt or held out
 
-    // It shows more than a coarse picture would (coarse_picture.h), or has learnt for as long as that takes
-    // where nothing is held out that could tell.
+    // The model shows more than a coarse picture would (coarse_picture.h); or, if too few pictures are held
+    // out to judge that, it has learnt for as long as this usually takes.
     bool isSharp = false;
 
     bool operator==(const ModelNews&) const = default;
 };
 
-// The one place that says so. A model that is not fit is shown nowhere where there can be another picture.
+// The only place that decides this. An unfit model is shown only if there cannot be another picture.
 constexpr bool isFitToBeShown(const ModelNews& model) {
     const bool isThere = model.stage == ModelStage::resuming || model.stage == ModelStage::learning ||
                          model.stage == ModelStage::resting;

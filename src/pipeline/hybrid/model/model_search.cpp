@@ -16,7 +16,7 @@ void ModelSearch::forgetStart() {
     startWith_.reset();
 }
 
-// The search for points needs a view to be set, though it finds what can be seen from anywhere.
+// The search for points needs some view, though it finds what can be seen from anywhere.
 Result<void> ModelSearch::findBox(trace::PathTracer& tracer) {
     MACULA_TRY_VOID(tracer.setView({.width = 64, .height = 64}));
     MACULA_TRY(const Box seen, tracer.seenMm());

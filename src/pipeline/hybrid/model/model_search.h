@@ -1,4 +1,4 @@
-// The search for what a new model begins with.
+// Finds what a new model begins with.
 #pragma once
 
 #include <functional>
@@ -17,18 +17,18 @@ namespace macula::hybrid {
 // Used by one thread at a time, the one that uses the device.
 class ModelSearch {
   public:
-    // Instead of points, another model.
+    // Begins with the splats of another model instead of points.
     void startWith(std::shared_ptr<const splat::Splats> splats) { startWith_ = std::move(splats); }
     void forget();
-    void forgetStart();  // all but where anything is seen
+    void forgetStart();  // keeps only seenMm()
 
-    // Finds where anything is seen in what `tracer` shows, and then points on it, in slices: the next call
-    // goes on where `goesOn` said no. Leaves the tracer with another view.
+    // Finds the box of visible matter in the scene of `tracer`, then points on it, in slices: the next call
+    // continues where `goesOn` said no. Leaves the tracer with another view.
     enum class Found { notYet, nothing, all };
     Result<Found> findSome(trace::PathTracer& tracer, const trace::SurfacePointOptions& options,
                            const std::function<bool()>& goesOn);
 
-    // When all is found.
+    // After Found::all.
     const Box& seenMm() const { return *seenMm_; }
     ModelStart start(const std::string& key) const;
 

@@ -19,7 +19,7 @@ std::uint64_t numbersOf(const splat::Splats& splats) {
 }  // namespace
 
 std::uint64_t bytesOf(const PeripheralState& state) {
-    // Parameters, two moments, steps and statistics.
+    // Parameters, two moments of Adam, steps and statistics.
     std::uint64_t bytes = 12 * numbersOf(state.training.splats) + 20 * state.training.splats.size();
     for (const auto& shown : {state.shown, state.best})
         if (shown) bytes += 4 * numbersOf(*shown);

@@ -1,4 +1,4 @@
-// Peripheral models of what was shown before, to go on with when it is shown again.
+// Keeps peripheral models in memory, to continue with them when their scene is shown again.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +10,24 @@
 
 namespace macula::hybrid {
 
-// The size of its pictures and splats. What is small beside these is left out.
+// The size of its pictures and splats; ignores everything smaller.
 std::uint64_t bytesOf(const PeripheralState& state);
 
-// Keeps models by key; the one that was put there or found last stays longest, so that what is looked for is
-// not pushed off by what it takes the place of. Together they take at most so many bytes.
+// Keeps models by key in at most `mostBytes`, and drops the least recently used ones first. So putting the
+// present model away does not drop one that was just found.
 class ModelShelf {
   public:
     explicit ModelShelf(std::uint64_t mostBytes) : mostBytes_(mostBytes) {}
 
-    // Replaces the model of the same key. One that is larger than all there is room for is not kept.
+    // Replaces the model of the same key. Does not keep a model that is larger than the whole shelf.
     void put(std::shared_ptr<const PeripheralState> state);
-    // Null when there is none.
+    // Null if there is none.
     std::shared_ptr<const PeripheralState> find(const std::string& key);
     std::size_t size() const { return states_.size(); }
 
   private:
     std::uint64_t mostBytes_;
-    std::list<std::shared_ptr<const PeripheralState>> states_;  // the last one used first
+    std::list<std::shared_ptr<const PeripheralState>> states_;  // most recently used first
 };
 
 }  // namespace macula::hybrid

@@ -7,7 +7,7 @@ namespace macula::hybrid {
 Result<ModelStart> startFromPoints(trace::PathTracer& tracer, const Box& seenMm, const std::string& key,
                                    const trace::SurfacePointOptions& options, Progress& progress) {
     progress.beginStage(Text("Finding points"), 1);
-    // The search for points needs a view to be set, though it finds what can be seen from anywhere.
+    // The search for points needs some view, though it finds what can be seen from anywhere.
     MACULA_TRY_VOID(tracer.setView(
         {.camera = frameBox(seenMm, ViewDirection::anterior, 20.0, 1.0), .width = 64, .height = 64}));
     MACULA_TRY(const trace::SurfacePoints points,

@@ -1,4 +1,4 @@
-// What a peripheral model begins with: points on what can be seen, or an older model of something like it.
+// What a peripheral model begins with: points on visible matter, or an older model of a similar scene.
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@
 namespace macula::hybrid {
 
 struct ModelStart {
-    splat::Splats splats;   // valid; may be none
+    splat::Splats splats;   // valid; may be empty
     Box seenMm;             // box of visible matter (TracedScene)
     bool isTaught = false;  // the splats are those of an older model, not of points
-    std::string key;        // of volume, preset, clip and lights; the caller's
+    std::string key;        // names volume, preset, clip and lights; chosen by the caller
 };
 
-// A splat for each of the points that `tracer` finds (surface_points.h). The tracer has its volume, transfer
-// function, environment and clip, and is left with another view. inputNotUsable when nothing can be seen;
-// `cancelled` when `progress` says so.
+// Makes a splat for each of the points that `tracer` finds (surface_points.h). The tracer must have its
+// volume, transfer function, environment and clip, and is left with another view. Fails with inputNotUsable
+// if nothing can be seen, and with `cancelled` if `progress` is cancelled.
 Result<ModelStart> startFromPoints(trace::PathTracer& tracer, const Box& seenMm, const std::string& key,
                                    const trace::SurfacePointOptions& options, Progress& progress);
 

@@ -1,4 +1,4 @@
-// Where peripheral models are kept for longer than the program runs, as a live model (live_model.h) sees it.
+// The interface through which a live model (live_model.h) keeps peripheral models between runs.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace macula::hybrid {
 
-// What is known of the stored model of a key.
+// What the store knows so far about the model of a key.
 struct StoredModel {
     enum class Answer {
-        pending,   // it is looked for
+        pending,   // the store is looking
         none,      // there is none
-        damaged,   // there was one, which is no longer what was saved
+        damaged,   // there was a model, but its data are damaged
         warm,      // one under other lights, whose `splats` training begins with
-        stale,     // one of another trainer or tracer: likewise
-        drawable,  // `splats` are what was shown when it was saved, and can be shown; the state is read
-        whole,     // and here is the state too
+        stale,     // likewise one of another trainer or tracer version
+        drawable,  // `splats`, as shown when the model was saved, can be drawn; the state is being read
+        whole,     // the state is here too
     } answer = Answer::pending;
-    std::shared_ptr<const splat::Splats> splats{};  // valid; of warm, stale, drawable and whole
+    std::shared_ptr<const splat::Splats> splats{};  // valid; set for warm, stale, drawable and whole
     std::uint64_t steps = 0;                        // of training
-    double gain = 1.0;                              // PeripheralState::gain, and seenMm
+    double gain = 1.0;                              // PeripheralState::gain; likewise seenMm
     Box seenMm{};
-    std::shared_ptr<const PeripheralState> state{};  // its key is the one asked for
+    std::shared_ptr<const PeripheralState> state{};  // its key is the requested one
 };
 
-// Both return at once, whatever the disk does. Called by the thread of the live model.
+// Both functions return at once, however slow the disk is. Called by the thread of the live model.
 class ModelStore {
   public:
     ModelStore() = default;
@@ -37,10 +37,10 @@ class ModelStore {
     ModelStore& operator=(const ModelStore&) = delete;
     virtual ~ModelStore() = default;
 
-    // Asked again and again, until the answer is neither pending nor drawable. `whole` may be given once
-    // only: who gets it keeps it.
+    // The caller polls this until the answer is neither pending nor drawable. `whole` may be given only once:
+    // the caller must keep it.
     virtual StoredModel find(const std::string& key) = 0;
-    // Saves it under its key, training.options.key, in place of the one of before.
+    // Saves the state under its key, training.options.key, in place of an older one.
     virtual void keep(std::shared_ptr<const PeripheralState> state) = 0;
 };
 

@@ -28,7 +28,7 @@ constexpr SplatChunkNames kShown{.text = "shown", .numbers = "shownspl"};
 constexpr SplatChunkNames kBest{.text = "best", .numbers = "bestspl"};
 constexpr splat::ViewChunkNames kHeldOut{.records = "heldout", .pixels = "heldpix"};
 constexpr std::string_view kNotes = "notes";
-constexpr std::string_view kFirst = "first ";  // before each option of the first training
+constexpr std::string_view kFirst = "first ";  // prefix of each option of the first training
 
 struct Notes {
     double gain = 1.0;
@@ -38,8 +38,8 @@ struct Notes {
     std::uint64_t asked = 0;
     std::uint64_t roundViews = 0;
     std::uint64_t heldOut = 0;  // pictures
-    bool isShownApart = false;  // in chunks of its own; else it is the model of the training
-    bool isBestApart = false;   // else it is what is shown
+    bool isShownApart = false;  // in chunks of its own; else the model of the training
+    bool isBestApart = false;   // else the shown one
     std::vector<std::string> first;
 };
 
@@ -90,7 +90,7 @@ bool isTrainingOnly(const ChunkFile& file) {
                         [&](const splat::TrainingChunk& chunk) { return file.has(chunk.name); });
 }
 
-// Nothing where the splats are those of `other`, bit for bit.
+// Nothing if the splats are those of `other`, bit for bit.
 std::optional<SplatChunks> apartFrom(const SplatChunks& other,
                                      const std::shared_ptr<const splat::Splats>& splats) {
     if (!splats) return std::nullopt;
@@ -116,7 +116,7 @@ Result<std::shared_ptr<const splat::Splats>> readApart(ChunkFile& file, const Sp
 Result<void> writePeripheral(std::ostream& stream, const PeripheralState& state,
                              splat::PackedPictures& packed) {
     MACULA_TRY_VOID(state.validate());
-    // The bindings count the members: one more, and this does not compile until it is written.
+    // The bindings count the members: with a new one this does not compile until it is written.
     const auto& [training, heldOut, shown, best, generation, seenMm, gain, offered, asked, roundViews,
                  first] = state;
     std::vector<std::shared_ptr<const splat::TrainingView>> pictures;

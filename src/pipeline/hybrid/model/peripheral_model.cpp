@@ -21,9 +21,9 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr std::size_t kFewViews = 12;      // so few may not be enough to learn from
-constexpr std::uint64_t kManySteps = 120;  // after which a model of points is mottled no more
-constexpr std::uint64_t kLeastSteps = 10;  // between judging: a few steps make no measurable difference
+constexpr std::size_t kFewViews = 12;      // fewer may not be enough to learn from
+constexpr std::uint64_t kManySteps = 120;  // after which a model from points is no longer mottled
+constexpr std::uint64_t kLeastSteps = 10;  // between judgings: fewer make no measurable difference
 
 }  // namespace
 
@@ -43,8 +43,7 @@ std::string_view describe(Pause pause) {
     return {};
 }
 
-// The number of steps that keeps the pixels of held-out pictures to at most judgingShare of all that are
-// drawn.
+// The number of steps after which judging costs at most judgingShare of the pixels drawn for training.
 std::uint64_t PeripheralModel::stepsBetweenJudging() const {
     const double each = meanPixelsOfViews(trainer_);
     const double steps = std::ceil(heldOut_.pixels() / std::max(options_.judgingShare * each, 1.0));
@@ -87,8 +86,8 @@ Result<void> PeripheralModel::learn(const std::function<bool()>& goesOn) {
     return {};
 }
 
-// Compares the next held-out picture, one for each call, so that no call takes long; the model stays as it is
-// until all are compared.
+// Compares one held-out picture in each call, so that no call takes long; the model does not change until all
+// are compared.
 Result<void> PeripheralModel::judgeNext() {
     if (!heldOut_.isJudged()) {
         const TimelineStage stage("model: judging");
@@ -127,21 +126,21 @@ Result<void> PeripheralModel::beginRoundIfDue() {
         const auto present = std::max(trainer_.lastGood().options.capacity, now.splats);
         MACULA_TRY(hasBegun, beginRound(std::min(present, room)));
     }
-    // A round that did not begin is tried again with as many more views, not at every step: the model would
-    // never pause.
+    // A round that could not begin is tried again after as many more views, not at every step: otherwise the
+    // model would never pause.
     if (hasBegun) ++rounds_;
     return {};
 }
 
 Result<bool> PeripheralModel::beginRound(std::uint32_t capacity) {
-    // A round has few new views, and what is shown should not have to wait for long until it is better again.
+    // A round has few new views, and a shown model should soon improve again, so rates rise only so much.
     constexpr double kWarmer = 3.0;
     const RefinementOptions round{.iterations = options_.roundSteps, .capacity = capacity, .warmer = kWarmer};
     return goOnWith(comparedAsJudged(refinementTraining(notes_.first, trainer_.report(), round)),
                     std::max(options_.shDegree, trainer_.lastGood().splats.shDegree));
 }
 
-// Returns false when the device has no memory for it; then all goes on as it was.
+// Returns false if the device has no memory for it; then training continues as before.
 Result<bool> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int shDegree) {
     const Result<void> done = trainer_.goOnWith(options, shDegree);
     if (!done && done.error().code != ErrorCode::outOfMemory) return done.error();
@@ -149,13 +148,12 @@ Result<bool> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int
     return done.ok();
 }
 
-// What is shown follows the model, as long as that does not get worse.
+// Shows the trained model, unless it has become worse than the best one.
 Result<void> PeripheralModel::showIfBetter() {
     const HeldOutErrors mean = heldOut_.meanErrors();
-    // With few views the model overfits to them, and gets worse from elsewhere.
+    // With few views the model overfits to them, and gets worse for other views.
     if (!heldOut_.canJudge() && trainer_.viewCount() < kFewViews) return {};
-    // The comparison is with the best, not with the last that was shown: a little worse again and again would
-    // add up.
+    // Compares with the best shown model, not with the last: small losses would add up.
     if (mean.trained > (1.0 + options_.shownMayBeWorse) * mean.best) return {};
     const bool isBest = mean.trained <= mean.best;
     MACULA_TRY(splat::Splats now, trainer_.snapshot());
@@ -166,9 +164,9 @@ Result<void> PeripheralModel::showIfBetter() {
     return {};
 }
 
-// What was sharp stays it: pictures that are held out later are no reason to take it off a screen. A model of
-// points is mottled, as if the patient were ill, until it has learnt from views of its own request; then more
-// are held out than of the first ones.
+// Once sharp, a model stays sharp: pictures that are held out later should not take it off the screen. A
+// model from points is mottled, which could be read as pathology, until it has learnt from views that it
+// asked for; by then more pictures are held out than at the start.
 void PeripheralModel::noteSharpness() {
     const HeldOutErrors mean = heldOut_.meanErrors();
     const bool hasLearnt =

@@ -1,4 +1,4 @@
-// How a peripheral model begins, and goes on with a state that was kept.
+// How a peripheral model begins, and how it resumes from a stored state.
 #include <algorithm>
 #include <utility>
 
@@ -16,8 +16,8 @@ splat::TrainerOptions firstRound(const std::string& key, const PeripheralOptions
     first.capacity = options.firstCapacity;
     first.sizePx = options.wanted.sizePx.y;
     first.trial = options.seed;
-    // A start from points looks best at the size it is looked at; halved pictures would undo that for a
-    // while. And squares are never compared.
+    // A start from points looks best at the size at which it is viewed; halved pictures would spoil that for
+    // a while. Squared differences are never used.
     splat::TrainerOptions training = comparedAsJudged(trainerOptions(first));
     training.key = key;
     return training;
@@ -65,7 +65,7 @@ Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Devic
                                                 const PeripheralState& state,
                                                 const PeripheralOptions& options) {
     splat::TrainingState training = state.training;
-    training.options = comparedAsJudged(std::move(training.options));  // those of a file may end by squares
+    training.options = comparedAsJudged(std::move(training.options));  // a file may end with squares
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, training));
     PeripheralState notes = state;
     if (notes.first.capacity == 0) notes.first = firstRound(state.training.options.key, options);

@@ -1,4 +1,4 @@
-// The views of a peripheral model: those it asks for, and those it is offered.
+// The views of a peripheral model: those that it asks for, and those that it is offered.
 #include <span>
 #include <utility>
 
@@ -14,7 +14,7 @@ std::vector<KnownPose> PeripheralModel::knownViews() const {
     while (coverage_.size() < trainer_.viewCount())
         coverage_.push_back(judgedCoverage(trainer_.view(coverage_.size())));
     for (std::size_t i = 0; i < trainer_.viewCount(); ++i) {
-        if (trainer_.view(i).kind != splat::ViewKind::picture) continue;  // no picture of it was seen
+        if (trainer_.view(i).kind != splat::ViewKind::picture) continue;  // it has no traced picture
         known.push_back({.view = trainer_.view(i).view, .error = trainer_.lastDifference(i) / coverage_[i]});
     }
     for (const HeldOutPicture& h : heldOut_)
@@ -33,7 +33,7 @@ Result<std::optional<CandidatePose>> PeripheralModel::wantedView() {
                               options_.wanted));
     MACULA_TRY(const splat::Splats now, trainer_.snapshot());
     MACULA_TRY(const Wanted chosen, firstThatShows(device_, now, wanted, options_.wanted.sizePx));
-    ++notes_.asked;  // where there is none others are drawn the next time
+    ++notes_.asked;  // without a pose, other candidates are drawn the next time
     if (!chosen) return Wanted();
     asked_.add(chosen->camera);
     return chosen;
@@ -82,7 +82,7 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
                 reducedTo(std::move(picture), options_.heldOutSidePx));
             MACULA_TRY_VOID(takeHeldOut(std::span(&held, 1)));
             ++notes_.offered;
-            // Now it can be told whether more steps are worth it.
+            // Now held-out errors can show whether more steps help.
             if (pause_ == Pause::notJudged && heldOut_.canJudge()) wake();
             return Offered::heldOut;
         }

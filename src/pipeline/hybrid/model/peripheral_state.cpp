@@ -7,7 +7,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// As PicturePyramid::upload wants it.
+// Whether PicturePyramid::upload accepts it.
 bool isPicture(const std::shared_ptr<const splat::TrainingView>& picture) {
     if (!picture || !splat::validate(picture->view).ok()) return false;
     const glm::ivec2& sizePx = picture->view.sizePx;

@@ -1,4 +1,4 @@
-// What a peripheral model (peripheral_model.h) is, beside what lies on the device.
+// The state of a peripheral model (peripheral_model.h), without the device.
 #pragma once
 
 #include <cstdint>
@@ -12,31 +12,31 @@
 
 namespace macula::hybrid {
 
-// All that it goes on with, on the host. Pictures are shared. peripheral_file.h keeps it in a file; of a
-// .macula file that holds `training` only it goes on with that and `seenMm` of its scene, and other pictures
-// are held out than before.
+// All that a model needs to continue, on the host. Pictures are shared. peripheral_file.h keeps it in a file.
+// From a .macula file that holds only `training`, a model can continue once `seenMm` is set; it then holds
+// other pictures out than before.
 struct PeripheralState {
-    splat::TrainingState training;                                    // its options.key says of what
-    std::vector<std::shared_ptr<const splat::TrainingView>> heldOut;  // never learnt; it is judged by them
-    // What is shown of it itself, which training may have made worse since; null: the splats of `training`.
+    splat::TrainingState training;                                    // its options.key names the scene
+    std::vector<std::shared_ptr<const splat::TrainingView>> heldOut;  // never learnt, only judged by
+    // The shown splats, since training may have made the model worse; null: the splats of `training`.
     std::shared_ptr<const splat::Splats> shown;
-    // The best that was shown; null: what is shown now.
+    // The best splats that were shown; null: those shown now.
     std::shared_ptr<const splat::Splats> best;
-    // Of the shown model; a model that goes on with this state shows a later one.
+    // Of the shown splats; a model that resumes from this state has a later one.
     std::uint64_t generation = 0;
     Box seenMm;
-    // That makes the light of what is shown as bright as what is traced (brightness_gauge.h).
+    // Makes the light of the shown splats as bright as traced pictures (brightness_gauge.h).
     double gain = 1.0;
     std::uint64_t offered = 0;     // views that might have been held out
-    std::uint64_t asked = 0;       // views asked for
-    std::uint64_t roundViews = 0;  // learnt when the last round began
-    splat::TrainerOptions first;   // how the training began, of the same key; capacity 0: that is not known
+    std::uint64_t asked = 0;       // views that the model asked for
+    std::uint64_t roundViews = 0;  // learnt views when the last round began
+    splat::TrainerOptions first;   // how the training began, with the same key; capacity 0: unknown
 
-    // Fails with inputNotUsable as training.validate(), and when its parts do not belong together.
+    // Fails with inputNotUsable as training.validate() does, and if its parts do not belong together.
     Result<void> validate() const;
 };
 
-// Whether they can be those of a model: there is something to see, and it has some brightness.
+// Whether a model can have them: the box has an extent, and the gain is above 0, both finite.
 bool areUsable(const Box& seenMm, double gain);
 
 }  // namespace macula::hybrid

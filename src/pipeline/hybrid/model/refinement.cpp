@@ -14,10 +14,10 @@ namespace macula::hybrid {
 namespace {
 
 constexpr std::uint64_t kEvery = 50;  // steps between splits, at most
-constexpr double kGrowing = 0.4;      // of the steps; then splats settle and none is split
-constexpr double kSquaresFrom = 0.9;  // part of the steps from which on squares are compared
+constexpr double kGrowing = 0.4;      // part of the steps in which splats are split; then they settle
+constexpr double kSquaresFrom = 0.9;  // part of the steps after which differences are squared
 constexpr double kMostAtOnce = 0.22;  // part of the splats that one step may split
-// With pictures from so many sides the stand-in views are dropped.
+// With so many pictures, stand-in views are dropped.
 constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
 // The share of splats to split each time, so that the capacity is filled before the last split.
@@ -35,11 +35,11 @@ std::size_t picturesOf(const splat::Trainer& trainer) {
 
 }  // namespace
 
-// What each number is worth: docs/peripheral-model.md.
+// docs/peripheral-model.md says what each number gains.
 splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const splat::TrainingReport& now,
                                          const RefinementOptions& options) {
     const std::uint64_t steps = std::max<std::uint64_t>(options.iterations, 1);
-    // Larger steps again than the training before ended with, which fall as they did.
+    // Rates larger than at the end of the earlier training, which fall likewise.
     const splat::OptimizerOptions& rates = before.optimizer;
     before.optimizer =
         following(rates, {.position = std::min(rates.position, options.warmer * rates.positionAtLast),
@@ -53,7 +53,7 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
                       .measure = splat::LossMeasure::squared}};
     const auto growing = static_cast<std::uint64_t>(kGrowing * double(steps));
     const std::uint64_t every = std::clamp<std::uint64_t>(growing, 1, kEvery);
-    // With hundreds of views it costs 2 dB to remove what shows least (docs/peripheral-model.md).
+    // With hundreds of views, removing the least visible splats costs 2 dB (docs/peripheral-model.md).
     before.density.unseenShare = 0.0;
     before.density.every = every;
     before.density.firstStep = now.steps + every;
@@ -72,7 +72,7 @@ Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tr
                         .samplesPerPixel = options.samplesPerPixel,
                         .kept = options.kept};
     tracing.settings.bounces = options.bounces;
-    tracing.settings.seed = static_cast<std::uint32_t>(sampling.seed << 16);  // no other view has one near it
+    tracing.settings.seed = static_cast<std::uint32_t>(sampling.seed << 16);  // far from all other seeds
     const TrainingSet set{.traced = chosen.cameras};
     MACULA_TRY(TrainingPictures pictures, makePictures(tracer, seenMm, set, tracing, progress));
     const splat::TrainerOptions training =

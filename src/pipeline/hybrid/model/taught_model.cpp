@@ -14,14 +14,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The model learns from a picture on screen again once it has so many times the samples: half the noise.
+// The model learns again from a picture on screen that has so many times the samples: half the noise.
 constexpr std::uint32_t kMoreSamples = 4;
 
 double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// `goesOn`, which tells the pace how long each piece took that was done between two questions.
+// Wraps `goesOn`, and notes in the pace how long each piece of work between two calls took.
 std::function<bool()> measuredBy(LearningPace& pace, LearningPart part, const std::function<bool()>& goesOn) {
     return [&pace, part, &goesOn, last = Clock::now()]() mutable {
         constexpr double kAskedTwiceMs = 0.01;
@@ -35,9 +35,9 @@ std::function<bool()> measuredBy(LearningPace& pace, LearningPart part, const st
 
 Result<void> TaughtModel::resume(const PeripheralState& state) {
     MACULA_TRY(model_, PeripheralModel::resume(device_, state, options_.model));
-    // The gauge's pictures were given without being asked for.
+    // The pictures of the gauge do not count: the model did not ask for them.
     wanted_.resume(state.asked, model_->report().training.steps);
-    gauge_.emplace(state.seenMm);  // to be made anew, while what was learnt can be drawn
+    gauge_.emplace(state.seenMm);  // traced again, while the learnt splats can be drawn
     drawn_.setGain(state.gain);
     return {};
 }
@@ -48,12 +48,12 @@ Result<bool> TaughtModel::traceGauge(const Box& seenMm, trace::PathTracer& trace
     if (gauge_->isWhole()) return true;
     const TimelineStage stage("model: gauge");
     MACULA_TRY_VOID(gauge_->traceSome(tracer, settings, goesOn));
-    // What follows cannot be interrupted, and takes long where it compiles: a picture may come between.
+    // The next part cannot be interrupted, and takes long if it compiles kernels: let a frame come first.
     return gauge_->isWhole() && goesOn();
 }
 
-// Splats made of points alone are too bright, and too opaque where matter is thin. The trainer corrects that
-// in some 40 steps with the six pictures that the gauge has traced.
+// Splats from points alone are too bright, and too opaque where matter is thin. The trainer corrects that in
+// some 40 steps with the six pictures of the gauge.
 Result<void> TaughtModel::begin(const ModelStart& start) {
     MACULA_TRY(model_, PeripheralModel::begin(device_, start, options_.model));
     for (const TracedView& picture : gauge_->pictures()) {
@@ -119,9 +119,10 @@ Result<void> TaughtModel::doPart(LearningPart part, trace::PathTracer& tracer,
     const TimelineStage stage(nameOf(part));
     const auto start = Clock::now();
     switch (part) {
-        // Of these, what is done between two questions cannot be interrupted.
+        // step and trace can be interrupted, but only between two calls of `goesOn`.
         case LearningPart::step: {
-            // `goesOn` alone says when it ends: it has to be asked after a step that took too long.
+            // Only `goesOn` ends it: it must be called even after a step that took too long, to note its
+            // time.
             Result<void> done =
                 model_->step(std::numeric_limits<double>::infinity(), measuredBy(pace_, part, goesOn));
             wanted_.tookToTrain(millisecondsSince(start));
@@ -151,8 +152,8 @@ Result<void> TaughtModel::doPart(LearningPart part, trace::PathTracer& tracer,
     return {};
 }
 
-// What is learnt while a hand moves is shown, and taken in, when there is time for it; whatever waits for
-// that keeps nobody from training.
+// While a hand moves, a learnt model is shown, and a traced view taken, only if there is time for it; if not,
+// shorter parts such as training steps go first.
 std::optional<LearningPart> TaughtModel::nextWithin(double leftMs) const {
     if (!gauge_->isWhole() || !drawn_.canDraw()) return std::nullopt;
     const auto fitting = [&](LearningPart part) {

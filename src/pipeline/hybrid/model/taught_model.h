@@ -1,4 +1,4 @@
-// The model of what is shown now, once it has begun: taught in slices, and drawn.
+// The model of the present scene after its start: taught in slices, and drawn.
 #pragma once
 
 #include <cstdint>
@@ -26,39 +26,39 @@ class TaughtModel {
         : device_(std::move(device)), options_(options) {}
 
     bool exists() const { return model_.has_value(); }
-    // When it exists.
+    // Only if it exists.
     PeripheralModel& model() { return *model_; }
     const PeripheralModel& model() const { return *model_; }
 
-    // A stored model may be drawn before it exists.
+    // A stored model may be drawn before exists().
     DrawnModel& drawn() { return drawn_; }
     const DrawnModel& drawn() const { return drawn_; }
     Result<void> showStored(const StoredModel& stored) {
         return drawn_.show(device_, stored.splats, stored.gain);
     }
-    // As LiveModel::draw. A frame does not wait until the newest model is drawable: learnSome sees to that.
+    // As LiveModel::draw. May draw older splats: learnSome makes new ones drawable, so that no frame waits.
     Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx, double nearMm);
 
     Result<void> resume(const PeripheralState& state);
-    // Traces the gauge of that box, in slices: whether it is whole, and `goesOn` says yes. Then the model
-    // begins, and learns from the pictures of the gauge first.
+    // Traces the gauge of that box, in slices. Returns true once it is whole and `goesOn` says yes. Then call
+    // begin(): a model learns from the pictures of the gauge first.
     Result<bool> traceGauge(const Box& seenMm, trace::PathTracer& tracer, const trace::Settings& settings,
                             const std::function<bool()>& goesOn);
     Result<void> begin(const ModelStart& start);
-    // Trains until it has done so many steps, and then makes it drawable; whether they are done.
+    // Trains the model up to `steps` steps, and then makes it drawable. Returns whether that is done.
     Result<bool> takeFirstSteps(std::uint64_t steps, double budgetMs, const std::function<bool()>& goesOn);
-    void forget();  // but for the pace of the device
+    void forget();  // all but the pace of the device
 
-    // A slice of learning, when it exists: a view that `tracer` traces with these settings, or training.
-    // `all`: its views can teach it no more.
+    // A slice of learning, only if it exists: part of a view that `tracer` traces with these settings, or
+    // training. Returns `all` when its views can teach it no more.
     enum class Learnt { something, trained, all };
     Result<Learnt> learnSome(trace::PathTracer& tracer, const trace::Settings& settings,
                              const std::function<bool()>& goesOn);
-    // Only what is expected to be done in `leftMs`.
+    // Only parts that are expected to fit into `leftMs`.
     Result<void> learnWithin(double leftMs, trace::PathTracer& tracer, const trace::Settings& settings,
                              const std::function<bool()>& keepGoing);
-    void refuseStep();  // as LearningPace
-    // As LiveModel::learnFrom; whether it has learnt.
+    void refuseStep();  // LearningPace::refusedStep
+    // As LiveModel::learnFrom; returns whether it has learnt.
     Result<bool> learnFrom(trace::PathTracer& tracer, const trace::View& view, std::uint32_t samples);
 
   private:
@@ -71,13 +71,13 @@ class TaughtModel {
 
     std::shared_ptr<gpu::Device> device_;
     LiveModelOptions options_;
-    std::optional<BrightnessGauge> gauge_;  // made anew for a model that goes on
+    std::optional<BrightnessGauge> gauge_;  // traced again for a resumed model
     std::optional<PeripheralModel> model_;
     struct LookedAt {
         Camera camera;
         std::uint32_t samples = 0;  // of each pixel
     };
-    std::optional<LookedAt> lookedAt_;  // the last picture on screen that it has learnt from
+    std::optional<LookedAt> lookedAt_;  // the last picture on screen that the model learnt from
     WantedView wanted_;
     LearningPace pace_;
     DrawnModel drawn_;

@@ -8,7 +8,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// How far the rates have fallen, as learningRates has it: 0 not at all, 1 all the way.
+// How far the rates have fallen, as in learningRates: from 0, not at all, to 1, all the way.
 double fallen(const splat::OptimizerOptions& rates, std::uint64_t stepsDone) {
     if (stepsDone >= rates.positionSteps) return 1.0;
     if (stepsDone <= rates.decayFrom) return 0.0;
@@ -21,7 +21,7 @@ splat::OptimizerOptions following(splat::OptimizerOptions rates, const RateSched
     rates.position = schedule.position;
     for (double* rate : {&rates.logScale, &rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh})
         *rate *= schedule.others;
-    rates.othersAtLast /= schedule.others;  // a share of the rate that it falls from
+    rates.othersAtLast /= schedule.others;  // relative to the first rate
     rates.decayFrom = schedule.holdUntil;
     rates.positionSteps = schedule.fallUntil;
     return rates;
@@ -38,7 +38,7 @@ bool isSettled(const splat::TrainerOptions& options, std::uint64_t stepsDone) {
 
 splat::TrainerOptions settling(splat::TrainerOptions options, std::uint64_t stepsDone, std::uint64_t steps) {
     const splat::OptimizerOptions& rates = options.optimizer;
-    // The learning rates go on from where they are now, and fall at once.
+    // The learning rates continue from where they are now, and fall at once.
     const double share = fallen(rates, stepsDone);
     options.optimizer =
         following(rates, {.position = rates.position * std::pow(rates.positionAtLast / rates.position, share),

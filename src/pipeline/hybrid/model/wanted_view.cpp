@@ -29,7 +29,7 @@ Result<void> WantedView::ask(PeripheralModel& model, trace::PathTracer& tracer,
         return {};
     }
     trace::Settings own = settings;
-    // The same noise in all views would be learnt as if it were there.
+    // Without a new seed the model would learn the same noise from all views.
     own.seed += static_cast<std::uint32_t>(views_);
     tracer.forgetViews();
     MACULA_TRY_VOID(tracer.setSettings(own));

@@ -1,4 +1,4 @@
-// Views that a model has asked for and that have not come yet.
+// Views that a model has asked for, and that have not arrived yet.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,10 +16,10 @@ class AskedViews {
 
     // Keeps the last few.
     void add(const Camera& camera);
-    // A picture has come from there: forgets those of the same pose.
+    // Call when a picture has arrived from `from`: forgets views of the same pose.
     void came(const splat::RasterView& from, const glm::dvec3& originMm, double radiusMm,
               const AdmissionOptions& options);
-    // As pictures of that size, relative to the origin of a model.
+    // The views, with pictures of `sizePx`, relative to the origin of a model.
     std::vector<splat::RasterView> views(const glm::dvec3& originMm) const;
 
   private:

@@ -10,8 +10,8 @@ namespace macula::hybrid {
 
 namespace {
 
-// The sampling of candidates. With more views known they lie nearer and further off the centre, as in
-// training and refinement (pose_sampling.h).
+// The sampling of candidates. The more views are known, the nearer and farther off the centre candidates are,
+// as in training and refinement (pose_sampling.h).
 PoseSampling candidatesBeside(std::size_t known, std::uint64_t seed, const CandidateOptions& options) {
     constexpr double kEach = 0.04;
     const double grown = kEach * double(known);
@@ -37,7 +37,7 @@ double angleAt(const glm::dvec3& place, const glm::dvec3& a, const glm::dvec3& b
     return std::atan2(glm::length(glm::cross(toA, toB)), glm::dot(toA, toB));
 }
 
-// How new a candidate is beside a known view, in steps of newAngleDeg.
+// How new a candidate is compared with a known view, in steps of newAngleDeg.
 double newnessBeside(const splat::RasterView& candidate, const glm::dvec3& target,
                      const splat::RasterView& known, const CandidateOptions& options) {
     const double step = glm::radians(options.newAngleDeg);

@@ -19,8 +19,8 @@ namespace macula::hybrid {
 // A view that a model has, or will have soon.
 struct KnownPose {
     splat::RasterView view;  // relative to the model's origin
-    // The model's mean difference in this view, over the part of the picture that shows anything. 0 or below:
-    // not known.
+    // The model's mean difference in this view, divided by the mean coverage of the picture. 0 or below:
+    // unknown.
     double error = 0.0;
 };
 
@@ -28,22 +28,22 @@ struct CandidateOptions {
     glm::ivec2 sizePx{kTrainingSizePx};
     double verticalFovDeg = kTrainingFieldDeg;
     std::size_t candidates = 128;
-    // The error is taken to grow by as much again with every so many degrees from the nearest view that sees
-    // the same, and with every halving of what a pixel shows.
+    // The expected error grows by the known error itself for each newAngleDeg between the candidate and the
+    // nearest view of the same target, and each time a pixel shows half as much.
     double newAngleDeg = 15.0;
     AdmissionOptions admission = {};  // views of the same pose (isSamePose) are not wanted
 };
 
 struct CandidatePose {
     Camera camera;
-    double expectedError = 0.0;  // in units of KnownPose::error; 1 for an error not known from anywhere
+    double expectedError = 0.0;  // in units of KnownPose::error, which counts as 1 if all are unknown
 };
 
-// Candidates are views as samplePoses draws them, from far out while few are known and nearer with more. A
-// view's target counts as seen by those that have it in their picture; how new a candidate is is the angle at
-// its target to the nearest of these. The error there is the mean over the known ones, those that are least
-// new to it counting most, and grows with newness. Largest expected error first; none has a known pose. A
-// function of its arguments. Fails as samplePoses.
+// Draws candidates as samplePoses does, from far away if few views are known, and nearer with more. A known
+// view sees a candidate's target if this lies in its picture; the newness of a candidate is the angle at its
+// target to the nearest of these views. Its expected error is the mean of the known errors, weighted towards
+// similar views, and grows with newness. Sorted by largest expected error; leaves out known poses. The result
+// depends only on the arguments. Fails as samplePoses does.
 Result<std::vector<CandidatePose>> candidatePoses(std::span<const KnownPose> known, const Box& seenMm,
                                                   const glm::dvec3& originMm, std::uint64_t seed,
                                                   const CandidateOptions& options = {});

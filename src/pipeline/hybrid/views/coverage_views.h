@@ -1,5 +1,5 @@
-// Views of coverage only, without light: found by the tracer's guides, without chance, for a small part of
-// what tracing costs. They teach a model its shape from many more sides than it has pictures of.
+// Views of coverage only, without light: the tracer's guides find them without noise, at a fraction of the
+// cost of tracing. They teach a model its shape from many more sides than it has pictures of.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,9 @@
 
 namespace macula::hybrid {
 
-// One for each camera: black, with the coverage of each pixel, and no samples. `tracer` is left
-// with another view. `cancelled` when `progress` says so. `hasTime` (may be empty) is asked before each: when
-// it says no, the rest is left out.
+// One for each camera: black, with the coverage of each pixel, and no samples. `tracer` is left with another
+// view. Fails with `cancelled` if `progress` is cancelled. Asks `hasTime` (may be empty) before each view,
+// and leaves out the rest when it says no.
 Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
                                               const glm::ivec2& sizePx, Progress& progress,
                                               const std::function<bool()>& hasTime = {});

@@ -16,10 +16,10 @@ namespace macula::hybrid {
 struct DrawnViews {
     std::vector<std::vector<glm::vec4>>
         pictures;                      // premultiplied RGBA in the model's colour space, row 0 on top
-    std::vector<double> milliseconds;  // for drawing, until it is done; the first one compiles kernels
+    std::vector<double> milliseconds;  // drawing times; the first one includes compilation
 };
 
-// The model must be valid; without splats it is nothing everywhere. Waits.
+// The model must be valid; without splats all pictures are empty. Waits for the device.
 Result<DrawnViews> drawViews(const std::shared_ptr<gpu::Device>& device, const splat::Splats& splats,
                              std::span<const Camera> cameras, const glm::ivec2& sizePx);
 

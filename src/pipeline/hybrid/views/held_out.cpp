@@ -8,7 +8,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// The last column and row of odd sizes are left out: what they show is at the edge.
+// Drops the last column and row of odd sizes: they show only the edge.
 splat::TrainingView halved(const splat::TrainingView& view) {
     const glm::ivec2 from = view.view.sizePx;
     const glm::ivec2 to = from / 2;
@@ -30,7 +30,7 @@ splat::TrainingView halved(const splat::TrainingView& view) {
 }  // namespace
 
 bool isHeldOut(std::uint64_t number, std::size_t heldOut, double besideDeg) {
-    constexpr std::size_t kByNumber = 4;  // the others are left for sides that come late
+    constexpr std::size_t kByNumber = 4;  // the rest is reserved for sides that come late
     constexpr double kAnotherSide = 75.0;
     if (number == 0 || number == 3) return heldOut < kMostHeldOut;
     if (number % 7 == 0) return heldOut < kByNumber;

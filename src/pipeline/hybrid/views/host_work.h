@@ -1,9 +1,9 @@
-// What the host does for training views while the device traces the next one: a pipeline of two threads, one
-// that drives the device and one that works on the view before.
+// The host's work on training views while the device traces the next one: a pipeline of two threads, one that
+// drives the device, and one that works on the previous view.
 //
-//     host.advance();                  // the view before has come; the host begins with it
+//     host.advance();                  // waits for the previous view, and begins the host's work on it
 //     fill(host.next());               // the device begins the next view
-//     host.begun([&] { use(slot); });  // and that is to be done once it has come
+//     host.begun([&] { use(slot); });  // the host's work on that view, once it has arrived
 //     ...
 //     host.wait();
 #pragma once
@@ -20,29 +20,28 @@
 
 namespace macula::hybrid {
 
-// A Slot is what comes from the device for a view, and its finish() waits for that. A slot is taken again
-// after kSlots views: two suffice where advance() comes before the next view is begun, three where it comes
-// after.
+// A Slot receives a view from the device, and its finish() waits for it. A slot is reused after kSlots views:
+// two suffice if advance() is called before the next view is begun, three if it is called after.
 template <class Slot, std::size_t kSlots>
 class HostWork {
     static_assert(kSlots >= 2);
 
   public:
-    // Waiting for slots to come counts in `comingSeconds`, which is one of `times`.
+    // Adds the time of waiting for slots to `comingSeconds`, which is one of `times`.
     HostWork(double& comingSeconds, ViewTimes& times) : comingSeconds_(comingSeconds), times_(times) {}
     HostWork(const HostWork&) = delete;
     HostWork& operator=(const HostWork&) = delete;
 
-    // Where the device is to put the next view.
+    // The slot for the next view.
     Slot& next() { return slots_[next_]; }
-    // That view is on its way; `work` is for when it has come. After advance().
+    // Call when that view is on its way; `work` is done after it has arrived. Call advance() before.
     void begun(std::function<void()> work) {
         MACULA_CHECK(!work_);
         work_ = std::move(work);
         next_ = (next_ + 1) % kSlots;
     }
-    // Waits for the view that was begun last, and for the work of the view before it; then begins its work on
-    // another thread.
+    // Waits for the view that was begun last, and for the work on the view before; then begins the work on
+    // the last one on another thread.
     Result<void> advance() {
         if (!work_) return {};
         {
@@ -53,7 +52,7 @@ class HostWork {
         aside_.begin(std::exchange(work_, nullptr));
         return {};
     }
-    // For all views.
+    // Waits for all views and their work.
     Result<void> wait() {
         MACULA_TRY_VOID(advance());
         const Lap lap(times_.waiting);
@@ -66,9 +65,9 @@ class HostWork {
     double& comingSeconds_;
     ViewTimes& times_;
     std::array<Slot, kSlots> slots_;
-    std::size_t next_ = 0;        // of slots_
-    std::function<void()> work_;  // for the slot before it
-    Aside aside_;                 // last: what it works with goes after it
+    std::size_t next_ = 0;        // index into slots_
+    std::function<void()> work_;  // for the slot before next_
+    Aside aside_;                 // last, so that it ends before what it uses is destroyed
 };
 
 }  // namespace macula::hybrid

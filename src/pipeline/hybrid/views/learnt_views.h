@@ -1,4 +1,4 @@
-// The views that a trainer has.
+// Questions about the views of a trainer.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 namespace macula::hybrid {
 
-// About what they take on the device.
+// An upper estimate of the device memory that they take.
 double bytesOfViews(const splat::Trainer& trainer);
-// Pixels of one, on average; 0 where there is none.
+// Mean number of pixels of a view; 0 without views.
 double meanPixelsOfViews(const splat::Trainer& trainer);
 
-// The picture of exactly that view.
+// The index of the picture with exactly this view, if any.
 std::optional<std::size_t> pictureOf(const splat::Trainer& trainer, const splat::RasterView& view);
 // Whether there is a picture from there (isSamePose).
 bool hasPictureFrom(const splat::Trainer& trainer, const splat::RasterView& view, double radiusMm,

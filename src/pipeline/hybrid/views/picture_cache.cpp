@@ -61,14 +61,15 @@ std::optional<KeptPicture> PictureCache::find(const std::string& key) const {
     KeptPicture picture;
     int used = 0;
     const std::string format = "macula picture 2\n" + key + "\n%6d %6d\n%*64s\n%n";
-    // A header longer than kMostHeader is none of ours.
+    // No valid header is longer than kMostHeader.
     const std::string start = text->substr(0, kMostHeader);
     if (std::sscanf(start.c_str(), format.c_str(), &picture.sizePx.x, &picture.sizePx.y, &used) != 2 ||
         used == 0 || picture.sizePx.x < 1 || picture.sizePx.y < 1 || picture.sizePx.x > kMostSide ||
         picture.sizePx.y > kMostSide)
         return {};
     const std::size_t pixels = pixelsOf(picture.sizePx);
-    // The last blank of the format takes any number of bytes that look blank, also of the pixels.
+    // The end of the header is counted from the end of the file, because the newline in the format also skips
+    // pixel bytes that look like white space.
     if (text->size() < pixels * sizeof(glm::vec4)) return {};
     const std::size_t header = text->size() - pixels * sizeof(glm::vec4);
     picture.rgba.resize(pixels);

@@ -1,4 +1,4 @@
-// Pictures that took long to make, kept as files.
+// Keeps pictures that took long to make as files.
 #pragma once
 
 #include <filesystem>
@@ -17,17 +17,17 @@ struct KeptPicture {
 };
 
 // A folder with a file for each picture, KEY.rgba: a few lines of text and then the pixels, four 32-bit
-// floats each, little-endian. Keys are 64 hexadecimal digits (traced_scene.h), so that no name says whose
-// picture it is; the pictures themselves show a patient, and the folder is to be kept like one.
+// floats each, little-endian. Keys are 64 hexadecimal digits (traced_scene.h), so that file names identify
+// nobody; the pictures themselves show a patient, and the folder must be protected as patient data.
 class PictureCache {
   public:
-    // Without a folder nothing is kept.
+    // With an empty path nothing is kept.
     explicit PictureCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // Makes the folder if it is not there. Fails with outputNotWritable.
+    // Makes the folder if it is missing. Fails with outputNotWritable.
     Result<void> prepare() const;
 
-    // Nothing when it is not there, or is damaged: truncated, changed, of another key.
+    // Nothing if the file is missing or damaged: truncated, changed, or of another key.
     std::optional<KeptPicture> find(const std::string& key) const;
 
     // Writes the file whole or not at all. Fails with outputNotWritable.

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// The generator is the same everywhere by its standard; what the standard library draws from it is not.
+// mt19937_64 gives the same numbers everywhere; the distributions of the standard library do not.
 class Chance {
   public:
     explicit Chance(std::uint64_t seed) : engine_(seed) {}
 
     double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }  // [0, 1)
 
-    // Even in the unit ball: a direction, and the cube root of a uniform number as the distance.
+    // Uniform in the unit ball: a direction, and the cube root of a uniform number as the distance.
     glm::dvec3 inBall() {
         const double z = 1.0 - 2.0 * uniform();
         const double angle = 2.0 * kPi * uniform();
@@ -76,7 +76,7 @@ glm::dvec3 upFor(const glm::dvec3& forward) {
 
 PoseSampling initialTraining(std::size_t count, std::uint64_t trial) {
     constexpr std::uint64_t kFirst = 42;
-    // A model must not learn from where it is judged.
+    // Skips the seed of groundTruth: a model must not learn from the poses by which it is judged.
     const std::uint64_t past = trial >= groundTruth(1).seed - kFirst ? 1 : 0;
     return {.count = count, .seed = kFirst + trial + past};
 }

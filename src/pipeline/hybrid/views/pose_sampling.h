@@ -1,6 +1,5 @@
-// The poses from which a volume is looked at when a peripheral model of it is trained and judged: the views
-// of Kleinbeck et al. (IEEE VR 2026), which start far out and come nearer and wander further off the centre
-// with each one.
+// The camera poses with which a peripheral model of a volume is trained and judged: the views of Kleinbeck et
+// al. (IEEE VR 2026), which start far away, and with each view come nearer and stray farther from the centre.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +14,14 @@
 
 namespace macula::hybrid {
 
-// Let C be the centre of what is seen, R its half-diagonal, and v the variability, which starts at 0 and
-// grows by `increment` with each view up to `mostVariability`. A view looks
+// Let C be the centre of the box of visible matter, R its half-diagonal, and v the variability, which starts
+// at 0 and grows by `increment` with each view up to `mostVariability`. A view looks
 //   at   C + 0.8 R v b
 //   from C + (startDistance - v) R s + 0.4 R v b'
-// with s spread evenly over the sphere (scrambled Sobol points) and b, b' even in the unit ball. Negative
-// radii are as good as others: the camera has crossed over.
+// with s spread evenly over the sphere (scrambled Sobol points) and b, b' uniform in the unit ball. The
+// radius may become negative: then the camera is on the other side.
 //
-// The numbers are the paper's; the draws are not those of its NumPy and SciPy, whose generators are not
+// The numbers are the paper's; the random draws are not, because the generators of NumPy and SciPy are not
 // reproduced here.
 struct PoseSampling {
     std::size_t count = 12;
@@ -36,31 +35,31 @@ struct PoseSampling {
 
 // The poses that a first model is trained with; `trial` gives other views of the same kind.
 PoseSampling initialTraining(std::size_t count, std::uint64_t trial = 0);
-// The poses that it also learns from without their being traced: likewise distributed, but other draws.
+// The poses of its views that are not traced: with the same distribution, but other draws.
 PoseSampling otherSides(std::size_t count, std::uint64_t trial = 0);
-// The poses at which it is compared with the ground truth.
+// The poses at which a model is compared with the ground truth.
 PoseSampling groundTruth(std::size_t count = 32);
-// The poses at which whole frames are compared: wider, and nearer (the paper's Table 3).
+// The poses at which whole frames are compared: with a wider field, and nearer (the paper's Table 3).
 PoseSampling wholeFrames(std::size_t count = 32);
-// The poses that it is refined with.
+// The poses that a model is refined with.
 PoseSampling extension(std::size_t count);
 
 struct SampledPose {
     Camera camera;
     int tries = 1;
-    bool accepted = true;  // false: none of mostTries was, and this is the last one
+    bool accepted = true;  // false: all mostTries failed, and this is the last one
 };
 
-// Up in the picture, for a unit direction of view: the patient's superior; anterior where the view is within
-// a thousandth of that axis.
+// The up direction of a picture, for a unit direction of view: the patient's superior; anterior if the view
+// is within a thousandth of that axis.
 glm::dvec3 upFor(const glm::dvec3& forward);
 
-// Whether a view shows enough, from far enough. What it is that is asked is up to the caller.
+// Whether a view shows enough, from far enough away; the caller decides how to find out.
 using PoseAcceptance = std::function<Result<bool>(const Camera& camera)>;
 
-// A function of its arguments and of the answers of `accept` (may be empty: every view is taken). Each try
-// takes the next point of the Sobol sequence. Fails with usage when the box is empty, a point, or not finite,
-// or a number is not usable, and where `accept` fails.
+// The result depends only on the arguments and on the answers of `accept` (if empty, every view is accepted).
+// Each try uses the next point of the Sobol sequence. Fails with usage if the box is empty, a point or not
+// finite, or a number is unusable, and if `accept` fails.
 Result<std::vector<SampledPose>> samplePoses(const Box& seenMm, const PoseSampling& sampling,
                                              const PoseAcceptance& accept = {});
 

@@ -13,7 +13,7 @@ namespace macula::hybrid {
 
 namespace {
 
-constexpr std::size_t kLooks = 8;  // candidates that are drawn at a time to see what they show
+constexpr std::size_t kLooks = 8;  // candidates drawn at a time after the first
 constexpr int kLookSidePx = 32;
 constexpr double kLeastCoverage = 0.04;  // as PoseLimits
 
@@ -26,11 +26,11 @@ Result<std::optional<CandidatePose>> firstThatShows(const std::shared_ptr<gpu::D
     using Chosen = std::optional<CandidatePose>;
     const glm::dvec2 size(sizePx);
     const glm::ivec2 small = glm::max(glm::ivec2(size * (kLookSidePx / std::max(size.x, size.y))), 1);
-    // The best candidates are of what no view has seen yet, where there may be nothing: then the next ones
-    // are looked at.
+    // The best candidates look at places that no view has seen yet, where there may be nothing: then the next
+    // ones are tried.
     const CandidatePose* fullest = nullptr;
     double most = 0.0;
-    std::size_t count = 1;  // mostly the best is right
+    std::size_t count = 1;  // usually the best one shows enough
     for (std::size_t first = 0; first < wanted.size(); first += std::exchange(count, kLooks)) {
         const std::span looks = wanted.subspan(first, std::min(count, wanted.size() - first));
         std::vector<Camera> cameras;
@@ -48,7 +48,7 @@ Result<std::optional<CandidatePose>> firstThatShows(const std::shared_ptr<gpu::D
             }
         }
     }
-    // A vessel or a nodule covers little of any view.
+    // A vessel or a nodule covers little of any view, so the fullest one has to do.
     return fullest != nullptr ? Chosen(*fullest) : Chosen();
 }
 

@@ -1,4 +1,4 @@
-// Which of the poses that would teach a model most shows anything.
+// Finds a pose that shows something among those that would teach a model most.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,9 @@
 
 namespace macula::hybrid {
 
-// The first of `wanted` in which the model shows enough, or else the one in which it shows most; nothing when
-// it shows nothing in any. Small pictures in the shape of `sizePx` are drawn, mostly one. Fails as drawViews.
+// The first of `wanted` in which the model covers enough of the picture, or else the one in which it covers
+// most; nothing if all are empty. Draws small pictures in the shape of `sizePx`, usually one. Fails as
+// drawViews does.
 Result<std::optional<CandidatePose>> firstThatShows(const std::shared_ptr<gpu::Device>& device,
                                                     const splat::Splats& model,
                                                     std::span<const CandidatePose> wanted,

@@ -1,4 +1,4 @@
-// Points that fill a square more evenly than chance does.
+// Points that fill a square more evenly than random ones.
 #pragma once
 
 #include <cstdint>
@@ -6,10 +6,10 @@
 
 namespace macula::hybrid {
 
-// Point `index` of the first two dimensions of the Sobol sequence (Sobol 1967), scrambled so that the points
-// of each seed are each even in [0, 1)^2 and together as well spread as before: nested uniform scrambling
-// (Owen 1995). Of any 2^k points from a multiple of 2^k on, one lies in each elementary interval of area
-// 2^-k. `index` below 2^32.
+// Point `index` of the first two dimensions of the Sobol sequence (Sobol 1967), with nested uniform
+// scrambling (Owen 1995): over the seeds each point is uniform in [0, 1)^2, and the points of one seed are as
+// well spread as the sequence. Of any 2^k points from a multiple of 2^k on, one lies in each elementary
+// interval of area 2^-k.
 glm::dvec2 scrambledSobol(std::uint32_t index, std::uint64_t seed);
 
 }  // namespace macula::hybrid

@@ -16,7 +16,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// Arrays of numbers without gaps between them, to be hashed as they lie.
+// Hashes the bytes of numbers; they must have no padding.
 template <class T>
 std::string hashOf(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % alignof(float) == 0);
@@ -38,7 +38,7 @@ Result<TracedScene> TracedScene::create(std::shared_ptr<const Volume> volume,
     const BrickGrid grid = makeBrickGrid(v);
     std::optional<MaskBits> mask;
     if (clip.mask) mask = maskBits(*clip.mask, v);
-    // Bounds that leave out all that is hidden from the eye: the tracer's own keep it where it casts shadow.
+    // Majorants of visible matter only: the tracer's own also cover removed matter that casts shadow.
     Clip ofEye = clip;
     ofEye.removedCastsShadow = false;
     scene.medium_ = makeMedium(v, grid, fit, ofEye, mask ? &*mask : nullptr, addedBounds(additions, v, grid));

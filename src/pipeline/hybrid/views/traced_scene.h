@@ -1,5 +1,5 @@
-// The scene that pictures are traced of, on the host: to know where there is anything to see, and to tell by
-// a digest whether a picture that was kept is of the same.
+// A traced scene on the host: finds the box of visible matter, and a digest that tells whether a kept picture
+// shows the same scene.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,18 @@ namespace macula::hybrid {
 
 class TracedScene {
   public:
-    // The volume must be stored16. The function is fitted to it, as the tracer does. Fails where the function
-    // or the clip is not valid.
+    // The volume must be stored16. Fits the function to it, as the tracer does. Fails if the function, the
+    // clip or the additions are not valid.
     static Result<TracedScene> create(std::shared_ptr<const Volume> volume, const TransferFunction& function,
                                       const Clip& clip, const trace::Environment& environment,
                                       const Additions& additions = {});
 
-    // visibleBoxMm of what an eye sees: matter that a clip removes and that only casts shadow is not in it.
+    // visibleBoxMm of what an eye sees, without matter that a clip removes and that only casts shadow.
     const Box& seenMm() const { return seenMm_; }
 
-    // SHA-256, 64 hexadecimal digits, over all that such a picture depends on: the volume's fingerprint and
-    // the range of values in each of its bricks, the optics by value, clip, mask, what is beside the volume,
-    // lights, camera, size, settings, samples, and the compiled kernel itself. No patient data. Of
-    // path-traced looks.
+    // SHA-256, 64 hexadecimal digits, over all that a path-traced picture depends on: the volume's
+    // fingerprint and the range of values in each of its bricks, the optics by value, clip, mask, additions,
+    // lights, camera, size, settings, samples, and the compiled kernel itself. Contains no patient data.
     Result<std::string> pictureKey(const trace::View& view, const trace::Settings& settings,
                                    std::uint32_t samplesPerPixel) const;
 
@@ -46,7 +45,7 @@ class TracedScene {
     trace::Environment environment_;
     Medium medium_;
     Box seenMm_;
-    std::string digest_;  // of all but view, settings and samples
+    std::string digest_;  // over all but view, settings and samples
 };
 
 }  // namespace macula::hybrid

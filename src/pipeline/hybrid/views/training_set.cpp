@@ -18,14 +18,14 @@ namespace macula::hybrid {
 
 namespace {
 
-constexpr double kMostAnisotropy = 0.1;  // forwards 1.8 times as much light as back
-// Surfaces are lit by places all the same: they cost little (docs/peripheral-model.md).
-// Only one in so many views sees a place from about the same side: with that many views a lit picture is as
-// noisy as a traced one.
+constexpr double kMostAnisotropy = 0.1;  // 1.8 times as much light forwards as back
+// Surfaces are not isotropic either, but lighting them this way costs little (docs/peripheral-model.md).
+// About one in so many views sees a place from the same side: with that many views a lit picture is as noisy
+// as a traced one.
 constexpr double kSeenByOneIn = 12.0;
 
-// The size of the cells: what a pixel shows of the middle of the visible box, as a mean over the views.
-// Smaller cells know too little, larger ones blur.
+// The size of a cell: that of a pixel at the middle of the visible box, averaged over the views. Smaller
+// cells get too few samples, larger ones blur.
 double pixelMm(const std::vector<Camera>& cameras, const Box& seenMm, const glm::ivec2& sizePx) {
     double sum = 0.0;
     for (const Camera& camera : cameras) {
@@ -58,14 +58,14 @@ TrainingPictures asPictures(std::vector<TracedView> views, std::size_t traced) {
     return pictures;
 }
 
-// Lights views one after the other, because there may be hundreds. While the device marches rays through the
-// light for one view, the picture before it comes to the host, and the host finishes the one before that.
+// Lights views one after the other, because there may be hundreds. While the device marches the rays of one
+// view, the previous picture is copied to the host, and the host finishes the one before that.
 class Lighting {
   public:
     Lighting(trace::PathTracer& tracer, LightTable& table, const glm::ivec2& sizePx, ViewTimes& times)
         : tracer_(tracer), table_(table), sizePx_(sizePx), times_(times), host_(times.lighting, times) {}
 
-    // `ready` gets the picture, on another thread, at the latest when wait() has returned.
+    // Calls `ready` with the picture, on another thread, before wait() returns.
     Result<void> add(const Camera& camera, std::function<void(TracedView)> ready) {
         LitPicture& picture = host_.next();
         {
@@ -103,7 +103,7 @@ Result<TrainingPictures> litByAll(trace::PathTracer& tracer, const Box& seenMm, 
     progress.beginStage(Text("Lighting views"), set.traced.size() + set.sides.size());
     std::vector<Camera> sides = std::move(traced.leftOut);
     sides.insert(sides.end(), set.sides.begin(), set.sides.end());
-    pictures.sides.reserve(sides.size());  // where they lie they stay
+    pictures.sides.reserve(sides.size());  // references to elements must stay valid
     Lighting lighting(tracer, *table, tracing.sizePx, pictures.times);
     const auto lightNext = [&](const Camera& camera, std::function<void(TracedView)> ready) -> Result<void> {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};

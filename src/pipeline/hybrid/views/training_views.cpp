@@ -8,8 +8,8 @@ namespace macula::hybrid {
 
 namespace {
 
-constexpr double kNearestRadii = 0.5;  // nearer, the centre is not what is seen
-constexpr double kMostByArea = 4.0;    // from farther than 6 R a picture tells less and less
+constexpr double kNearestRadii = 0.5;  // nearer views no longer show the centre
+constexpr double kMostByArea = 4.0;    // from farther than 6 R a picture shows less and less
 
 glm::dvec3 forwardOf(const splat::RasterView& view) {
     return glm::transpose(view.cameraFromWorld)[2];
@@ -99,13 +99,12 @@ Result<Novelty> admit(splat::Trainer& trainer, splat::TrainingView picture, doub
                       const AdmissionOptions& options) {
     std::vector<std::size_t> known;  // views from the same pose
     for (std::size_t i = 0; i < trainer.viewCount(); ++i) {
-        if (trainer.view(i).kind != splat::ViewKind::picture) continue;  // no picture of it was seen
+        if (trainer.view(i).kind != splat::ViewKind::picture) continue;  // it has no traced picture
         if (!isSamePose(picture.view, trainer.view(i).view, radiusMm, options)) continue;
         if (!trainer.wasDrawn(i)) return Novelty::none;
         known.push_back(i);
     }
-    // Measured in the same way as those from there: what is seen from near differs more than what is seen
-    // from far.
+    // Compares only with pictures from the same pose: near views have larger differences than far ones.
     double most = 0.0;
     for (const std::size_t i : known) {
         MACULA_TRY(const double difference, trainer.differenceTo(trainer.view(i)));

@@ -1,4 +1,4 @@
-// Views that a model learns from: chosen, and given to its trainer.
+// Chooses the views that a model learns from, and gives them to its trainer.
 #pragma once
 
 #include <cstddef>
@@ -16,57 +16,57 @@ namespace macula::hybrid {
 
 struct ChosenPoses {
     std::vector<Camera> cameras;
-    std::size_t givenUp = 0;  // none of the tries showed enough, and the last one was taken
+    std::size_t givenUp = 0;  // no try showed enough, and the last one was used
 };
 
-// Chooses by samplePoses, asking `tracer` what a view shows (showsEnough). Fails as they do.
+// Chooses by samplePoses, where `tracer` finds out what a view shows (showsEnough). Fails as these do.
 Result<ChosenPoses> choosePoses(trace::PathTracer& tracer, const Box& seenMm, const PoseSampling& sampling,
                                 const PoseLimits& limits, const Progress& progress);
 
-// The weight in training of a picture by its samples: 1 at 8, as many as the pictures have that a model
-// begins with; in proportion to them where there are few, at most 2, because what the denoiser blurs stays.
+// The weight in training of a picture by its samples per pixel: nearly proportional to few samples, 1 at 8,
+// and below 2 for any number, because the denoiser's blur remains.
 float weightBySamples(double samplesPerPixel);
 
-// The weight in training of a picture by its distance: the area that it spans where the centre of `seenMm`
-// is, over that of the first view that models are compared in (groundTruth: kTrainingFieldDeg, square, from 3
-// R, R being half the diagonal); at most 4, and from nearer than R / 2 as from there. A picture pulls at a
-// splat as hard as the splat is large in it, and Adam goes by what pulled hardest: without this, what was
-// seen from near would drown what was seen from far (docs/peripheral-model.md). 1 where the box has no
-// extent, or none that is finite. `from` is relative to `originMm`, the model's; that and the box are in
-// world mm.
+// The weight in training of a picture by its distance: the area that it spans at the centre of `seenMm`, over
+// that of the first view of groundTruth (square, kTrainingFieldDeg, from 3 R, R being half the diagonal); at
+// most 4, and from nearer than R / 2 as from there. The gradient of a splat grows with its size in the
+// picture, and Adam scales its steps by the largest gradients: without this weight, near views would drown
+// far ones (docs/peripheral-model.md). 1 if the box has no finite extent. `from` is relative to `originMm`,
+// that of the model, which is in world mm, as is the box.
 float weightByArea(const splat::RasterView& from, const Box& seenMm, const glm::dvec3& originMm);
 
-// The view as a trainer learns it, with its weight: by area, and by samples unless it is lit. Of views of one
-// trainer `seenMm` is the same, or nearly. usage as rasterView.
+// The view in the form that a trainer learns, with its weight: by area, and by samples unless it is lit. All
+// views of a trainer need nearly the same `seenMm`. Fails with usage as rasterView does, and for parallel
+// cameras.
 Result<splat::TrainingView> trainingView(const splat::Trainer& trainer, const Box& seenMm, TracedView view);
-// The same of the coverage alone, which coverageViews finds: without chance, so its weight is by area alone.
+// The same for a view of coverageViews: it has no noise, so its weight is by area alone.
 Result<splat::TrainingView> coverageTrainingView(const splat::Trainer& trainer, const Box& seenMm,
                                                  TracedView view);
 
-// Adds a view to the training from its next step on. Fails as Trainer::addView.
+// Adds a view to the training from the next step on. Fails as Trainer::addView does.
 Result<void> learnFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view);
-// Adds a litView, which takes part as long as there are few pictures.
+// Adds a lit view as a stand-in, which takes part while there are few pictures (ViewKind).
 Result<void> learnStandInFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view);
 Result<void> learnCoverageFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view);
 
 // The limits by which a view counts as new for a model.
 struct AdmissionOptions {
-    // Seen from somewhere else than any view before: farther away than that, in half-diagonals of what is
-    // seen, or in another direction.
+    // A pose is new if its eye is farther than this from all earlier ones, in half-diagonals of the box of
+    // visible matter, or if its direction differs by more than newAngleDeg.
     double newDistanceRadii = 0.05;
     double newAngleDeg = 5.0;
-    // Or the model is worse there: mean difference, over the most of any picture it has from there.
+    // A picture with a known pose is new if the model's mean difference to it is more than so many times the
+    // largest one to its earlier pictures with that pose.
     double newDifference = 1.5;
 };
 enum class Novelty { none, pose, picture };
 
-// Whether both are seen from the same place in the same direction, or nearly. Roll and field of view are not
-// looked at.
+// Whether both views have nearly the same eye and direction. Ignores roll and field of view.
 bool isSamePose(const splat::RasterView& a, const splat::RasterView& b, double radiusMm,
                 const AdmissionOptions& options = {});
 
-// Trainer::addView, if it shows something new; what that is. While the trainer has a view from there that it
-// has not come to yet, another picture is not new. Fails as Trainer::addView.
+// Calls Trainer::addView if the picture is new, and returns in which way. A picture is not new while the
+// trainer has a view with that pose that it has not drawn yet. Fails as Trainer::addView does.
 Result<Novelty> admit(splat::Trainer& trainer, splat::TrainingView picture, double radiusMm,
                       const AdmissionOptions& options = {});
 

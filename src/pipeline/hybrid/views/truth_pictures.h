@@ -1,4 +1,4 @@
-// What a peripheral model is compared with: the same views, traced for as long as it takes.
+// The ground truth for a peripheral model: the same views, path traced with many samples.
 #pragma once
 
 #include <array>
@@ -17,16 +17,15 @@ namespace macula::hybrid {
 
 struct TruthOptions {
     glm::ivec2 sizePx{kTrainingSizePx};
-    std::uint32_t samplesPerPixel = 1024;  // every pixel has as many; even: each half gets half of them
-    int bounces =
-        trace::kDefaultBounces;  // as the training views have: what fewer leave out is another matter
+    std::uint32_t samplesPerPixel = 1024;  // of every pixel; even, because each half gets half of them
+    int bounces = trace::kDefaultBounces;  // as in training views: missing light is not an error here
     double exposure = 1.0;
 };
 
 // Two pictures of one view, with independent noise.
 struct TruthPicture {
     std::array<TracedView, 2> halves;
-    bool fromCache = false;  // both
+    bool fromCache = false;  // both halves came from the cache
 
     const Camera& camera() const { return halves[0].camera; }
     const glm::ivec2& sizePx() const { return halves[0].sizePx; }
@@ -34,9 +33,9 @@ struct TruthPicture {
     std::vector<glm::vec4> whole() const;
 };
 
-// One for each camera, never denoised. What `cache` has is taken from there, and what is made is kept there
-// at once, each half by itself, so that who is cancelled goes on where he was. `tracer` must have what
-// `scene` is of; it is left with other settings and another view. usage when the samples are not even.
+// One for each camera, never denoised. Takes halves from `cache`, and keeps each new one there at once, so
+// that a cancelled run can continue where it was. `tracer` must have the contents of `scene`, and is left
+// with other settings and another view. Fails with usage for an odd number of samples.
 Result<std::vector<TruthPicture>> truthPictures(trace::PathTracer& tracer, const TracedScene& scene,
                                                 std::span<const Camera> cameras, const TruthOptions& options,
                                                 const PictureCache& cache, Progress& progress);

@@ -9,7 +9,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// The digest of all kernels besides the tracer's own that such pictures depend on.
+// The digest of all kernels, besides the path tracer's own, that such pictures depend on.
 const std::string& kernelsDigest() {
     static const std::string digest = [] {
         std::string text;
@@ -23,12 +23,12 @@ const std::string& kernelsDigest() {
     return digest;
 }
 
-// The version of what the host makes of such pictures; grows with each change.
+// The version of the host's part in such pictures; raise it with each change.
 constexpr int kVersion = 3;
 
 }  // namespace
 
-// The key differs from that of a ground-truth picture, whose coverage is that of its samples.
+// The key differs from that of a ground-truth picture, whose coverage comes from its samples.
 Result<std::string> ViewCache::keyOf(const ViewMaking& making) const {
     MACULA_TRY(const std::string traced,
                scene_.pictureKey(making.view, making.settings, making.samplesPerPixel));

@@ -1,5 +1,5 @@
-// Views to learn from that need not be traced again: for those who train on the same ones once more, and,
-// of views that are not lit by each other, for those who were stopped among hundreds of them.
+// Keeps training views, so that another training on the same ones need not trace them again, and a cancelled
+// one (of views that do not light each other) can continue.
 #pragma once
 
 #include <cstdint>
@@ -16,26 +16,27 @@
 
 namespace macula::hybrid {
 
-// What a view is made of.
+// What determines a view's picture.
 struct ViewMaking {
     trace::View view;
     trace::Settings settings;
-    std::uint32_t samplesPerPixel = 0;  // 0: it is lit by what others have found
+    std::uint32_t samplesPerPixel = 0;  // 0: lit by the light of other views
 };
 
 // The views of one scene, in a cache that may hold those of other scenes. `scene` and `cache` must outlive
-// it.
+// this object.
 class ViewCache {
   public:
     ViewCache(const TracedScene& scene, const PictureCache& cache) : scene_(scene), cache_(cache) {}
 
-    // A view that was traced by itself. Nothing when it is not there. usage as makeTraceParams.
+    // Finds a view that was traced without light from others; nothing if it is missing. Fails with usage as
+    // makeTraceParams does.
     Result<std::optional<TracedView>> find(const ViewMaking& making) const;
-    // Writes the file whole or not at all. usage, outputNotWritable.
+    // Writes the file whole or not at all. Fails with usage, likewise, and outputNotWritable.
     Result<void> keep(const ViewMaking& making, const TracedView& view) const;
 
-    // The same for a set of views that are lit by what all of them have found, and so belong to that set
-    // only. In their order; nothing when one is not there.
+    // The same for a set of views that light each other, and so belong only to that set. In their order;
+    // nothing if one is missing.
     Result<std::optional<std::vector<TracedView>>> findSet(std::span<const ViewMaking> makings) const;
     Result<void> keepSet(std::span<const ViewMaking> makings, std::span<const TracedView> views) const;
 

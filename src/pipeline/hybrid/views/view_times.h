@@ -1,24 +1,24 @@
-// Where the time goes in which views to learn from are made.
+// Where time is spent when training views are made.
 #pragma once
 
 #include <chrono>
 
 namespace macula::hybrid {
 
-// Seconds by the clock of the thread that uses the device. Where that goes on while the device works, what it
-// waited for counts where it waited.
+// Wall seconds of the thread that uses the device. That thread does not always wait for the device: the time
+// of waiting counts in the part that waits.
 struct ViewTimes {
     double poses = 0.0;       // choosing where views look from
     double paths = 0.0;       // tracing paths of light
-    double reading = 0.0;     // guides, filter, and the way to the host, as far as that was waited for
-    double lightTable = 0.0;  // the light of all views, put in order and brought to the device
-    double lighting = 0.0;    // marching views through that light, and their way to the host
-    double waiting = 0.0;     // for what the host does beside
-    double beside = 0.0;      // that this took, on other threads: part of no sum
-    double toTrainer = 0.0;   // what a trainer took to get them on the device: part of the time of training
+    double reading = 0.0;     // guides, denoiser, and waiting for copies to the host
+    double lightTable = 0.0;  // sorting the light of all views, and uploading it
+    double lighting = 0.0;    // marching views through that light, and copies to the host
+    double waiting = 0.0;     // waiting for the host's parallel work
+    double beside = 0.0;      // of that work, on other threads: not part of a sum
+    double toTrainer = 0.0;   // uploading them for a trainer: part of training time
 };
 
-// Adds the time until the end of its scope.
+// Adds the time of its scope to `seconds`.
 class Lap {
   public:
     explicit Lap(double& seconds) : seconds_(seconds) {}

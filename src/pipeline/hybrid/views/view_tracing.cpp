@@ -36,7 +36,7 @@ Result<void> addSamples(trace::PathTracer& tracer, const trace::View& view, cons
     return {};
 }
 
-// Of coverage along centre rays the view's, and what has no samples is not known.
+// Averages coverage over pixels, and marks pixels without samples as unknown.
 TracedView toLearnFrom(trace::TracedColours image, const Camera& camera) {
     const glm::ivec2 sizePx(image.width, image.height);
     const std::vector<float> coverage = pixelCoverageOf(image.coverage, sizePx);
@@ -52,13 +52,13 @@ TracedView toLearnFrom(trace::TracedColours image, const Camera& camera) {
 }
 
 // Traces views one after the other, and puts the light that their samples find into the radiance cache. The
-// host does that, and what else it has to do for a view, while the device traces what comes next.
+// host does its work on a view while the device traces the next one.
 class LitTracing {
   public:
     LitTracing(trace::PathTracer& tracer, LightInSpace& light, ViewTimes& times)
         : tracer_(tracer), light_(light), times_(times), host_(times.reading, times) {}
 
-    // `made` becomes the view, at the latest when wait() has returned.
+    // Sets `made` to the view before wait() returns.
     Result<void> add(const ViewMaking& making, std::optional<TracedView>& made, Progress& progress) {
         MACULA_TRY_VOID(tracer_.setSettings(making.settings));
         MACULA_TRY_VOID(tracer_.setView(making.view));
@@ -74,12 +74,12 @@ class LitTracing {
             if (progress.cancelled()) return cancelled();
             done += count;
             const bool isWhole = done == making.samplesPerPixel;
-            MACULA_TRY_VOID(host_.advance());  // with the portion before, which has come by now
+            MACULA_TRY_VOID(host_.advance());  // the last portion has arrived by now
             const Lap lap(times_.reading);
             trace::ViewReading& reading = host_.next();
             MACULA_TRY_VOID(tracer_.beginReading(reading, {.primaries = true, .colours = isWhole}));
             host_.begun([this, &reading, camera = making.view.camera, isWhole, &made] {
-                Aside picture;  // memory is waited for there, and here
+                Aside picture;  // both halves are limited by memory: do them side by side
                 if (isWhole) picture.begin([&] { made = toLearnFrom(reading.colours(), camera); });
                 light_.addAll(camera.positionMm, reading.primaries());
                 picture.wait();
@@ -98,8 +98,7 @@ class LitTracing {
     HostWork<trace::ViewReading, 2> host_;
 };
 
-// An order by bit reversal: of any first few, about as many are in one half as in the other, and so on in
-// these.
+// An order by bit reversal: any first few are spread evenly over all.
 std::vector<std::size_t> spreadOrder(std::size_t count) {
     std::vector<std::size_t> order;
     const std::size_t all = std::bit_ceil(std::max<std::size_t>(count, 1));

@@ -1,4 +1,4 @@
-// Pictures that the path tracer makes for the peripheral model.
+// The pictures that the path tracer makes for a peripheral model.
 #pragma once
 
 #include <cstdint>
@@ -17,61 +17,60 @@
 
 namespace macula::hybrid {
 
-// All of these use a tracer that has its volume, transfer function, environment and clip, and wait. Those
-// with `progress` leave it with other settings and another view, and give `cancelled` when that says so.
+// All functions need a tracer with its volume, transfer function, environment and clip, and wait for the
+// device. Those with `progress` leave the tracer with other settings and another view, and fail with
+// `cancelled` if that is cancelled.
 
 struct ViewTracing {
     glm::ivec2 sizePx{kTrainingSizePx};
     std::uint32_t samplesPerPixel = 8;
-    // Each view takes the next seed: the same noise in all views would be learnt as if it were there.
+    // Each view has the next seed: otherwise the model would learn the same noise from all views.
     trace::Settings settings = {.denoising = trace::Denoising::little};
-    // Views are looked up here before they are traced, and put here afterwards: one by one, so that who is
-    // cancelled goes on where he was, or sets that light each other (training_set.h). It must be of the
-    // tracer's scene. Null: nothing is kept.
+    // Views are looked up here before they are traced, and kept here afterwards: one by one, so that a
+    // cancelled run can continue, or as a set of views that light each other (training_set.h). It must belong
+    // to the tracer's scene. Null: nothing is kept.
     const ViewCache* kept = nullptr;
-    // Asked before each view: when it says no, that and the rest are left out, but for the first view. Views
-    // are then traced in an order in which the first few are spread over all of them. Empty: all, in their
+    // Asked before each view: when it says no, this and all later ones are left out, except the first. Views
+    // are then traced in an order in which the first few are spread over all. Empty: traces all, in their
     // order.
     std::function<bool()> hasTimeToTrace = {};
-    // Likewise for the views that are lit without being traced, after that: training_set.h.
+    // Likewise for the views that are lit afterwards without being traced: training_set.h.
     std::function<bool()> hasTimeToLight = {};
-    // Gets the light that is found on the way; then `kept` is not asked and keeps nothing. Null: nobody wants
-    // it.
+    // Receives the light that the samples find; `kept` is not used then. Null: the light is not collected.
     LightInSpace* light = nullptr;
 };
 
 struct TracedViews {
     std::vector<TracedView> views;  // by camera
-    std::vector<Camera> leftOut;    // those for which there was no time
-    std::size_t fromKept = 0;       // those of `views` that `kept` had
+    std::vector<Camera> leftOut;    // cameras for which there was no time
+    std::size_t fromKept = 0;       // number of `views` that `kept` had
     ViewTimes times;
 };
 
-// One view as it is traced, for comparing with; a step of `progress` for each sample.
+// One view as it is traced, for comparisons. Makes a step of `progress` for each sample.
 Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
                              const trace::Settings& settings, std::uint32_t samplesPerPixel,
                              Progress& progress);
 
-// What the tracer has traced so far, of its view, which has this camera and no foveation: for
-// PeripheralModel::offer, whoever it was traced for. Coverage is what the guides find without chance: noise
-// in it would be learnt as shape. Light is denoised as the tracer's settings say, and Denoising::little is
-// best to learn from. Pixels without samples are NaN, which says that they are not known.
+// What the tracer has traced so far of its view, which must have this camera and no foveation: for
+// PeripheralModel::offer. Coverage comes from the guides, because a model would learn noise in it as shape.
+// Light is denoised as the tracer's settings say; Denoising::little is best for learning. Pixels without
+// samples are NaN: unknown.
 Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& camera);
 
-// Traces views to learn from. One sample after the other for each camera, evenly; nothing is carried over
-// from the view before, however near. Coverage as readToLearnFrom. `progress` gets a stage, a step for each
-// sample of a view.
+// Traces training views, with as many samples in each pixel, and without reusing samples of a similar earlier
+// view. Coverage as in readToLearnFrom. Adds a stage to `progress`, with a step for each sample of a view.
 Result<TracedViews> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
                                const ViewTracing& options, Progress& progress);
 
-// When a view shows enough, from far enough.
+// When a view shows enough, from far enough away.
 struct PoseLimits {
     double leastCoverage = 0.04;  // mean over the picture; 0.06 for ground truth
-    // At most this part of the picture is nearer than so many half-diagonals of what is seen. The paper's
-    // distance is in its own units; this is about what it comes to in its scenes.
+    // At most mostNear of the picture may be nearer than nearRadii half-diagonals of the box of visible
+    // matter. The paper's distance is in its own units, and roughly this in its scenes.
     double mostNear = 0.2;
     double nearRadii = 0.1;
-    int sizePx = 64;  // of the picture that is looked at, which has guides only: no chance decides
+    int sizePx = 64;  // of the test picture, which has only guides, so no noise
 };
 
 // The test of a pose for samplePoses. `tracer` and `progress` must outlive it.
