@@ -103,7 +103,8 @@ Ticket Device::completedTicket() const {
 
 Result<bool> Device::waitFor(Ticket ticket, std::uint64_t timeoutNs) {
     MACULA_CHECK_LE(ticket, submitted_.load());
-    MACULA_TRY_VOID(checkNotLost(Text("wait for the graphics device")));
+    const Text doing("wait for the graphics device");  // before the call: after it, failed() notes a loss first
+    MACULA_TRY_VOID(checkNotLost(doing));
     VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
     info.semaphoreCount = 1;
     info.pSemaphores = &timeline_;
@@ -112,7 +113,7 @@ Result<bool> Device::waitFor(Ticket ticket, std::uint64_t timeoutNs) {
         const TimelineWait wait;
         return vkWaitSemaphores(opened_.handle, &info, timeoutNs);
     }();
-    if (result < 0) return failed(result, Text("wait for the graphics device"));
+    if (result < 0) return failed(result, doing);
     destroyUnused();
     return result == VK_SUCCESS;
 }
@@ -191,7 +192,8 @@ Result<CommandPool::Commands> Device::takeCommands() {
 }
 
 Result<Ticket> Device::submit(VkCommandBuffer commands, VkSemaphore wait, VkSemaphore signal) {
-    MACULA_TRY_VOID(checkNotLost(Text("submit work to the graphics device")));
+    const Text doing("submit work to the graphics device");  // before the call, as in waitFor()
+    MACULA_TRY_VOID(checkNotLost(doing));
     const auto semaphoreInfo = [](VkSemaphore semaphore, std::uint64_t value) {
         VkSemaphoreSubmitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
         info.semaphore = semaphore;
@@ -214,7 +216,7 @@ Result<Ticket> Device::submit(VkCommandBuffer commands, VkSemaphore wait, VkSema
     auto held = opened_.guard ? std::unique_lock(*opened_.guard) : std::unique_lock<QueueGuard>();
     const VkResult result = vkQueueSubmit2(opened_.queue, 1, &info, VK_NULL_HANDLE);
     if (held) held.unlock();  // before failed(), which waits for the queue after a loss
-    if (result < 0) return failed(result, Text("submit work to the graphics device"));
+    if (result < 0) return failed(result, doing);
     submitted_.store(ticket);
     return ticket;
 }

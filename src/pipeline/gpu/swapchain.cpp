@@ -152,7 +152,8 @@ Result<VkExtent2D> Swapchain::surfaceExtent() const {
 }
 
 Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
-    MACULA_TRY_VOID(device_->checkNotLost(Text("get an image of the window")));
+    const Text doing("get an image of the window");  // before the call, as in Device::waitFor()
+    MACULA_TRY_VOID(device_->checkNotLost(doing));
     Frame frame;
     if (isBroken_) {
         frame.status = Status::outOfDate;
@@ -184,7 +185,7 @@ Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
         frame.status = Status::outOfDate;
         return frame;
     }
-    if (result < 0) return device_->failed(result, Text("get an image of the window"));
+    if (result < 0) return device_->failed(result, doing);
     isBroken_ = true;  // until it is presented
     frame.status = result == VK_SUBOPTIMAL_KHR ? Status::suboptimal : Status::ready;
     frame.image = images_[frame.index];
@@ -198,7 +199,8 @@ Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
 
 Result<Swapchain::Status> Swapchain::present(const Frame& frame, Ticket rendered) {
     MACULA_CHECK(frame.usable());
-    MACULA_TRY_VOID(device_->checkNotLost(Text("show the image in the window")));
+    const Text doing("show the image in the window");  // before the call, as in Device::waitFor()
+    MACULA_TRY_VOID(device_->checkNotLost(doing));
     slots_[currentSlot_].usedBy = rendered;
     const VkSwapchainKHR swapchain = swapchain_.get();
     VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
@@ -209,7 +211,7 @@ Result<Swapchain::Status> Swapchain::present(const Frame& frame, Ticket rendered
     info.pImageIndices = &frame.index;
     const VkResult result = vkQueuePresentKHR(device_->queue(), &info);
     if (result == VK_ERROR_OUT_OF_DATE_KHR) return Status::outOfDate;
-    if (result < 0) return device_->failed(result, Text("show the image in the window"));
+    if (result < 0) return device_->failed(result, doing);
     isBroken_ = false;
     return result == VK_SUBOPTIMAL_KHR ? Status::suboptimal : Status::ready;
 }
