@@ -11,7 +11,7 @@ struct PixelLayers {
                   // never
     vec4 farMm;   // likewise 9/16, 11/16, 13/16, 15/16
     float coverage;
-    float meanMm;  // of the matter down to transmittance 1/2; negative: no matter
+    float meanMm;  // mean distance of the matter down to transmittance 1/2; negative: no matter
 };
 
 struct LayersPush {

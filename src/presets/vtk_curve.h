@@ -14,9 +14,9 @@ constexpr std::size_t kMostPoints = 4096;
 constexpr double kLargestValue = 1e9;  // the largest |x|
 
 // "N x y x y …": N is the count of the numbers that follow. Points must be sorted; of two different points at
-// the same value the second is moved up by the least possible amount, as in 3D Slicer, so that the first
-// still holds there. Heights are clamped to 0 and 1, and `clamped` is set if that changed one. `what` names
-// the curve in an error, `where` its file.
+// the same value the second moves to the next larger value, as in 3D Slicer, so that the first still holds
+// there. Heights are clamped to 0 and 1, and `clamped` is set if that changed one. `what` names the curve in
+// an error, `where` its file.
 Result<std::vector<OpacityPoint>> opacityFromText(std::string_view text, const Text& what,
                                                   const std::string& where, bool& clamped);
 // "N x r g b x r g b …"

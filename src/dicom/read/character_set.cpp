@@ -104,7 +104,7 @@ std::optional<std::string> katakana(std::string_view bytes) {
     return result;
 }
 
-// Converts bytes of one encoding, which for single-byte ones are all above 0x7F.
+// Converts bytes of one encoding; nothing if it has no such bytes. For kKatakana ASCII is invalid too.
 std::optional<std::string> convert(std::string_view bytes, Encoding from) {
     if (from == nullptr) return {};
     if (from == kKatakana) return katakana(bytes);

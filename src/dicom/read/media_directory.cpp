@@ -142,7 +142,7 @@ class Resolver {
         const Names& names = entry->second;
         auto found = names.find(name);
         if (found == names.end()) found = names.find(comparable(name));
-        // Only one of the two names may have an ending.
+        // Perhaps only one of the two names has an ending.
         if (found == names.end()) found = names.find(withoutEnding(comparable(name)));
         if (found == names.end()) return {};
         return found->second;

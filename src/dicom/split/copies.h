@@ -1,4 +1,4 @@
-// Drops files that a folder has more than once.
+// Keeps one of each file, or slice, that a folder has more than once.
 #pragma once
 
 #include <vector>

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kSignedOffset = 32768;
 constexpr double kLargestStored = 65535.0;
-// A slice whose slope is more steps than this leaves room for only a few different values: a common step this
-// fine comes from the decimal digits of the slopes, not from the data.
+// The limit on the common steps in one slope. Beyond it 16 bits hold at most 16 different values of that
+// slice: so fine a step comes from the decimal digits of the slopes, not from the data.
 constexpr double kMostStepsOfASlope = 4096.0;
 constexpr double kLargestShift = 1e12;  // far from where integers are no longer exact
 

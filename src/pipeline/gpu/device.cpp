@@ -103,7 +103,8 @@ Ticket Device::completedTicket() const {
 
 Result<bool> Device::waitFor(Ticket ticket, std::uint64_t timeoutNs) {
     MACULA_CHECK_LE(ticket, submitted_.load());
-    const Text doing("wait for the graphics device");  // before the call: after it, failed() notes a loss first
+    // Made before the call: after it, failed() has to note a loss before anything needs memory.
+    const Text doing("wait for the graphics device");
     MACULA_TRY_VOID(checkNotLost(doing));
     VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
     info.semaphoreCount = 1;
@@ -192,7 +193,7 @@ Result<CommandPool::Commands> Device::takeCommands() {
 }
 
 Result<Ticket> Device::submit(VkCommandBuffer commands, VkSemaphore wait, VkSemaphore signal) {
-    const Text doing("submit work to the graphics device");  // before the call, as in waitFor()
+    const Text doing("submit work to the graphics device");  // made before the call, as in waitFor()
     MACULA_TRY_VOID(checkNotLost(doing));
     const auto semaphoreInfo = [](VkSemaphore semaphore, std::uint64_t value) {
         VkSemaphoreSubmitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};

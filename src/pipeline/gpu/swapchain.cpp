@@ -152,7 +152,7 @@ Result<VkExtent2D> Swapchain::surfaceExtent() const {
 }
 
 Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
-    const Text doing("get an image of the window");  // before the call, as in Device::waitFor()
+    const Text doing("get an image of the window");  // made before the call, as in Device::waitFor()
     MACULA_TRY_VOID(device_->checkNotLost(doing));
     Frame frame;
     if (isBroken_) {
@@ -199,7 +199,7 @@ Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
 
 Result<Swapchain::Status> Swapchain::present(const Frame& frame, Ticket rendered) {
     MACULA_CHECK(frame.usable());
-    const Text doing("show the image in the window");  // before the call, as in Device::waitFor()
+    const Text doing("show the image in the window");  // made before the call, as in Device::waitFor()
     MACULA_TRY_VOID(device_->checkNotLost(doing));
     slots_[currentSlot_].usedBy = rendered;
     const VkSwapchainKHR swapchain = swapchain_.get();

@@ -1,5 +1,5 @@
-// A cache of indirect light on the device: the light that reaches the first vertices of paths from other
-// matter, by position (shaders/lib/indirect.glsl). Some paths continue from their first vertex and fill it;
+// A cache of indirect light on the device: by position, the light that other matter sends to the first
+// vertices of paths (shaders/lib/indirect.glsl). Some paths continue from their first vertex and fill it;
 // others end there and read it.
 #pragma once
 

@@ -8,7 +8,7 @@ namespace macula::scene {
 
 namespace {
 
-constexpr double kParallel = 1e-4;  // the sine, or cosine, of an angle below which nothing can be aimed at
+constexpr double kParallel = 1e-4;  // a ray counts as parallel below this sine to a line, cosine to a normal
 
 }  // namespace
 

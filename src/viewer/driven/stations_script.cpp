@@ -78,7 +78,7 @@ std::vector<DrivenStep> StationsScript::steps() {
     addPanels(all);
     addTools(all);
     addDialogs(all);
-    addSecond(all);
+    addSecondVolume(all);
     return all;
 }
 
@@ -149,7 +149,7 @@ void StationsScript::addDialogs(std::vector<DrivenStep>& all) {
     all.push_back(between([this] { showPanel(hand_, "movie-panel", false); }));
 }
 
-void StationsScript::addSecond(std::vector<DrivenStep>& all) {
+void StationsScript::addSecondVolume(std::vector<DrivenStep>& all) {
     DrivenStep opens = between([this] { hasSecond_ = openSecond(); },
                                [this] {
                                    return !hasSecond_ || (window_.secondVolume().second() != nullptr &&

@@ -41,7 +41,7 @@ class StationsScript : public QObject {
     void addPanels(std::vector<DrivenStep>& all);
     void addTools(std::vector<DrivenStep>& all);
     void addDialogs(std::vector<DrivenStep>& all);
-    void addSecond(std::vector<DrivenStep>& all);
+    void addSecondVolume(std::vector<DrivenStep>& all);
     DrivenStep station(const char* name, std::function<void()> begin) const;
     DrivenStep between(std::function<void()> begin, std::function<bool()> isDone = {}) const;
     bool isAtRest() const;

@@ -58,7 +58,7 @@ void LightsEditing::choose(std::size_t light) {
 }
 
 const trace::SoftLight* LightsEditing::light() const {
-    const auto& lights = rig()->lights;  // the catalogue or the state keeps them
+    const auto& lights = rig()->lights;  // the catalogue or the state keeps them alive
     return lights.empty() ? nullptr : &lights[chosen()];
 }
 

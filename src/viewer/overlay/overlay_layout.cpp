@@ -41,7 +41,7 @@ double fittingScale(const QSize& size, double scale) {
     return std::min(scale, std::max(room, 1.0));
 }
 
-// Pieces that a line may end with, spaces included.
+// The pieces between which a line may break: phrases up to a comma if all fit, otherwise words.
 QStringList piecesOf(const QString& text, const QFont& font, double roomPx) {
     const auto splitAfter = [&](const QString& mark) {
         QStringList pieces = text.split(mark + QLatin1Char(' '));
