@@ -60,7 +60,7 @@ def value(literal):
 
 
 def texts_in(source):
-    """The literals that directly follow `Text(`, `Text{`, or `Text::of(`, whether alone or before arguments."""
+    """The literals that directly follow `Text(`, `Text name(`, `Text::of(`, or these with `{`, also before arguments."""
     before = []  # tokens that are no space
     literal = None
     for token in TOKEN.finditer(source):
@@ -68,7 +68,9 @@ def texts_in(source):
             continue
         if token["piece"] or token["raw"] is not None:
             part = token["raw"] if token["raw"] is not None else value(token["piece"])
-            begins = before[-2:] in (["Text", "("], ["Text", "{"]) or before[-5:] == ["Text", ":", ":", "of", "("]
+            named = before[-3:-2] == ["Text"] and before[-2].isidentifier() and before[-1] in ("(", "{")
+            begins = (before[-2:] in (["Text", "("], ["Text", "{"]) or named
+                      or before[-5:] == ["Text", ":", ":", "of", "("])
             if literal is not None:
                 literal += part
             elif begins:
