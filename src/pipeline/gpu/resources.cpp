@@ -150,7 +150,7 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
     const std::uint64_t ofView = options.elementsOfView > 0 ? options.elementsOfView : options.elements;
     const std::uint64_t limit = device->info().maxTexelBufferElements;
     if (std::min(options.elements, ofView) > limit)
-        return tooLarge(*device, what, Text("{} elements", options.elements),
+        return tooLarge(*device, what, Text("{} elements", std::to_string(options.elements)),
                         Text::verbatim(std::to_string(limit)));
     const std::uint64_t viewBytes = ofView * bytesPerTexel(options.format);
     // 256 is the largest minTexelBufferOffsetAlignment that Vulkan allows.
