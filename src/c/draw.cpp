@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/elapsed.h"
+#include "base/english.h"
 #include "c/camera.h"
 #include "c/device.h"
 #include "c/handles.h"

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/english.h"
 #include "c/camera.h"
 #include "c/device.h"
 #include "c/handles.h"

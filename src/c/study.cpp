@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/english.h"
 #include "base/fingerprint.h"
 #include "c/handles.h"
 #include "c/last_error.h"

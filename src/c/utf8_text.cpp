@@ -17,10 +17,4 @@ std::string utf8Of(std::string_view text) {
     return utf8;
 }
 
-std::vector<std::string> inEnglish(const std::vector<Text>& texts) {
-    std::vector<std::string> all;
-    for (const Text& text : texts) all.push_back(text.english());
-    return all;
-}
-
 }  // namespace macula::c

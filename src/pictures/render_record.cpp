@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/english.h"
 #include "pictures/public_series.h"
 #include "scene/camera/camera_file.h"
 #include "scene/camera/usual_view.h"
@@ -35,12 +36,6 @@ PictureEffects effectsThatCount(const PictureRequest& request, const DrawnPictur
     effects.focusMm = effects.lensMm > 0.0 ? std::optional(picture.focusMm) : std::nullopt;
     if (trace::isProjection(look)) effects.fogMm = 0.0;
     return effects;
-}
-
-std::vector<std::string> inEnglish(const std::vector<Text>& texts) {
-    std::vector<std::string> sentences;
-    for (const Text& text : texts) sentences.push_back(text.english());
-    return sentences;
 }
 
 Json matterJson(const RenderRecord& record) {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "base/english.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/write/uid.h"
-#include "study/export/english.h"
 #include "study/found_by_hand.h"
 #include "study/open/presented_volume.h"
 

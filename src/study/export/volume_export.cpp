@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/elapsed.h"
+#include "base/english.h"
 #include "base/sha256.h"
-#include "study/export/english.h"
 #include "study/export/grid_json.h"
 
 namespace macula::study {

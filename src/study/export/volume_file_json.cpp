@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "study/export/english.h"
+#include "base/english.h"
 #include "study/export/grid_json.h"
 
 namespace macula::study {

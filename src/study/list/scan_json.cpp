@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/english.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/segmentation/segmentation.h"
-#include "study/export/english.h"
 
 namespace macula::study {
 

@@ -94,7 +94,7 @@ Result<ScriptLine> parseScriptLine(const QStringList& arguments) {
     const ScriptOptions options;
     shared.addTo(parser);
     options.addTo(parser);
-    if (!parser.parse(arguments)) return shared.usage(parser.errorText() + QLatin1Char('.'));
+    if (!parser.parse(arguments)) return shared.usage(parser.errorText());
     ScriptLine result;
     if (const auto text = shared.textAskedFor(parser)) {
         result.window.print = text;

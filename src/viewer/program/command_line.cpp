@@ -27,7 +27,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!parser.parse(arguments)) {
         const bool asksForScript = parser.unknownOptionNames().contains(QLatin1String("script"));
         return shared.usage(
-            parser.errorText() + QLatin1Char('.'),
+            parser.errorText(),
             asksForScript
                 ? "Call macula-viewer-bench SCRIPT instead. Debian's package macula-benchmarks has it."
                 : "");

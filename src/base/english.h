@@ -1,4 +1,4 @@
-// Sentences in English, as JSON reports have them.
+// Sentences in English, for JSON reports and for the C interface.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 
-namespace macula::study {
+namespace macula {
 
 inline std::vector<std::string> inEnglish(const std::vector<Text>& texts) {
     std::vector<std::string> english;
@@ -15,4 +15,4 @@ inline std::vector<std::string> inEnglish(const std::vector<Text>& texts) {
     return english;
 }
 
-}  // namespace macula::study
+}  // namespace macula
