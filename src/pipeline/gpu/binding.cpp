@@ -6,7 +6,8 @@ Binding::Binding(const Buffer& buffer)
     : kind_(Kind::buffer),
       label_(&buffer.label()),
       buffer_{buffer.handle(), 0, VK_WHOLE_SIZE},
-      usage_(buffer.usage()) {}
+      usage_(buffer.usage()),
+      mapped_(buffer.mapped()) {}
 
 Binding::Binding(const TexelBuffer& texels) : Binding(texels, 0) {}
 
@@ -14,7 +15,8 @@ Binding::Binding(const TexelBuffer& texels, std::size_t view)
     : kind_(Kind::texelBuffer),
       label_(&texels.buffer().label()),
       view_(texels.view(view)),
-      usage_(texels.buffer().usage()) {}
+      usage_(texels.buffer().usage()),
+      mapped_(texels.mappedFrom(view)) {}
 
 Binding::Binding(const Image& image)
     : kind_(Kind::image),

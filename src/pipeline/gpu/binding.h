@@ -4,6 +4,7 @@
 #include <vulkan/vulkan_core.h>
 
 #include <cstddef>
+#include <span>
 #include <string>
 
 #include "pipeline/gpu/resources.h"
@@ -31,6 +32,7 @@ class Binding {
     VkDescriptorImageInfo image_{};
     VkBufferView view_ = VK_NULL_HANDLE;
     VkFlags usage_ = 0;
+    std::span<std::byte> mapped_;  // of a buffer, or of a texel buffer from this view on
 };
 
 }  // namespace macula::gpu

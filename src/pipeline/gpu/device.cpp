@@ -1,6 +1,7 @@
 #include "pipeline/gpu/device.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "base/check.h"
 #include "base/log.h"
@@ -12,6 +13,15 @@
 #include "pipeline/gpu/vulkan_error.h"
 
 namespace macula::gpu {
+
+namespace {
+
+bool environmentAllowsNativeKernels() {
+    const char* value = std::getenv("MACULA_NATIVE_KERNELS");
+    return value == nullptr || std::string_view(value) != "off";
+}
+
+}  // namespace
 
 Device::Device() : staging_(std::make_unique<StagingPool>()) {}
 
@@ -27,6 +37,7 @@ Result<void> Device::initialise(const Instance& instance, const DeviceOptions& o
     instance_ = instance.handle();
     MACULA_TRY(info_, chosenDevice(instance, options));
     unifiedMemory_ = (isCpu() || info_.type == DeviceType::integrated) && !options.separateMemory;
+    nativeKernels_ = isCpu() && unifiedMemory_ && options.nativeKernels && environmentAllowsNativeKernels();
     const Text doing = Text("open the device {}", info_.name);
     if (options.lent) {
         MACULA_TRY(opened_, borrowDevice(*options.lent, options.physical));

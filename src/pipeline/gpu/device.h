@@ -52,6 +52,8 @@ class Device : public std::enable_shared_from_this<Device> {
     bool isCpu() const { return info_.type == DeviceType::cpu; }
     // Whether device-local memory is host memory, and mapped.
     bool hasUnifiedMemory() const { return unifiedMemory_; }
+    // Whether kernels that have a twin on the host (native_kernel.h) run there.
+    bool runsNatively() const { return nativeKernels_; }
     VkInstance instance() const;
     VkPhysicalDevice physical() const { return info_.physical; }
     VkDevice handle() const { return opened_.handle; }
@@ -123,6 +125,7 @@ class Device : public std::enable_shared_from_this<Device> {
     VkInstance instance_ = VK_NULL_HANDLE;
     DeviceInfo info_;
     bool unifiedMemory_ = false;
+    bool nativeKernels_ = false;
     OpenedDevice opened_;
     double timestampPeriodNs_ = 1.0;
     std::uint32_t timestampBits_ = 0;  // 0: the queue has no timestamps

@@ -54,6 +54,9 @@ struct DeviceOptions {
     bool givesWay = false;
     // Treats device memory as unmapped, as on a graphics card, to test staging copies without one.
     bool separateMemory = false;
+    // Whether kernels that have a twin on the host (native_kernel.h) run there, if the device is the CPU. The
+    // environment MACULA_NATIVE_KERNELS=off forbids it, to compare both.
+    bool nativeKernels = true;
     bool isAnnounced = true;  // log the device by log::announce
 };
 

@@ -116,6 +116,10 @@ Result<std::shared_ptr<const CompiledKernel>> compile(const std::shared_ptr<Devi
     MACULA_TRY(kernel->reflection, reflectSpirv(code.words));
     const SpecializationData constants = specialized(options, kernel->reflection, code.name);
     setLocalSize(*kernel, constants, code.name);
+    if (device->runsNatively() && options.native) {
+        kernel->native = options.native;
+        return std::shared_ptr<const CompiledKernel>(kernel);
+    }
     if (const VkResult status = createSetLayout(*kernel, code.name); status < 0)
         return device->failed(status, doing);
     if (const VkResult status = createPipelineLayout(*kernel, device->info(), code.name); status < 0)
@@ -151,7 +155,8 @@ Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const Shade
     MACULA_CHECK(device != nullptr);
     const Text doing = Text("prepare the shader {}", code.name);
     MACULA_TRY_VOID(device->checkNotLost(doing));
-    std::string constants = fmt::format("{};", options.subgroupSize);
+    std::string constants =
+        fmt::format("{};{};", options.subgroupSize, device->runsNatively() && options.native ? "host" : "");
     for (const Specialization& constant : options.specializations)
         constants += fmt::format("{}/{}={};", constant.name, constant.id, constant.bits);
     auto& compiled = device->kernels_[{code.words.data(), std::move(constants)}];

@@ -15,6 +15,7 @@
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
+#include "pipeline/gpu/native_kernel.h"
 #include "pipeline/gpu/shader_code.h"
 #include "pipeline/gpu/spirv_reflection.h"
 
@@ -47,6 +48,8 @@ struct KernelOptions {
     // The subgroup size that the kernel requires: a power of two from DeviceInfo::minSubgroupSize to
     // maxSubgroupSize. 0: the driver chooses, perhaps another than DeviceInfo::subgroupSize.
     std::uint32_t subgroupSize = 0;
+    // Does the same as the shader with these constants, on the host. May be empty.
+    NativeKernel native = {};
 };
 
 // A compiled pipeline. The device caches it as long as the device lives: another Kernel of the same shader
@@ -64,6 +67,7 @@ struct CompiledKernel {
     VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkPipeline pipeline = VK_NULL_HANDLE;
+    NativeKernel native;  // runs instead of the pipeline, which is then missing; may be empty
 };
 
 // Equivalent of a compute VkPipeline and its layouts, which come from reflection. All bindings are in set 0,
@@ -80,6 +84,8 @@ class Kernel {
         return reflection().pushConstants ? reflection().pushConstants->block.bytes : 0;
     }
 
+    // Not empty if the kernel runs on the host.
+    const NativeKernel& native() const { return compiled_->native; }
     VkPipeline pipeline() const { return compiled_->pipeline; }
     VkPipelineLayout layout() const { return compiled_->layout; }
 

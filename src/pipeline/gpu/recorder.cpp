@@ -1,6 +1,8 @@
 #include "pipeline/gpu/recorder.h"
 
 #include <array>
+#include <cstring>
+#include <new>
 #include <utility>
 
 #include "pipeline/gpu/vulkan_error.h"
@@ -41,21 +43,42 @@ Result<Recorder> Recorder::create(const std::shared_ptr<Device>& device, std::st
     MACULA_CHECK(device != nullptr);
     Recorder recorder;
     MACULA_TRY(recorder.commands_, device->takeCommands());
+    recorder.queries_ = recorder.commands_.queries;
     recorder.device_ = device;
     recorder.label_ = label;
     recorder.state_ = State::recording;
-    device->setName(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<std::uint64_t>(recorder.commands_.buffer),
-                    label);
+    MACULA_TRY_VOID(recorder.beginCommands());
+    return recorder;
+}
+
+Result<void> Recorder::beginCommands() {
+    device_->setName(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<std::uint64_t>(commands_.buffer),
+                     label_);
     VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    if (const VkResult result = vkBeginCommandBuffer(recorder.commands_.buffer, &info); result < 0)
-        return device->failed(result, Text("record \"{}\"", label));
-    return recorder;
+    if (const VkResult result = vkBeginCommandBuffer(commands_.buffer, &info); result < 0)
+        return device_->failed(result, Text("record \"{}\"", label_));
+    isEmpty_ = true;
+    dirty_ = false;
+    return {};
+}
+
+Result<void> Recorder::endCommands() {
+    // Makes everything written here visible to later submissions and to the host.
+    memoryBarrier(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT,
+                  VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_READ_BIT);
+    if (const VkResult result = vkEndCommandBuffer(commands_.buffer); result < 0)
+        return device_->failed(result, Text("record \"{}\"", label_));
+    return {};
 }
 
 Recorder::Recorder(Recorder&& other) noexcept
     : device_(std::move(other.device_)),
       commands_(other.commands_),
+      queries_(other.queries_),
+      hostWork_(std::move(other.hostWork_)),
+      isEmpty_(other.isEmpty_),
+      failed_(std::move(other.failed_)),
       state_(std::exchange(other.state_, State::movedFrom)),
       label_(std::move(other.label_)),
       timers_(std::move(other.timers_)),
@@ -66,6 +89,10 @@ Recorder::Recorder(Recorder&& other) noexcept
 
 Recorder::~Recorder() {
     if (state_ == State::movedFrom) return;
+    for (HostWork& work : hostWork_) {
+        work.before.busyUntil = ticket_;
+        device_->giveCommandsBack(work.before);
+    }
     commands_.busyUntil = ticket_;
     device_->giveCommandsBack(commands_);
     if (state_ == State::recording) device_->recorderClosed();
@@ -80,16 +107,18 @@ void Recorder::barrier() {
     memoryBarrier(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                   VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
     dirty_ = false;
+    isEmpty_ = false;
 }
 
 void Recorder::begin(Order order) {
     MACULA_CHECK(state_ == State::recording);
     if (dirty_ && order == Order::afterPrevious) barrier();
     dirty_ = true;
+    isEmpty_ = false;
 }
 
-void Recorder::bind(const Kernel& kernel, std::span<const std::byte> push, std::span<const Binding> bindings,
-                    Order order) {
+void Recorder::requireFit(const Kernel& kernel, std::span<const std::byte> push,
+                          std::span<const Binding> bindings) const {
     const Reflection& reflection = kernel.reflection();
     require(push.size() == kernel.pushConstantBytes(),
             fmt::format("{}: the shader has {} bytes of push constants, the call {}", kernel.name(),
@@ -97,17 +126,24 @@ void Recorder::bind(const Kernel& kernel, std::span<const std::byte> push, std::
     require(bindings.size() == reflection.bindings.size(),
             fmt::format("{}: the shader has {} bindings, the call {}", kernel.name(),
                         reflection.bindings.size(), bindings.size()));
+    for (std::size_t i = 0; i < bindings.size(); ++i) {
+        const ReflectedBinding& wanted = reflection.bindings[i];
+        require(bindings[i].fits(wanted.type),
+                fmt::format("{}: \"{}\" cannot be bound to {} (binding {}): it is of another "
+                            "kind, or lacks the usage",
+                            kernel.name(), *bindings[i].label_, wanted.name, wanted.binding));
+    }
+}
+
+void Recorder::bind(const Kernel& kernel, std::span<const std::byte> push, std::span<const Binding> bindings,
+                    Order order) {
     begin(order);
     vkCmdBindPipeline(commands_.buffer, VK_PIPELINE_BIND_POINT_COMPUTE, kernel.pipeline());
 
     std::vector<VkWriteDescriptorSet> writes(bindings.size());
     for (std::size_t i = 0; i < bindings.size(); ++i) {
-        const ReflectedBinding& wanted = reflection.bindings[i];
+        const ReflectedBinding& wanted = kernel.reflection().bindings[i];
         const Binding& given = bindings[i];
-        require(given.fits(wanted.type),
-                fmt::format("{}: \"{}\" cannot be bound to {} (binding {}): it is of another "
-                            "kind, or lacks the usage",
-                            kernel.name(), *given.label_, wanted.name, wanted.binding));
         writes[i] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
         writes[i].dstBinding = wanted.binding;
         writes[i].descriptorCount = 1;
@@ -127,7 +163,7 @@ void Recorder::bind(const Kernel& kernel, std::span<const std::byte> push, std::
 
 void Recorder::dispatchBytes(const Kernel& kernel, Threads threads, std::span<const std::byte> push,
                              std::span<const Binding> bindings, Order order) {
-    bind(kernel, push, bindings, order);
+    requireFit(kernel, push, bindings);
     const std::array<std::uint32_t, 3> wanted{threads.x, threads.y, threads.z};
     std::array<std::uint32_t, 3> groups{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -137,6 +173,8 @@ void Recorder::dispatchBytes(const Kernel& kernel, Threads threads, std::span<co
                 fmt::format("{}: {} groups along axis {}, and the device allows {}", kernel.name(),
                             groups[axis], axis, device_->maxGroups_[axis]));
     }
+    if (kernel.native()) return dispatchOnHost(kernel, NativeDispatch(groups, push), bindings);
+    bind(kernel, push, bindings, order);
     vkCmdDispatch(commands_.buffer, groups[0], groups[1], groups[2]);
 }
 
@@ -145,8 +183,60 @@ void Recorder::dispatchIndirect(const Kernel& kernel, const Groups& groups, std:
     MACULA_CHECK(groups.buffer.usage() & VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
     MACULA_CHECK_EQ(groups.offset % 4, 0u);
     checkRange(groups.buffer, groups.offset, sizeof(VkDispatchIndirectCommand));
+    requireFit(kernel, push, bindings);
+    if (kernel.native())
+        return dispatchOnHost(
+            kernel, NativeDispatch({}, push), bindings,
+            groups.buffer.mapped().subspan(groups.offset, sizeof(VkDispatchIndirectCommand)));
     bind(kernel, push, bindings, Order::afterPrevious);
     vkCmdDispatchIndirect(commands_.buffer, groups.buffer.handle(), groups.offset);
+}
+
+// Ends the current commands, which the device has to complete first, and begins others.
+void Recorder::dispatchOnHost(const Kernel& kernel, NativeDispatch dispatch,
+                              std::span<const Binding> bindings, std::span<const std::byte> groups) {
+    MACULA_CHECK(state_ == State::recording);
+    if (failed_) return;
+    for (std::size_t i = 0; i < bindings.size(); ++i) {
+        require(!bindings[i].mapped_.empty(),
+                fmt::format("{}: \"{}\" is not in host memory", kernel.name(), *bindings[i].label_));
+        dispatch.bind(kernel.reflection().bindings[i].binding, bindings[i].mapped_);
+    }
+    const auto tryNext = [&]() -> Result<void> {
+        MACULA_TRY(const CommandPool::Commands next, device_->takeCommands());
+        const Result<void> ended = endCommands();
+        hostWork_.push_back({.before = std::exchange(commands_, next),
+                             .isEmpty = isEmpty_,
+                             .kernel = kernel.native(),
+                             .dispatch = std::move(dispatch),
+                             .groups = groups});
+        if (!ended.ok()) return ended.error();
+        return beginCommands();
+    };
+    if (const auto next = tryNext(); !next.ok()) failed_ = next.error();
+}
+
+// Submits the commands before each native kernel, waits for them, and runs it. `wait` becomes null once a
+// submission has taken it.
+Result<void> Recorder::runHostWork(VkSemaphore& wait) {
+    for (HostWork& work : hostWork_) {
+        if (!work.isEmpty || wait != VK_NULL_HANDLE) {
+            MACULA_TRY(ticket_, device_->submit(work.before.buffer, std::exchange(wait, VK_NULL_HANDLE),
+                                                VK_NULL_HANDLE));
+        }
+        MACULA_TRY([[maybe_unused]] const bool done, device_->waitFor(device_->submittedTicket()));
+        if (!work.groups.empty()) {
+            std::array<std::uint32_t, 3> groups{};
+            std::memcpy(groups.data(), work.groups.data(), sizeof(groups));
+            work.dispatch.setGroups(groups);
+        }
+        try {
+            work.kernel(work.dispatch);
+        } catch (const std::bad_alloc&) {
+            return device_->failed(VK_ERROR_OUT_OF_HOST_MEMORY, Text("run \"{}\"", label_));
+        }
+    }
+    return {};
 }
 
 void Recorder::copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
@@ -223,6 +313,7 @@ Recorder::Scope Recorder::label(std::string_view name) {
         VkDebugUtilsLabelEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
         info.pLabelName = terminated.c_str();
         device_->functions_.cmdBeginLabel(commands_.buffer, &info);
+        isEmpty_ = false;
     }
     return Scope(this, kNoTimer);
 }
@@ -234,8 +325,9 @@ Recorder::Scope Recorder::timed(std::string_view name) {
     scope.timer_ = static_cast<int>(timers_.size());
     timers_.emplace_back(name);
     const auto first = static_cast<std::uint32_t>(2 * scope.timer_);
-    vkCmdResetQueryPool(commands_.buffer, commands_.queries, first, 2);
-    vkCmdWriteTimestamp2(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, commands_.queries, first);
+    vkCmdResetQueryPool(commands_.buffer, queries_, first, 2);
+    vkCmdWriteTimestamp2(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, first);
+    isEmpty_ = false;
     return scope;
 }
 
@@ -243,20 +335,20 @@ void Recorder::endScope(int timer) {
     MACULA_CHECK(state_ == State::recording);
     --openScopes_;
     if (timer != kNoTimer)
-        vkCmdWriteTimestamp2(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, commands_.queries,
+        vkCmdWriteTimestamp2(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
                              static_cast<std::uint32_t>(2 * timer + 1));
+    isEmpty_ = false;
     if (device_->functions_.cmdEndLabel) device_->functions_.cmdEndLabel(commands_.buffer);
 }
 
 Result<Ticket> Recorder::submit(const SubmitOptions& options) {
     MACULA_CHECK(state_ == State::recording);
     MACULA_CHECK_EQ(openScopes_, 0);
-    // Makes everything written here visible to later submissions and to the host.
-    memoryBarrier(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT,
-                  VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_READ_BIT);
-    if (const VkResult result = vkEndCommandBuffer(commands_.buffer); result < 0)
-        return device_->failed(result, Text("record \"{}\"", label_));
-    MACULA_TRY(ticket_, device_->submit(commands_.buffer, options.wait, options.signal));
+    if (failed_) return *failed_;
+    MACULA_TRY_VOID(endCommands());
+    VkSemaphore wait = options.wait;
+    MACULA_TRY_VOID(runHostWork(wait));
+    MACULA_TRY(ticket_, device_->submit(commands_.buffer, wait, options.signal));
     state_ = State::submitted;
     device_->recorderClosed();
     return ticket_;
@@ -270,10 +362,10 @@ Result<std::vector<Timing>> Recorder::timings() {
     std::vector<Timing> timings;
     if (timers_.empty()) return timings;
     std::vector<std::uint64_t> stamps(2 * timers_.size());
-    const VkResult result = vkGetQueryPoolResults(
-        device_->handle(), commands_.queries, 0, static_cast<std::uint32_t>(stamps.size()),
-        stamps.size() * sizeof(stamps[0]), stamps.data(), sizeof(stamps[0]),
-        VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+    const VkResult result =
+        vkGetQueryPoolResults(device_->handle(), queries_, 0, static_cast<std::uint32_t>(stamps.size()),
+                              stamps.size() * sizeof(stamps[0]), stamps.data(), sizeof(stamps[0]),
+                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
     if (result < 0) return device_->failed(result, Text("read the timings"));
     const std::uint64_t valid = device_->timestampBits_ >= 64 ? ~0ull : (1ull << device_->timestampBits_) - 1;
     for (std::size_t i = 0; i < timers_.size(); ++i) {

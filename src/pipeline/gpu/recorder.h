@@ -7,6 +7,9 @@
 //   }
 //   MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
 //
+// On a device of type CPU, kernels that have a twin on the host (native_kernel.h) run within submit(), in
+// their place among the commands: submit() then returns when the last of them is done.
+//
 // A dispatch that does not match its shader (another size of push constants, another number or kind of
 // bindings) is a failed check that names the kernel and the binding.
 #pragma once
@@ -17,6 +20,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -176,14 +180,34 @@ class Recorder {
     void begin(Order order);
     void dispatchIndirect(const Kernel& kernel, const Groups& groups, std::span<const std::byte> push,
                           std::span<const Binding> bindings);
+    void requireFit(const Kernel& kernel, std::span<const std::byte> push,
+                    std::span<const Binding> bindings) const;
     void bind(const Kernel& kernel, std::span<const std::byte> push, std::span<const Binding> bindings,
               Order order);
+    void dispatchOnHost(const Kernel& kernel, NativeDispatch dispatch, std::span<const Binding> bindings,
+                        std::span<const std::byte> groups = {});
+    Result<void> beginCommands();
+    Result<void> endCommands();
+    Result<void> runHostWork(VkSemaphore& wait);
+
+    // A native kernel that runs after the commands in `before`, and before those recorded later.
+    struct HostWork {
+        CommandPool::Commands before;
+        bool isEmpty = false;  // nothing was recorded in `before`
+        NativeKernel kernel;
+        NativeDispatch dispatch;
+        std::span<const std::byte> groups;  // of an indirect dispatch: where to read them; else empty
+    };
     void endScope(int timer);
 
     static constexpr int kNoTimer = -1;
 
     std::shared_ptr<Device> device_;
     CommandPool::Commands commands_;
+    VkQueryPool queries_ = VK_NULL_HANDLE;  // of the first commands
+    std::vector<HostWork> hostWork_;
+    bool isEmpty_ = true;          // nothing was recorded in commands_
+    std::optional<Error> failed_;  // while recording; submit() returns it
     State state_ = State::movedFrom;
     std::string label_;
     std::vector<std::string> timers_;

@@ -167,6 +167,7 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
     TexelBuffer result;
     result.format_ = options.format;
     result.elements_ = options.elements;
+    result.bytesOfView_ = viewBytes;
     MACULA_TRY(result.buffer_,
                Buffer::create(device, {.label = options.label,
                                        .bytes = options.elements * bytesPerTexel(options.format),
@@ -184,6 +185,11 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
         result.views_.emplace_back(device, view);
     }
     return result;
+}
+
+std::span<std::byte> TexelBuffer::mappedFrom(std::size_t view) const {
+    const std::span<std::byte> all = buffer_.mapped();
+    return all.empty() ? all : all.subspan(view * bytesOfView_);
 }
 
 namespace {

@@ -88,6 +88,8 @@ class TexelBuffer {
     const Buffer& buffer() const { return buffer_; }
     std::size_t viewCount() const { return views_.size(); }
     VkBufferView view(std::size_t index = 0) const { return views_[index].get(); }
+    // The texels from the first of this view on; empty when the buffer is not mapped.
+    std::span<std::byte> mappedFrom(std::size_t view) const;
     VkFormat format() const { return format_; }
     std::uint64_t elements() const { return elements_; }
 
@@ -98,6 +100,7 @@ class TexelBuffer {
     std::vector<Handle<VkBufferView>> views_;  // dropped before the buffer
     VkFormat format_ = VK_FORMAT_UNDEFINED;
     std::uint64_t elements_ = 0;
+    std::uint64_t bytesOfView_ = 0;
 };
 
 enum class ImageShape { flat, volume };  // image2D and sampler2D, or image3D and sampler3D
