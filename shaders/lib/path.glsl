@@ -151,35 +151,39 @@ void beShadow(INOUT(Path) path) {
 // lanes, few enough that lanes do not wait long for each other.
 #define STRIDE 16
 
-// Visitor: follows the current ray for a stride. True when the ray has ended. A flight ends at its first real
-// collision (Woodcock tracking); a shadow ray estimates its transmittance without bias (ratio tracking, with
-// roulette).
+// Whether the tentative collision, at which the walk stands, ends the current ray. A flight ends at its first
+// real collision (Woodcock tracking); a shadow ray estimates its transmittance without bias (ratio tracking,
+// with roulette).
+bool collide(INOUT(Path) path, INOUT(Rng) rng) {
+    vec3 at = walkPosition(path.walk);
+    path.entry = entryAt(at, rng);
+    path.steep = steepByChance(at, path.entry, rng);
+    Mixture matter = mixtureAt(at, path.entry, path.steep);
+    path.secondShare = secondShareOf(matter);
+    float real = totalOf(matter) / path.walk.majorant;
+    bool seesAll = params.clipShadows != 0 && (path.shadow || path.vertices > 0);
+    if (useMask() && !seesAll && isMasked(at)) real = float(0.0);
+    path.aboveBound += real > float(ROUNDED_BOUND) ? 1 : 0;
+    real = min(real, float(1.0));
+    float chance = random01(rng);
+    if (path.shadow) {
+        path.transmittance *= float(1.0) - real;
+        if (path.transmittance < float(ROULETTE_BELOW)) {
+            path.transmittance =
+                chance * float(ROULETTE_BELOW) < path.transmittance ? float(ROULETTE_BELOW) : float(0.0);
+        }
+    } else {
+        path.transmittance = chance < real ? float(0.0) : float(1.0);
+    }
+    return path.transmittance == float(0.0);
+}
+
+// Visitor: follows the current ray for a stride. True when the ray has ended.
 bool follow(INOUT(Path) path, INOUT(Rng) rng) {
     path.rounds += 1;
     for (int i = 0; i < STRIDE; ++i) {
         path.rounds += 1;
-        if (!nextTentative(path.walk, rng, path.rounds)) return true;
-        vec3 at = walkPosition(path.walk);
-        path.entry = entryAt(at, rng);
-        path.steep = steepByChance(at, path.entry, rng);
-        Mixture matter = mixtureAt(at, path.entry, path.steep);
-        path.secondShare = secondShareOf(matter);
-        float real = totalOf(matter) / path.walk.majorant;
-        bool seesAll = params.clipShadows != 0 && (path.shadow || path.vertices > 0);
-        if (useMask() && !seesAll && isMasked(at)) real = float(0.0);
-        path.aboveBound += real > float(ROUNDED_BOUND) ? 1 : 0;
-        real = min(real, float(1.0));
-        float chance = random01(rng);
-        if (path.shadow) {
-            path.transmittance *= float(1.0) - real;
-            if (path.transmittance < float(ROULETTE_BELOW)) {
-                path.transmittance =
-                    chance * float(ROULETTE_BELOW) < path.transmittance ? float(ROULETTE_BELOW) : float(0.0);
-            }
-        } else {
-            path.transmittance = chance < real ? float(0.0) : float(1.0);
-        }
-        if (path.transmittance == float(0.0)) return true;
+        if (!nextTentative(path.walk, rng, path.rounds) || collide(path, rng)) return true;
     }
     path.walk.majorant /=
         path.walk.looseness;  // a ray that has not ended by now continues with tight majorants

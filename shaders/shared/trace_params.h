@@ -19,7 +19,7 @@ MACULA_SHARED_CONST int kCastMinimum = 2;
 MACULA_SHARED_CONST int kCastMean = 3;
 
 // The one list of fields, from which both the struct below and that of the C++ reference tracer
-// (src/pipeline/trace/reference_host.inl), in its own precision, are generated. Voxel coordinates here have
+// (src/pipeline/trace/shader_host.inl), in its own precision, are generated. Voxel coordinates here have
 // integers at voxel faces: the volume fills [0, volumeSize].
 #define MACULA_TRACE_PARAMS(FIELD, ARRAY)                                                                   \
     FIELD(vec3, originVoxel)     /* the eye */                                                              \

@@ -1,6 +1,6 @@
 // What shaders/lib needs from its host, for devices: tables in texel buffers, by far the fastest read-only
 // arrays on CPU devices, and as fast as any on others. The C++ counterpart is
-// src/pipeline/trace/reference_host.inl.
+// src/pipeline/trace/shader_host.inl.
 #define OUT(type) out type
 #define INOUT(type) inout type
 #define PRECISE precise

@@ -4,9 +4,30 @@
 
 #include "base/glsl_in_cpp.h"
 #include "base/parallel.h"
+#include "pipeline/trace/host_tables.h"
 #include "pipeline/trace/reference_tracer.h"
 
 namespace macula::trace::reference {
+
+inline HostTables<LinearVoxels> hostTables(const ReferenceTracer::Tables& tables,
+                                           const shared::TraceParams& params) {
+    HostTables<LinearVoxels> view{.voxels = {tables.entries.data(), params.volumeSize},
+                                  .extinctionPerMm = tables.extinctionPerMm.data(),
+                                  .gradientOpacity = tables.gradientOpacity,
+                                  .albedo = tables.albedo.data(),
+                                  .steep = tables.steep,
+                                  .hasSteepDensity = !tables.steep.empty(),
+                                  .bounds = tables.bounds.data(),
+                                  .environment = tables.environment.data(),
+                                  .cumulative = tables.cumulative.data(),
+                                  .mask = tables.mask,
+                                  .additions = tables.additions.data(),
+                                  .tints = tables.tints,
+                                  .indirectTags = tables.indirectTags,
+                                  .indirectCells = tables.indirectCells};
+    if (!tables.secondEntries.empty()) view.second = {tables.secondEntries.data(), params.secondSize};
+    return view;
+}
 
 std::vector<glm::dvec4> traceSingle(const ReferenceTracer::Tables&, const shared::TraceParams&, Filter,
                                     std::uint32_t firstSample, std::uint32_t sampleCount);
@@ -39,7 +60,7 @@ std::vector<glm::dvec4> castOn(Host prototype, const ReferenceTracer::Cast& what
                                std::uint32_t sampleCount) {
     const int width = prototype.params.imageSize.x;
     const int height = prototype.params.imageSize.y;
-    prototype.cast = what;
+    prototype.cast = {what.kind, what.shading};
     std::vector<glm::dvec4> sums(std::size_t(width) * std::size_t(height));
     parallelFor(std::size_t(height), [&, host = prototype](std::size_t row) mutable {
         for (int x = 0; x < width; ++x) {

@@ -8,22 +8,23 @@ namespace macula::trace {
 namespace reference {
 namespace {
 
+#define MACULA_VOXELS LinearVoxels
 #define MACULA_HOST HostTwofold
 #define MACULA_REAL double
-#include "pipeline/trace/reference_host.inl"
+#include "pipeline/trace/shader_host.inl"
 #undef MACULA_HOST
 #undef MACULA_REAL
 // The host in float with strict maths: for everything but whole pictures.
 #define MACULA_HOST HostStrictSingle
 #define MACULA_REAL float
-#include "pipeline/trace/reference_host.inl"
+#include "pipeline/trace/shader_host.inl"
 
 // Calls use(host) with the host of the given precision.
 template <class Use>
 auto withHost(const ReferenceTracer::Tables& tables, const shared::TraceParams& params, Filter filter,
               Precision precision, const Use& use) {
-    if (precision == Precision::twofold) return use(HostTwofold(tables, params, filter));
-    return use(HostStrictSingle(tables, params, filter));
+    if (precision == Precision::twofold) return use(HostTwofold(hostTables(tables, params), params, filter));
+    return use(HostStrictSingle(hostTables(tables, params), params, filter));
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ std::vector<glm::dvec4> ReferenceTracer::trace(const shared::TraceParams& params
     if (precision == Precision::single) {
         return reference::traceSingle(*tables_, params, filter, firstSample, sampleCount);
     }
-    return reference::traceOn(reference::HostTwofold(*tables_, params, filter), firstSample, sampleCount);
+    return reference::traceOn(reference::HostTwofold(reference::hostTables(*tables_, params), params, filter), firstSample, sampleCount);
 }
 
 std::vector<glm::dvec4> ReferenceTracer::cast(const shared::TraceParams& params, const Cast& what,
@@ -116,7 +117,7 @@ std::vector<ReferenceTracer::Segment> ReferenceTracer::segments(const shared::Tr
 }
 
 double ReferenceTracer::seenSolidAngle(const shared::TraceParams& params, const glm::dvec2& stored) const {
-    reference::HostTwofold host(*tables_, params, Filter::trilinear);
+    reference::HostTwofold host(reference::hostTables(*tables_, params), params, Filter::trilinear);
     return host.seenSolidAngle({host.params.planeHalfSize, host.params.gaze, host.params.foveaRadius,
                                 host.params.foveaMagnification},
                                stored);

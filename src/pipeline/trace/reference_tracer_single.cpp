@@ -8,12 +8,13 @@ namespace macula::trace::reference {
 namespace {
 #define MACULA_HOST HostSingle
 #define MACULA_REAL float
-#include "pipeline/trace/reference_host.inl"
+#define MACULA_VOXELS LinearVoxels
+#include "pipeline/trace/shader_host.inl"
 }  // namespace
 
 std::vector<glm::dvec4> traceSingle(const ReferenceTracer::Tables& tables, const shared::TraceParams& params,
                                     Filter filter, std::uint32_t firstSample, std::uint32_t sampleCount) {
-    return traceOn(HostSingle(tables, params, filter), firstSample, sampleCount);
+    return traceOn(HostSingle(hostTables(tables, params), params, filter), firstSample, sampleCount);
 }
 
 }  // namespace macula::trace::reference

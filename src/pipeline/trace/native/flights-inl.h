@@ -1,0 +1,447 @@
+// Rays in the lanes of vectors: the walk through bricks and the tentative collisions of follow() in
+// shaders/lib/path.glsl, for many rays at once. Where a ray ends, its path is decided in scalar code.
+//
+// Included once for each instruction set by hwy/foreach_target.h, in macula::trace and its HWY_NAMESPACE.
+#if defined(MACULA_FLIGHTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MACULA_FLIGHTS_INL_H
+#undef MACULA_FLIGHTS_INL_H
+#else
+#define MACULA_FLIGHTS_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace macula::trace {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, 16>;
+using Ints = hn::RebindToSigned<Floats>;
+using Uints = hn::RebindToUnsigned<Floats>;
+using FloatV = hn::Vec<Floats>;
+using IntV = hn::Vec<Ints>;
+using UintV = hn::Vec<Uints>;
+
+// Several vectors of lanes, so that the gathers of one overlap with the arithmetic of another.
+constexpr std::size_t kFlights = 32;
+
+// The state of a lane.
+enum Flying : std::int32_t {
+    kIdle,    // has no ray
+    kNewRay,  // has to draw the depth of its next tentative collision
+    kMoving,  // on the way to it
+    kMet,     // stands at it
+    kEnded,   // the ray has ended
+};
+
+struct Vector3 {
+    alignas(64) float x[kFlights];
+    alignas(64) float y[kFlights];
+    alignas(64) float z[kFlights];
+
+    void set(std::size_t lane, const glm::vec3& v) {
+        x[lane] = v.x;
+        y[lane] = v.y;
+        z[lane] = v.z;
+    }
+};
+
+// BrickWalk, Rng and the parts of Path that change along a ray, by lane.
+struct Flights {
+    Vector3 origin, direction, inverse, cell, cutFrom, cutTo;
+    alignas(64) float distanceMm[kFlights];
+    alignas(64) float endMm[kFlights];
+    alignas(64) float segmentEndMm[kFlights];
+    alignas(64) float majorant[kFlights];
+    alignas(64) float looseness[kFlights];
+    alignas(64) float depth[kFlights];  // optical depth left until the next tentative collision
+    alignas(64) float transmittance[kFlights];
+    alignas(64) float entry[kFlights];
+    alignas(64) std::uint32_t key0[kFlights];
+    alignas(64) std::uint32_t key1[kFlights];
+    alignas(64) std::uint32_t counter[kFlights];
+    alignas(64) std::int32_t isShadow[kFlights];
+    alignas(64) std::int32_t collisions[kFlights];  // tentative ones of the ray so far
+    alignas(64) std::int32_t aboveBound[kFlights];
+    alignas(64) std::int32_t state[kFlights];
+};
+
+// What the flights of a scene read.
+struct FlightTables {
+    const float* bounds;
+    const float* extinction;
+    const std::int32_t* words;  // of blocks
+    const std::int32_t* pool;   // two values in each
+    glm::ivec3 grid;
+    glm::ivec3 size;
+    bool hasClip;
+    bool isCoarse;
+    bool isTrilinear;
+};
+
+// exponentialDepth() of rng.glsl.
+HWY_INLINE FloatV exponentialDepth(Floats f, FloatV u) {
+    const FloatV one = hn::Set(f, 1.0f);
+    const FloatV near =
+        hn::Mul(u, hn::MulAdd(u, hn::MulAdd(u, hn::Set(f, 1.0f / 3.0f), hn::Set(f, 0.5f)), one));
+    return hn::IfThenElse(hn::Lt(u, hn::Set(f, 1e-3f)), near, hn::Neg(hn::Log(f, hn::Sub(one, u))));
+}
+
+// mixedBits() of rng.glsl.
+HWY_INLINE UintV mixedBits(Uints u, UintV h, UintV key) {
+    h = hn::Xor(h, hn::ShiftRight<16>(h));
+    h = hn::Mul(h, hn::Set(u, 0x21f0aaadu));
+    h = hn::Add(h, key);
+    h = hn::Xor(h, hn::ShiftRight<15>(h));
+    h = hn::Mul(h, hn::Set(u, 0x735a2d97u));
+    return hn::Xor(h, hn::ShiftRight<15>(h));
+}
+
+// The lanes of one vector during a round.
+class Round {
+  public:
+    HWY_INLINE Round(Flights& flights, const FlightTables& tables, std::size_t first)
+        : s_(flights), t_(tables), at_(first) {
+        state_ = hn::Load(i_, s_.state + at_);
+        distance_ = hn::Load(f_, s_.distanceMm + at_);
+        end_ = hn::Load(f_, s_.endMm + at_);
+        segmentEnd_ = hn::Load(f_, s_.segmentEndMm + at_);
+        majorant_ = hn::Load(f_, s_.majorant + at_);
+        looseness_ = hn::Load(f_, s_.looseness + at_);
+        depth_ = hn::Load(f_, s_.depth + at_);
+        counter_ = hn::Load(u_, s_.counter + at_);
+        cell_ = load(s_.cell);
+        origin_ = load(s_.origin);
+        direction_ = load(s_.direction);
+        inverse_ = load(s_.inverse);
+    }
+
+    // Draws the depth of the next tentative collision where a ray is new or has just had one.
+    HWY_INLINE void drawDepths() {
+        const auto fresh = is(kNewRay);
+        if (hn::AllFalse(i_, fresh)) return;
+        drawDepths(fresh);
+        state_ = hn::IfThenElse(fresh, hn::Set(i_, kMoving), state_);
+    }
+
+    // Moves rays on by a segment each.
+    HWY_INLINE void move() {
+        auto moving = is(kMoving);
+        FloatV inSegment = hn::Mul(majorant_, hn::Sub(segmentEnd_, distance_));
+        auto meets = hn::And(asFloats(moving), hn::Lt(depth_, inSegment));
+        distance_ = hn::IfThenElse(meets, hn::Add(distance_, hn::Div(depth_, majorant_)), distance_);
+        if (t_.hasClip) leaveCuts(meets, inSegment);
+        state_ = hn::IfThenElse(asInts(meets), hn::Set(i_, kMet), state_);
+
+        const auto goes = hn::AndNot(meets, asFloats(moving));
+        depth_ = hn::IfThenElse(goes, hn::Sub(depth_, inSegment), depth_);
+        distance_ = hn::IfThenElse(goes, segmentEnd_, distance_);
+        const auto inside = hn::And(goes, hn::Lt(distance_, end_));
+        state_ = hn::IfThenElse(asInts(hn::AndNot(inside, goes)), hn::Set(i_, kEnded), state_);
+        nextSegment(inside);
+    }
+
+    HWY_INLINE bool anyMoving() const { return !hn::AllFalse(i_, is(kMoving)); }
+    HWY_INLINE std::size_t countMet() const { return hn::CountTrue(i_, is(kMet)); }
+
+    // Collides rays with matter that depends on the volume's value alone.
+    HWY_INLINE void collide() {
+        const auto met = asFloats(is(kMet));
+        const FloatV eight = hn::Set(f_, float(NativeHost::kBrickEdge));
+        const FloatV shift = hn::Set(f_, NativeHost::kBrickShift);
+        const auto position = [&](FloatV origin, FloatV direction) HWY_ATTR {
+            return hn::MulSub(hn::MulAdd(direction, distance_, origin), eight, shift);
+        };
+        const FloatV x = position(origin_.x, direction_.x);
+        const FloatV y = position(origin_.y, direction_.y);
+        const FloatV z = position(origin_.z, direction_.z);
+        FloatV entry;
+        FloatV extinction;
+        if (t_.isTrilinear) {
+            entry = trilinearEntry(met, x, y, z);
+            const IntV low = hn::ConvertTo(i_, entry);
+            const FloatV part = hn::Sub(entry, hn::ConvertTo(f_, low));
+            const FloatV from = hn::GatherIndex(f_, t_.extinction, low);
+            const FloatV to = hn::GatherIndex(f_, t_.extinction, hn::Add(low, hn::Set(i_, 1)));
+            extinction = mixed(from, to, part);
+        } else {
+            entry = stochasticEntry(met, x, y, z);
+            extinction = hn::GatherIndex(f_, t_.extinction, hn::ConvertTo(i_, entry));
+        }
+        hn::BlendedStore(entry, met, f_, s_.entry + at_);
+        attenuate(met, hn::Div(extinction, hn::IfThenElse(met, majorant_, hn::Set(f_, 1.0f))));
+    }
+
+    // The lanes whose ray has ended, as bits.
+    HWY_INLINE std::uint32_t store() const {
+        hn::Store(state_, i_, s_.state + at_);
+        hn::Store(distance_, f_, s_.distanceMm + at_);
+        hn::Store(segmentEnd_, f_, s_.segmentEndMm + at_);
+        hn::Store(majorant_, f_, s_.majorant + at_);
+        hn::Store(looseness_, f_, s_.looseness + at_);
+        hn::Store(depth_, f_, s_.depth + at_);
+        hn::Store(counter_, u_, s_.counter + at_);
+        hn::Store(cell_.x, f_, s_.cell.x + at_);
+        hn::Store(cell_.y, f_, s_.cell.y + at_);
+        hn::Store(cell_.z, f_, s_.cell.z + at_);
+        return bitsOf(is(kEnded));
+    }
+    HWY_INLINE std::uint32_t metLanes() const { return bitsOf(is(kMet)); }
+
+  private:
+    using IntMask = hn::Mask<Ints>;
+    using FloatMask = hn::Mask<Floats>;
+    struct V3 {
+        FloatV x, y, z;
+    };
+
+    HWY_INLINE V3 load(const Vector3& v) const {
+        return {hn::Load(f_, v.x + at_), hn::Load(f_, v.y + at_), hn::Load(f_, v.z + at_)};
+    }
+    HWY_INLINE IntMask is(Flying state) const { return hn::Eq(state_, hn::Set(i_, state)); }
+    HWY_INLINE FloatMask asFloats(IntMask m) const { return hn::RebindMask(f_, m); }
+    HWY_INLINE IntMask asInts(FloatMask m) const { return hn::RebindMask(i_, m); }
+    HWY_INLINE std::uint32_t bitsOf(IntMask m) const {
+        alignas(8) std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(i_, m, bytes);
+        return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
+    }
+    HWY_INLINE static FloatV mixed(FloatV a, FloatV b, FloatV part) {
+        return hn::MulAdd(part, hn::Sub(b, a), a);
+    }
+
+    // A random number for each of these lanes.
+    HWY_INLINE UintV randomBits(FloatMask of) {
+        const UintV bits =
+            mixedBits(u_, hn::Add(hn::Mul(counter_, hn::Set(u_, 0x9e3779b9u)), hn::Load(u_, s_.key0 + at_)),
+                      hn::Load(u_, s_.key1 + at_));
+        counter_ = hn::IfThenElse(hn::RebindMask(u_, of), hn::Add(counter_, hn::Set(u_, 1u)), counter_);
+        return bits;
+    }
+    // Of bits below 2^31.
+    HWY_INLINE FloatV floatOf(UintV bits) const { return hn::ConvertTo(f_, hn::BitCast(i_, bits)); }
+    HWY_INLINE FloatV random01(FloatMask of) {
+        return hn::Mul(floatOf(hn::ShiftRight<8>(randomBits(of))), hn::Set(f_, 1.0f / 16777216.0f));
+    }
+
+    HWY_INLINE void drawDepths(IntMask of) {
+        const FloatV drawn = exponentialDepth(f_, random01(asFloats(of)));
+        depth_ = hn::IfThenElse(asFloats(of), drawn, depth_);
+    }
+
+    // Leaps over the clip's cut where a ray would collide within one, and draws another depth.
+    HWY_INLINE void leaveCuts(FloatMask& meets, FloatV& inSegment) {
+        if (hn::AllFalse(f_, meets)) return;
+        FloatV cutEnd = hn::Set(f_, -1.0f);
+        const auto endOf = [&](const float* from, const float* to) HWY_ATTR {
+            const FloatV cutTo = hn::Load(f_, to + at_);
+            const auto within =
+                hn::And(hn::Le(hn::Load(f_, from + at_), distance_), hn::Lt(distance_, cutTo));
+            cutEnd = hn::IfThenElse(within, hn::Max(cutEnd, cutTo), cutEnd);
+        };
+        endOf(s_.cutFrom.x, s_.cutTo.x);
+        endOf(s_.cutFrom.y, s_.cutTo.y);
+        endOf(s_.cutFrom.z, s_.cutTo.z);
+        const auto leaps = hn::And(meets, hn::Ge(cutEnd, hn::Zero(f_)));
+        if (hn::AllFalse(f_, leaps)) return;
+        distance_ = hn::IfThenElse(leaps, cutEnd, distance_);
+        segmentEnd_ = hn::IfThenElse(leaps, cutEnd, segmentEnd_);
+        majorant_ = hn::IfThenZeroElse(leaps, majorant_);
+        inSegment = hn::IfThenZeroElse(leaps, inSegment);
+        const auto cellAt = [&](FloatV origin, FloatV direction, FloatV cell, int count) HWY_ATTR {
+            const FloatV there = hn::Floor(hn::MulAdd(direction, cutEnd, origin));
+            return hn::IfThenElse(leaps, hn::Clamp(there, hn::Zero(f_), hn::Set(f_, float(count - 1))), cell);
+        };
+        cell_.x = cellAt(origin_.x, direction_.x, cell_.x, t_.grid.x);
+        cell_.y = cellAt(origin_.y, direction_.y, cell_.y, t_.grid.y);
+        cell_.z = cellAt(origin_.z, direction_.z, cell_.z, t_.grid.z);
+        drawDepths(asInts(leaps));
+        meets = hn::AndNot(leaps, meets);
+    }
+
+    // One round of the loop of nextSegment() in brick_walk.glsl.
+    HWY_INLINE void nextSegment(FloatMask of) {
+        const FloatV zero = hn::Zero(f_);
+        const FloatV one = hn::Set(f_, 1.0f);
+        const IntV inPlane = hn::ConvertTo(i_, hn::MulAdd(cell_.y, hn::Set(f_, float(t_.grid.x)), cell_.x));
+        IntV brick =
+            hn::Add(inPlane, hn::Mul(hn::ConvertTo(i_, cell_.z), hn::Set(i_, t_.grid.x * t_.grid.y)));
+        brick = hn::Clamp(brick, hn::Zero(i_), hn::Set(i_, t_.grid.x * t_.grid.y * t_.grid.z - 1));
+        const FloatV bound = hn::GatherIndex(f_, t_.bounds, brick);
+        const FloatV reach = hn::Max(hn::Neg(bound), one);
+        const FloatV margin = hn::Sub(reach, one);
+
+        struct Axis {
+            FloatV toFace, step;
+        };
+        const auto axisOf = [&](FloatV origin, FloatV direction, FloatV inverse, FloatV cell) HWY_ATTR {
+            const FloatV forward = hn::IfThenZeroElse(hn::Lt(direction, zero), one);
+            const FloatV step = hn::Sub(hn::Add(forward, forward), one);
+            const FloatV face = hn::MulAdd(step, margin, hn::Add(cell, forward));
+            return Axis{hn::Mul(hn::Sub(face, origin), inverse), step};
+        };
+        const Axis x = axisOf(origin_.x, direction_.x, inverse_.x, cell_.x);
+        const Axis y = axisOf(origin_.y, direction_.y, inverse_.y, cell_.y);
+        const Axis z = axisOf(origin_.z, direction_.z, inverse_.z, cell_.z);
+        const FloatV exit = hn::Min(hn::Min(x.toFace, y.toFace), z.toFace);
+        const auto cross = [&](const Axis& axis, FloatV origin, FloatV direction, FloatV cell) HWY_ATTR {
+            const FloatV there = hn::Floor(hn::MulAdd(direction, exit, origin));
+            const FloatV beside = hn::Clamp(there, hn::Sub(cell, margin), hn::Add(cell, margin));
+            const FloatV across = hn::MulAdd(axis.step, reach, cell);
+            return hn::IfThenElse(of, hn::IfThenElse(hn::Le(axis.toFace, exit), across, beside), cell);
+        };
+        cell_.x = cross(x, origin_.x, direction_.x, cell_.x);
+        cell_.y = cross(y, origin_.y, direction_.y, cell_.y);
+        cell_.z = cross(z, origin_.z, direction_.z, cell_.z);
+        segmentEnd_ = hn::IfThenElse(of, hn::Min(hn::Max(exit, distance_), end_), segmentEnd_);
+        majorant_ = hn::IfThenElse(of, hn::Mul(hn::Max(bound, zero), looseness_), majorant_);
+    }
+
+    // A voxel's value by the word of its block: placeIn() and valueOf() of shaders/trace/host.glsl.
+    HWY_INLINE FloatV valueIn(IntV word, IntV x, IntV y, IntV z) const {
+        const IntV payload = hn::And(word, hn::Set(i_, 0x3fffffff));
+        const IntV level = hn::BitCast(i_, hn::ShiftRight<30>(hn::BitCast(u_, word)));
+        IntV inside;
+        if (t_.isCoarse) {
+            const IntV edgeBits = hn::Sub(hn::Set(i_, 3), level);
+            inside =
+                hn::Or(hn::Shl(hn::Or(hn::Shl(hn::Shr(z, level), edgeBits), hn::Shr(y, level)), edgeBits),
+                       hn::Shr(x, level));
+        } else {
+            inside = hn::Or(hn::Or(hn::ShiftLeft<6>(z), hn::ShiftLeft<3>(y)), x);
+        }
+        const auto single = hn::Eq(level, hn::Set(i_, int(kSingle)));
+        const IntV place = hn::IfThenZeroElse(single, hn::Add(hn::ShiftLeft<3>(payload), inside));
+        const UintV pair = hn::BitCast(u_, hn::GatherIndex(i_, t_.pool, hn::ShiftRight<1>(place)));
+        const auto isOdd = hn::Ne(hn::And(place, hn::Set(i_, 1)), hn::Zero(i_));
+        const UintV value = hn::IfThenElse(hn::RebindMask(u_, isOdd), hn::ShiftRight<16>(pair),
+                                           hn::And(pair, hn::Set(u_, 0xffffu)));
+        return hn::ConvertTo(f_, hn::IfThenElse(single, payload, hn::BitCast(i_, value)));
+    }
+
+    // The index of the four words for a brick, in a layer of blocks.
+    HWY_INLINE IntV wordsOf(IntV brickX, IntV brickY, IntV layer) const {
+        const IntV row = hn::Add(hn::Mul(layer, hn::Set(i_, t_.grid.y)), brickY);
+        return hn::ShiftLeft<2>(hn::Add(hn::Mul(row, hn::Set(i_, t_.grid.x)), brickX));
+    }
+
+    // The voxel centre below a coordinate, and where the coordinate lies between it and the next: in idle
+    // lanes any.
+    struct Between {
+        IntV low, high;
+        FloatV part;
+    };
+    HWY_INLINE Between between(FloatMask of, FloatV coordinate, int count) const {
+        const FloatV last = hn::Set(f_, float(count - 1));
+        const FloatV q =
+            hn::Clamp(hn::IfThenElseZero(of, hn::Sub(coordinate, hn::Set(f_, 0.5f))), hn::Zero(f_), last);
+        const IntV low = hn::ConvertTo(i_, q);
+        return {low, hn::Min(hn::Add(low, hn::Set(i_, 1)), hn::Set(i_, count - 1)),
+                hn::Sub(q, hn::ConvertTo(f_, low))};
+    }
+
+    // fetchCorners() of shaders/trace/host.glsl and trilinearEntry() of medium.glsl.
+    HWY_INLINE FloatV trilinearEntry(FloatMask of, FloatV px, FloatV py, FloatV pz) const {
+        const IntV one = hn::Set(i_, 1);
+        const IntV seven = hn::Set(i_, 7);
+        const Between x = between(of, px, t_.size.x);
+        const Between y = between(of, py, t_.size.y);
+        const Between z = between(of, pz, t_.size.z);
+        const IntV brickX = hn::ShiftRight<3>(hn::Add(x.low, one));
+        const IntV brickY = hn::ShiftRight<3>(hn::Add(y.low, one));
+        const IntV xLow = hn::And(x.low, seven);
+        const IntV yLow = hn::And(y.low, seven);
+        const IntV xHigh = hn::And(x.high, seven);
+        const IntV yHigh = hn::And(y.high, seven);
+        // A low corner may lie in the block before the brick's own.
+        const IntV column = hn::IfThenZeroElse(hn::Eq(xLow, seven), one);
+        const IntV row = hn::IfThenZeroElse(hn::Eq(yLow, seven), hn::Set(i_, 2));
+        const auto layer = [&](IntV atZ) HWY_ATTR {
+            const IntV first = wordsOf(brickX, brickY, hn::ShiftRight<3>(atZ));
+            const IntV zIn = hn::And(atZ, seven);
+            const IntV lowRow = hn::Add(first, row);
+            const IntV highRow = hn::Add(first, hn::Set(i_, 2));
+            const auto word = [&](IntV at) HWY_ATTR { return hn::GatherIndex(i_, t_.words, at); };
+            const FloatV a = valueIn(word(hn::Add(lowRow, column)), xLow, yLow, zIn);
+            const FloatV b = valueIn(word(hn::Add(lowRow, one)), xHigh, yLow, zIn);
+            const FloatV c = valueIn(word(hn::Add(highRow, column)), xLow, yHigh, zIn);
+            const FloatV d = valueIn(word(hn::Add(highRow, one)), xHigh, yHigh, zIn);
+            return mixed(mixed(a, b, x.part), mixed(c, d, x.part), y.part);
+        };
+        return mixed(layer(z.low), layer(z.high), z.part);
+    }
+
+    // stochasticEntry() of medium.glsl.
+    HWY_INLINE FloatV stochasticEntry(FloatMask of, FloatV px, FloatV py, FloatV pz) {
+        const UintV bits = randomBits(of);
+        const FloatV half = hn::Set(f_, 0.5f);
+        const auto voxel = [&](FloatV p, UintV drawn, float scale, int count) HWY_ATTR {
+            const FloatV moved =
+                hn::MulAdd(hn::Add(floatOf(drawn), half), hn::Set(f_, scale), hn::Sub(p, half));
+            const FloatV low = hn::Floor(hn::IfThenElseZero(of, moved));
+            return hn::ConvertTo(i_, hn::Clamp(low, hn::Zero(f_), hn::Set(f_, float(count - 1))));
+        };
+        const UintV eleven = hn::Set(u_, 2047u);
+        const IntV x = voxel(px, hn::And(bits, eleven), 1.0f / 2048.0f, t_.size.x);
+        const IntV y = voxel(py, hn::And(hn::ShiftRight<11>(bits), eleven), 1.0f / 2048.0f, t_.size.y);
+        const IntV z = voxel(pz, hn::ShiftRight<22>(bits), 1.0f / 1024.0f, t_.size.z);
+        const IntV first = wordsOf(hn::ShiftRight<3>(x), hn::ShiftRight<3>(y), hn::ShiftRight<3>(z));
+        const IntV seven = hn::Set(i_, 7);
+        return valueIn(hn::GatherIndex(i_, t_.words, hn::Add(first, hn::Set(i_, 3))), hn::And(x, seven),
+                       hn::And(y, seven), hn::And(z, seven));
+    }
+
+    // The rest of collide() in path.glsl, where matter collides with this probability.
+    HWY_INLINE void attenuate(FloatMask met, FloatV real) {
+        const FloatV zero = hn::Zero(f_);
+        const FloatV one = hn::Set(f_, 1.0f);
+        const FloatV below = hn::Set(f_, NativeHost::kRouletteBelow);
+        const auto above = hn::And(met, hn::Gt(real, hn::Set(f_, NativeHost::kRoundedBound)));
+        if (!hn::AllFalse(f_, above)) {
+            const IntV count = hn::Load(i_, s_.aboveBound + at_);
+            hn::BlendedStore(hn::Add(count, hn::Set(i_, 1)), asInts(above), i_, s_.aboveBound + at_);
+        }
+        real = hn::Min(real, one);
+        const FloatV chance = random01(met);
+        const FloatV before = hn::Load(f_, s_.transmittance + at_);
+        FloatV through = hn::Mul(before, hn::Sub(one, real));
+        const FloatV survives = hn::IfThenElseZero(hn::Lt(hn::Mul(chance, below), through), below);
+        through = hn::IfThenElse(hn::Lt(through, below), survives, through);
+        const FloatV ofFlight = hn::IfThenZeroElse(hn::Lt(chance, real), one);
+        const auto shadow = asFloats(hn::Ne(hn::Load(i_, s_.isShadow + at_), hn::Zero(i_)));
+        const FloatV after = hn::IfThenElse(shadow, through, ofFlight);
+        hn::BlendedStore(after, met, f_, s_.transmittance + at_);
+
+        const auto ends = hn::And(met, hn::Eq(after, zero));
+        state_ = hn::IfThenElse(asInts(met), hn::Set(i_, kNewRay), state_);
+        state_ = hn::IfThenElse(asInts(ends), hn::Set(i_, kEnded), state_);
+        tighten(met);
+    }
+
+    // After a stride of collisions, majorants become tight.
+    HWY_INLINE void tighten(FloatMask met) {
+        const IntV count = hn::Add(hn::Load(i_, s_.collisions + at_), hn::Set(i_, 1));
+        hn::BlendedStore(count, asInts(met), i_, s_.collisions + at_);
+        const auto strides = hn::And(met, asFloats(hn::Eq(count, hn::Set(i_, NativeHost::kStride))));
+        majorant_ = hn::IfThenElse(strides, hn::Div(majorant_, looseness_), majorant_);
+        looseness_ = hn::IfThenElse(strides, hn::Set(f_, 1.0f), looseness_);
+    }
+
+    static constexpr Floats f_{};
+    static constexpr Ints i_{};
+    static constexpr Uints u_{};
+
+    Flights& s_;
+    const FlightTables& t_;
+    std::size_t at_;
+    IntV state_;
+    FloatV distance_, end_, segmentEnd_, majorant_, looseness_, depth_;
+    UintV counter_;
+    V3 cell_, origin_, direction_, inverse_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace macula::trace
+HWY_AFTER_NAMESPACE();
+
+#endif
