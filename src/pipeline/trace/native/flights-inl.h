@@ -97,6 +97,12 @@ HWY_INLINE UintV mixedBits(Uints u, UintV h, UintV key) {
     return hn::Xor(h, hn::ShiftRight<15>(h));
 }
 
+// Whether no lane of a vector has a ray.
+HWY_INLINE bool isIdle(const Flights& flights, std::size_t first) {
+    const Ints i;
+    return hn::AllTrue(i, hn::Eq(hn::Load(i, flights.state + first), hn::Set(i, kIdle)));
+}
+
 // The lanes of one vector during a round.
 class Round {
   public:

@@ -108,6 +108,7 @@ class PathWorker {
     // Moves the rays of a vector, and collides them when enough of them have come to a collision. Returns the
     // lanes whose ray has ended.
     std::uint32_t advance(std::size_t first) {
+        if (isIdle(flights_, first)) return 0;
         Round round(flights_, tables_, first);
         round.drawDepths();
         for (int i = 0; i < kMoves && round.anyMoving(); ++i) round.move();
