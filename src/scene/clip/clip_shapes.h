@@ -73,7 +73,8 @@ class ShownShape {
 
     // Whether it bounds keptBox, whose faces are one part of a clip together.
     virtual bool isFace() const { return false; }
-    // What a person is told besides the faces: "A ball is removed."
+    // What a person is told besides the faces: "A ball is removed." Empty for a face, and for planes, which are
+    // counted.
     virtual Text remark() const { return {}; }
 
     // Contours that wind around what it removes of a slice, as removedContours.
