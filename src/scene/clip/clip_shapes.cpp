@@ -34,19 +34,25 @@ std::vector<ShownShapePtr> shownShapes(const Clip& clipMm) {
     return shapes;
 }
 
-std::vector<PanelTool> panelTools() {
-    std::vector<PanelTool> tools;
-    for (const ShownShapePtr& shape : oneOfEach())
-        if (auto tool = shape->panelTool()) tools.push_back(*std::move(tool));
-    return tools;
+const std::vector<PanelTool>& panelTools() {
+    static const std::vector<PanelTool> all = [] {
+        std::vector<PanelTool> tools;
+        for (const ShownShapePtr& shape : oneOfEach())
+            if (auto tool = shape->panelTool()) tools.push_back(*std::move(tool));
+        return tools;
+    }();
+    return all;
 }
 
-std::vector<HandTool> handTools() {
-    std::vector<HandTool> tools;
-    for (const ShownShapePtr& shape : oneOfEach())
-        if (auto tool = shape->handTool()) tools.push_back(*std::move(tool));
-    std::ranges::stable_sort(tools, {}, &HandTool::place);
-    return tools;
+const std::vector<HandTool>& handTools() {
+    static const std::vector<HandTool> all = [] {
+        std::vector<HandTool> tools;
+        for (const ShownShapePtr& shape : oneOfEach())
+            if (auto tool = shape->handTool()) tools.push_back(*std::move(tool));
+        std::ranges::stable_sort(tools, {}, &HandTool::place);
+        return tools;
+    }();
+    return all;
 }
 
 }  // namespace macula::scene

@@ -73,8 +73,8 @@ class ShownShape {
 
     // Whether it bounds keptBox, whose faces are one part of a clip together.
     virtual bool isFace() const { return false; }
-    // What a person is told besides the faces: "A ball is removed." Empty for a face, and for planes, which are
-    // counted.
+    // What a person is told besides the faces: "A ball is removed." Empty for a face, and for planes, which
+    // are counted.
     virtual Text remark() const { return {}; }
 
     // Contours that wind around what it removes of a slice, as removedContours.
@@ -108,7 +108,7 @@ ShownShapePtr shown(const Ball& ball, Keep keep, std::size_t number);
 std::vector<ShownShapePtr> shownShapes(const Clip& clipMm);
 
 // Of all shapes that a clip can have.
-std::vector<PanelTool> panelTools();
-std::vector<HandTool> handTools();
+const std::vector<PanelTool>& panelTools();
+const std::vector<HandTool>& handTools();
 
 }  // namespace macula::scene

@@ -152,11 +152,10 @@ QWidget* ClipPanel::makeCuts() {
     crosshair_->setToolTip(tr("Where the cross-hair is, in mm of the patient (LPS)"));
     grid->addWidget(crosshair_, 0, 0, 1, 2);
     for (const scene::Face side : scene::kFaces) {
-        QPushButton* button =
-            addTool(capital(tr("remove %1 side").arg(sideText(side))),
-                    QStringLiteral("clip-cut-") + latin(nameOf(side)),
-                    tr("Removes all that lies %1 of the cross-hair").arg(sideText(side)),
-                    [this, side] { return removedSide(side); });
+        QPushButton* button = addTool(capital(tr("remove %1 side").arg(sideText(side))),
+                                      QStringLiteral("clip-cut-") + latin(nameOf(side)),
+                                      tr("Removes all that lies %1 of the cross-hair").arg(sideText(side)),
+                                      [this, side] { return removedSide(side); });
         grid->addWidget(button, 1 + scene::axisOf(side), scene::isHigh(side) ? 1 : 0);
     }
     return group;
@@ -199,14 +198,14 @@ QWidget* ClipPanel::makeSizes() {
     form->addRow(tr("Slab"), orientations_);
     form->addRow(thickness_, slab);
     std::vector<QWidget*> order{orientations_, thickness_, slab};
-    for (scene::PanelTool& tool : scene::panelTools()) {
+    for (const scene::PanelTool& tool : scene::panelTools()) {
         QDoubleSpinBox* size =
             makeMmBox(inWindowsLanguage(tool.size), inWindowsLanguage(tool.whatSizeIs), tool.firstMm);
         size->setObjectName(QStringLiteral("clip-") + latin(tool.sizeKey));
         QPushButton* button = addShapeTool(tool, *size);
         form->addRow(size, button);
         order.insert(order.end(), {size, button});
-        shapes_.push_back({.tool = std::move(tool), .size = size});
+        shapes_.push_back({.tool = tool, .size = size});
     }
     form->addRow(corners_, corner);
     order.insert(order.end(), {corners_, corner});
