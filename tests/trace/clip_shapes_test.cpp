@@ -67,8 +67,8 @@ TEST(ClipShapes, ContainAllOrNothingOfABoxOnlyWhereTheyContainSoManyOfItsPoints)
         const Box brick{low, low + 4.0};
         BoxCorners corners = cornersOf(brick);
         for (glm::dvec3& corner : corners) corner = transformPoint(kOblique, corner);
-        const bool all = shape.containsAll(corners);
-        const bool none = shape.containsNone(corners);
+        const bool all = containsAll(shape, corners);
+        const bool none = containsNone(shape, corners);
         EXPECT_FALSE(all && none);
         found[std::string(shape.kKey) + (all ? " all" : none ? " none" : " some")] += 1;
         const Clip clip = clipOf(shape, keep);
@@ -76,7 +76,7 @@ TEST(ClipShapes, ContainAllOrNothingOfABoxOnlyWhereTheyContainSoManyOfItsPoints)
         EXPECT_EQ(removesNothing(clip, kOblique, brick), keep == Keep::inside ? all : none);
         for (int i = 0; i < 200; ++i) {
             const glm::dvec3 point = transformPoint(kOblique, chance.inBox(brick));
-            const bool isInside = shape.contains(point);
+            const bool isInside = contains(shape, point);
             ASSERT_EQ(shows(clip, point), isInside == (keep == Keep::inside));
             ASSERT_FALSE(all && !isInside);
             ASSERT_FALSE(none && isInside);
@@ -155,7 +155,7 @@ TEST(ClipShapes, SpansOfRaysAreWhereTheirPointsAre) {
             const glm::dvec3 voxel = transformPoint(voxelFromWorld, point) + 0.5;
             const bool isInVolume = glm::all(glm::greaterThanEqual(voxel, glm::dvec3(0.0))) &&
                                     glm::all(glm::lessThanEqual(voxel, glm::dvec3(kSize)));
-            shown += isInVolume && shape.contains(point) == (keep == Keep::inside) ? 1 : 0;
+            shown += isInVolume && contains(shape, point) == (keep == Keep::inside) ? 1 : 0;
         }
         const double exact = std::exp(-kPerMm * kFar * shown / kSteps);
         const auto moments =

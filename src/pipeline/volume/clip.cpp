@@ -48,7 +48,7 @@ bool removesAll(const Clip& clip, const glm::dmat4& worldFromFrame, const Box& b
     bool isRemoved = false;
     forEachShape(clip, [&](const ClipShape auto& shape, Keep keep) {
         isRemoved =
-            isRemoved || (keep == Keep::inside ? shape.containsNone(corners) : shape.containsAll(corners));
+            isRemoved || (keep == Keep::inside ? containsNone(shape, corners) : containsAll(shape, corners));
     });
     return isRemoved;
 }
@@ -57,7 +57,8 @@ bool removesNothing(const Clip& clip, const glm::dmat4& worldFromFrame, const Bo
     const BoxCorners corners = cornersInWorld(worldFromFrame, boxInFrame);
     bool isKept = true;
     forEachShape(clip, [&](const ClipShape auto& shape, Keep keep) {
-        isKept = isKept && (keep == Keep::inside ? shape.containsAll(corners) : shape.containsNone(corners));
+        isKept =
+            isKept && (keep == Keep::inside ? containsAll(shape, corners) : containsNone(shape, corners));
     });
     return isKept;
 }
@@ -65,7 +66,7 @@ bool removesNothing(const Clip& clip, const glm::dmat4& worldFromFrame, const Bo
 bool shows(const Clip& clip, const glm::dvec3& pointMm) {
     bool isShown = true;
     forEachShape(clip, [&](const ClipShape auto& shape, Keep keep) {
-        isShown = isShown && shape.contains(pointMm) == (keep == Keep::inside);
+        isShown = isShown && contains(shape, pointMm) == (keep == Keep::inside);
     });
     return isShown;
 }

@@ -1,6 +1,7 @@
 // Which part of a volume is shown. World frame: patient LPS, mm.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstdint>
@@ -26,16 +27,11 @@ using BoxCorners = std::array<glm::dvec3, 8>;
 // A shape of a clip. kKey names it in JSON and in digests; kHasKeep says whether a person chooses what is
 // kept, its inside or its outside. Each has a line in forEachPart below, and its functions in clip_shapes/.
 template <class T>
-concept ClipShape = std::equality_comparable<T> &&
-    requires(const T& shape, const glm::dvec3& pointMm, const BoxCorners& corners) {
+concept ClipShape = std::equality_comparable<T> && requires(const T& shape) {
     { T::kKey } -> std::convertible_to<std::string_view>;
     { T::kHasKeep } -> std::convertible_to<bool>;
     { shape.numbers() } -> std::same_as<std::vector<double>>;  // all that it is made of
     { shape.check() } -> std::same_as<Result<void>>;           // as validate does
-    { shape.contains(pointMm) } -> std::same_as<bool>;         // its border too
-    // Of a box in any frame, by its corners in the world. Conservative: may be false although they do.
-    { shape.containsAll(corners) } -> std::same_as<bool>;
-    { shape.containsNone(corners) } -> std::same_as<bool>;
 };
 
 // Also a shape of which a clip has one. In a preset its numbers are fractions of a volume's box.
@@ -59,9 +55,6 @@ struct OrientedBox {
 
     std::vector<double> numbers() const;
     Result<void> check() const;
-    bool contains(const glm::dvec3& pointMm) const;
-    bool containsAll(const BoxCorners& corners) const;
-    bool containsNone(const BoxCorners& corners) const;
     void toMm(const Box& volume);
     void toFractions(const Box& volume);
     static OrientedBox read(const JsonNode& node);
@@ -81,8 +74,6 @@ struct HalfSpace {
     std::vector<double> numbers() const;
     Result<void> check() const;
     bool contains(const glm::dvec3& pointMm) const { return glm::dot(normal, pointMm) >= offsetMm; }
-    bool containsAll(const BoxCorners& corners) const;
-    bool containsNone(const BoxCorners& corners) const;
 };
 
 // One of the eight octants around a point, in the direction `towards`, whose components are 1 or -1 (L, P and
@@ -98,9 +89,6 @@ struct Octant {
 
     std::vector<double> numbers() const;
     Result<void> check() const;
-    bool contains(const glm::dvec3& pointMm) const;
-    bool containsAll(const BoxCorners& corners) const;
-    bool containsNone(const BoxCorners& corners) const;
     void toMm(const Box& volume);
     void toFractions(const Box& volume);
     static Octant read(const JsonNode& node);
@@ -118,14 +106,42 @@ struct Ball {
 
     std::vector<double> numbers() const;
     Result<void> check() const;
-    bool contains(const glm::dvec3& pointMm) const;
-    bool containsAll(const BoxCorners& corners) const;
-    bool containsNone(const BoxCorners& corners) const;
     void toMm(const Box& volume);
     void toFractions(const Box& volume);
     static Ball read(const JsonNode& node);
     nlohmann::ordered_json json() const;
 };
+
+// The half-spaces whose intersection is the shape.
+std::array<HalfSpace, 6> sidesOf(const OrientedBox& box);
+std::array<HalfSpace, 3> sidesOf(const Octant& octant);
+inline std::array<HalfSpace, 1> sidesOf(const HalfSpace& plane) {
+    return {plane};
+}
+
+// A shape contains its border too. Of a box in any frame, by its corners in the world, it contains all or
+// nothing; conservative: either may be false although it does.
+bool contains(const Ball& ball, const glm::dvec3& pointMm);
+bool containsAll(const Ball& ball, const BoxCorners& corners);
+bool containsNone(const Ball& ball, const BoxCorners& corners);
+
+template <class Shape>
+concept HasSides = requires(const Shape& shape) {
+    sidesOf(shape);
+};
+bool contains(const HasSides auto& shape, const glm::dvec3& pointMm) {
+    return std::ranges::all_of(sidesOf(shape), [&](const HalfSpace& side) { return side.contains(pointMm); });
+}
+bool containsAll(const HasSides auto& shape, const BoxCorners& corners) {
+    return std::ranges::all_of(corners, [&, sides = sidesOf(shape)](const glm::dvec3& corner) {
+        return std::ranges::all_of(sides, [&](const HalfSpace& side) { return side.contains(corner); });
+    });
+}
+bool containsNone(const HasSides auto& shape, const BoxCorners& corners) {
+    return std::ranges::any_of(sidesOf(shape), [&](const HalfSpace& side) {  // all corners are beyond one
+        return std::ranges::none_of(corners, [&](const glm::dvec3& corner) { return side.contains(corner); });
+    });
+}
 
 struct MaskBits;
 
@@ -190,10 +206,6 @@ void forEachShape(AnyClip& clip, const Visit& visit) {
         }
     });
 }
-
-// The half-spaces whose intersection is the box, or the octant.
-std::array<HalfSpace, 6> sidesOf(const OrientedBox& box);
-std::array<HalfSpace, 3> sidesOf(const Octant& octant);
 
 // Fails with usage if a number is not finite, a size is not positive, axes are not orthonormal to 1e-6, or
 // there are too many planes.

@@ -1,4 +1,4 @@
-// What the shapes of a clip share: their errors, those that planes bound, and their points in JSON.
+// What the shapes of a clip share: their errors, and their points in JSON and in a volume.
 #pragma once
 
 #include <algorithm>
@@ -16,21 +16,6 @@ namespace macula {
 
 inline Error clipNotUsable(const Text& what, Text hint) {
     return {ErrorCode::usage, Text("The clip is not usable: {}.", what), {}, std::move(hint)};
-}
-
-template <class Sides>
-bool isInsideAll(const Sides& sides, const glm::dvec3& pointMm) {
-    return std::ranges::all_of(sides, [&](const HalfSpace& side) { return side.contains(pointMm); });
-}
-// A convex region contains a box that has all corners in it.
-template <class Sides>
-bool areInsideAll(const Sides& sides, const BoxCorners& corners) {
-    return std::ranges::all_of(corners, [&](const glm::dvec3& p) { return isInsideAll(sides, p); });
-}
-// It contains nothing of a box whose corners all lie beyond one of its sides.
-template <class Sides>
-bool areBeyondOne(const Sides& sides, const BoxCorners& corners) {
-    return std::ranges::any_of(sides, [&](const HalfSpace& side) { return side.containsNone(corners); });
 }
 
 inline std::vector<double> numbersOf(std::initializer_list<glm::dvec3> vectors) {

@@ -24,6 +24,10 @@ std::vector<glm::dvec3> ShownShape::dots(const PictureRays&, const Box&) const {
     return {};
 }
 
+bool ShownShape::has(const ClipHandle& handle) const {
+    return std::ranges::count(handles(Box{}), handle, &PlacedHandle::handle) > 0;
+}
+
 std::vector<ShownShapePtr> shownShapes(const Clip& clipMm) {
     std::vector<ShownShapePtr> shapes;
     std::size_t planes = 0;

@@ -87,7 +87,7 @@ class ShownShape {
 
     virtual std::vector<PlacedHandle> handles(const Box& volumeMm) const = 0;
     virtual void addHandles(HandlesOnSlice& slice) const = 0;
-    virtual bool has(const ClipHandle& handle) const = 0;
+    bool has(const ClipHandle& handle) const;
     // Of a clip with this shape, as scene::withHandleAt and turnedInsideOut.
     virtual Result<OptionalClip> withHandleAt(const OptionalClip& clip, const ClipHandle& handle,
                                               const glm::dvec3& mm, const Volume& volume) const = 0;

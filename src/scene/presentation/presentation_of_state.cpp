@@ -125,26 +125,6 @@ dicom::CroppingPlane croppingOf(const HalfSpace& kept) {
     return {.outward = -kept.normal, .offsetMm = -kept.offsetMm};
 }
 
-// Whether others can crop to the shape: they know planes, and boxes that are kept.
-bool sayShape(dicom::Cropping&, const ClipShape auto&, Keep, bool) {
-    return false;
-}
-
-bool sayShape(dicom::Cropping& cropping, const HalfSpace& plane, Keep, bool) {
-    cropping.planes.push_back(croppingOf(plane));
-    return true;
-}
-
-bool sayShape(dicom::Cropping& cropping, const OrientedBox& box, Keep keep, bool areVoxelsAlongPatient) {
-    if (keep == Keep::outside) return false;
-    if (box.axes == glm::dmat3(1.0) && areVoxelsAlongPatient) {
-        cropping.boxes.push_back({box.centreMm - box.halfSizeMm, box.centreMm + box.halfSizeMm});
-    } else {
-        for (const HalfSpace& side : sidesOf(box)) cropping.planes.push_back(croppingOf(side));
-    }
-    return true;
-}
-
 void sayClip(SaidState& said, const StudyState& state, const Volume& volume) {
     dicom::Cropping& cropping = said.presentation.cropping;
     if (state.leavesTableOut) said.leftOut.push_back(Text("Others show the table, which is left out here."));
@@ -157,9 +137,19 @@ void sayClip(SaidState& said, const StudyState& state, const Volume& volume) {
     if (!state.cuts.scissors.empty())
         said.leftOut.push_back(Text("Others show what is cut off with scissors here."));
     const Clip clip = clipFor(state.clip, state.cuts, volume);
+    if (clip.box && clip.ofBox == Keep::inside) {
+        if (clip.box->axes == glm::dmat3(1.0) && isAlongPatient(volume)) {
+            cropping.boxes.push_back(
+                {clip.box->centreMm - clip.box->halfSizeMm, clip.box->centreMm + clip.box->halfSizeMm});
+        } else {
+            for (const HalfSpace& side : sidesOf(*clip.box)) cropping.planes.push_back(croppingOf(side));
+        }
+    }
+    for (const HalfSpace& plane : clip.planes) cropping.planes.push_back(croppingOf(plane));
     bool isCutOut = false;
     forEachShape(clip, [&](const ClipShape auto& shape, Keep keep) {
-        isCutOut = !sayShape(cropping, shape, keep, isAlongPatient(volume)) || isCutOut;
+        const bool canBeSaid = shape.kKey == OrientedBox::kKey || shape.kKey == HalfSpace::kKey;
+        isCutOut = isCutOut || !canBeSaid || keep == Keep::outside;
     });
     if (isCutOut) said.leftOut.push_back(Text("Others show boxes, corners and balls that are cut out here."));
     if (clip.removedCastsShadow || clip.greyFaces)

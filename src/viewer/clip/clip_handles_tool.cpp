@@ -3,14 +3,14 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/clip/clip_dots.h"
+#include "scene/clip/clip_outline.h"
 #include "viewer/slices/clip_on_slice.h"
 
 namespace macula::viewer {
 
 namespace {
 
-constexpr double kHitPx = 10.0;  // logical
+constexpr double kHitPx = 10.0;        // logical
 constexpr double kTowardsEye = 0.995;  // cosine: a handle cannot be dragged along a line seen nearly end-on
 
 void addDots(std::vector<ToolMark>& marks, const scene::PictureRays& rays,
@@ -63,8 +63,7 @@ std::optional<glm::dvec3> ClipHandlesTool::draggedTo(const scene::PlacedHandle& 
     const auto rays = scene::PictureRays::of(place.picture.camera, place.picture.aspect);
     if (!rays) return std::nullopt;
     const scene::PictureRay ray = rays->through(place.at);
-    if (movesAnywhere(handle) || handle.aroundMm)
-        return scene::meets(ray, handle.atMm, rays->axes().forward);
+    if (movesAnywhere(handle) || handle.aroundMm) return scene::meets(ray, handle.atMm, rays->axes().forward);
     const auto by = scene::nearestOnLine(ray, handle.atMm, handle.along);
     if (!by) return std::nullopt;
     return handle.atMm + *by * handle.along;

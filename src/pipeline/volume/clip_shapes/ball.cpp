@@ -23,22 +23,22 @@ Result<void> Ball::check() const {
     return {};
 }
 
-bool Ball::contains(const glm::dvec3& pointMm) const {
-    return glm::length(pointMm - centreMm) <= radiusMm;
+bool contains(const Ball& ball, const glm::dvec3& pointMm) {
+    return glm::length(pointMm - ball.centreMm) <= ball.radiusMm;
 }
 
-bool Ball::containsAll(const BoxCorners& corners) const {
-    return std::ranges::all_of(corners,
-                               [&](const glm::dvec3& p) { return glm::length(p - centreMm) < radiusMm; });
+bool containsAll(const Ball& ball, const BoxCorners& corners) {
+    return std::ranges::all_of(
+        corners, [&](const glm::dvec3& p) { return glm::length(p - ball.centreMm) < ball.radiusMm; });
 }
 
 // No point of a box is nearer than its centre, minus half its diagonal.
-bool Ball::containsNone(const BoxCorners& corners) const {
+bool containsNone(const Ball& ball, const BoxCorners& corners) {
     glm::dvec3 centre(0.0);
     for (const glm::dvec3& p : corners) centre += p / double(corners.size());
     double reach = 0.0;
     for (const glm::dvec3& p : corners) reach = std::max(reach, glm::length(p - centre));
-    return glm::length(centre - centreMm) - reach > radiusMm;
+    return glm::length(centre - ball.centreMm) - reach > ball.radiusMm;
 }
 
 void Ball::toMm(const Box& volume) {

@@ -15,12 +15,4 @@ Result<void> HalfSpace::check() const {
     return {};
 }
 
-bool HalfSpace::containsAll(const BoxCorners& corners) const {
-    return std::ranges::all_of(corners, [&](const glm::dvec3& p) { return contains(p); });
-}
-
-bool HalfSpace::containsNone(const BoxCorners& corners) const {
-    return std::ranges::none_of(corners, [&](const glm::dvec3& p) { return contains(p); });
-}
-
 }  // namespace macula

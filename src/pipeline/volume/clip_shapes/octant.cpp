@@ -25,18 +25,6 @@ Result<void> Octant::check() const {
     return {};
 }
 
-bool Octant::contains(const glm::dvec3& point) const {
-    return isInsideAll(sidesOf(*this), point);
-}
-
-bool Octant::containsAll(const BoxCorners& corners) const {
-    return areInsideAll(sidesOf(*this), corners);
-}
-
-bool Octant::containsNone(const BoxCorners& corners) const {
-    return areBeyondOne(sidesOf(*this), corners);
-}
-
 void Octant::toMm(const Box& volume) {
     pointMm = mmOfFraction(pointMm, volume);
 }

@@ -66,18 +66,6 @@ Result<void> OrientedBox::check() const {
     return {};
 }
 
-bool OrientedBox::contains(const glm::dvec3& pointMm) const {
-    return isInsideAll(sidesOf(*this), pointMm);
-}
-
-bool OrientedBox::containsAll(const BoxCorners& corners) const {
-    return areInsideAll(sidesOf(*this), corners);
-}
-
-bool OrientedBox::containsNone(const BoxCorners& corners) const {
-    return areBeyondOne(sidesOf(*this), corners);
-}
-
 void OrientedBox::toMm(const Box& volume) {
     centreMm = mmOfFraction(centreMm, volume);
     halfSizeMm *= volume.high - volume.low;

@@ -110,9 +110,6 @@ class ShownBall : public ShownShape {
         slice.addPoint({.kind = Kind::ballCentre}, centre, glm::dvec3(0.0));
         slice.addPoint({.kind = Kind::ballRadius}, centre + radiusMm * plane.right, plane.right);
     }
-    bool has(const ClipHandle& handle) const override {
-        return handle.kind == Kind::ballCentre || handle.kind == Kind::ballRadius;
-    }
     Result<OptionalClip> withHandleAt(const OptionalClip& clip, const ClipHandle& handle,
                                       const glm::dvec3& mm, const Volume& volume) const override {
         if (handle.kind == Kind::ballCentre) return withBallAt(clip, mm, ball_.radiusMm, volume);

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/is_finite.h"
-#include "scene/clip/clip_dots.h"
+#include "scene/clip/clip_outline.h"
 #include "scene/clip/edit_steps.h"
 #include "scene/clip/edited_clip.h"
 #include "scene/clip/handles_on_slice.h"
@@ -66,9 +66,6 @@ class ShownPlane : public ShownShape {
     }
     void addHandles(HandlesOnSlice& slice) const override {
         if (!isFace()) slice.addPlane(handle(), plane_);
-    }
-    bool has(const ClipHandle& other) const override {
-        return other.kind == handle().kind && other.plane == number_;
     }
     Result<OptionalClip> withHandleAt(const OptionalClip& clip, const ClipHandle&, const glm::dvec3& mm,
                                       const Volume& volume) const override {

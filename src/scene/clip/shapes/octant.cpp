@@ -72,7 +72,6 @@ class ShownCorner : public ShownShape {
         });
         if (meets) slice.addPoint({.kind = ClipHandle::Kind::corner}, at, glm::dvec3(0.0));
     }
-    bool has(const ClipHandle& handle) const override { return handle.kind == ClipHandle::Kind::corner; }
     Result<OptionalClip> withHandleAt(const OptionalClip& clip, const ClipHandle&, const glm::dvec3& mm,
                                       const Volume& volume) const override {
         return withCornerAt(clip, mm, volume);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/clip/clip_dots.h"
+#include "scene/clip/clip_outline.h"
 #include "scene/clip/edit_steps.h"
 #include "scene/clip/edited_clip.h"
 #include "scene/clip/handles_on_slice.h"
@@ -55,7 +55,6 @@ class ShownBox : public ShownShape {
     void addHandles(HandlesOnSlice& slice) const override {
         if (hasFaces()) slice.addFaces(ClipHandle::Kind::removedFace, common(corners(), slice.volumeMm()));
     }
-    bool has(const ClipHandle& handle) const override { return handle.kind == ClipHandle::Kind::removedFace; }
     Result<OptionalClip> withHandleAt(const OptionalClip& clip, const ClipHandle& handle,
                                       const glm::dvec3& mm, const Volume& volume) const override {
         return withRemovedFace(clip, handle.face, mm[axisOf(handle.face)], volume);
