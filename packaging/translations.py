@@ -36,7 +36,7 @@ TABLES = [
     ("titles", "src/scene/slices/window_presets.cpp", r"\.name = (L)"),
     ("titles", "src/scene/camera/view_directions.cpp", r"\{(L), ViewDirection::(?!oblique|threeQuarter|turned)"),
     ("titles", "src/scene/lights/edited_rig.h", r"kOwnLightsTitle = (L)"),
-    ("titles", "src/scene/clip/edited_clip.cpp", r"\.title = (L)"),
+    ("titles", "src/scene/clip/edit_steps.cpp", r"\.title = (L)"),
     ("titles", "src/scene/clip/clip_of_shape.cpp", r"\.title = (L)"),
     ("titles", "src/scene/presentation/*.cpp", r"\.title = (L)"),
     ("titles", "src/viewer/language/window_language.cpp", r"titleOf\((L)\)"),

@@ -21,8 +21,8 @@ struct BrickWalk {
     float segmentEndMm;  // where the current segment ends
     float majorant;      // of the current segment, per mm
     float looseness;     // factor on the brick's majorant, at least 1
-    vec3 cutFrom;        // intervals of the ray that the clip removes, see clip.glsl
-    vec3 cutTo;
+    CUTS cutFrom;        // intervals of the ray that the clip removes, see clip.glsl
+    CUTS cutTo;
 };
 
 // Moves the walk to `distanceMm` along the ray.

@@ -21,17 +21,12 @@ bool nextPiece(INOUT(BrickWalk) walk, float least, INOUT(float) toMm, INOUT(int)
         rounds += 1;
         if (useClip()) {
             // One cut may end inside another.
-            for (int i = 0; i < 3; ++i)
+            for (int i = 0; i < walk.cutFrom.length(); ++i)
                 walk.distanceMm = max(walk.distanceMm, endOfCut(walk.cutFrom, walk.cutTo, walk.distanceMm));
         }
         if (walk.majorant > least && walk.distanceMm < walk.segmentEndMm) {
             toMm = walk.segmentEndMm;
-            if (useClip()) {
-                vec3 cut = walk.cutFrom;
-                if (cut.x < walk.cutTo.x && cut.x > walk.distanceMm) toMm = min(toMm, cut.x);
-                if (cut.y < walk.cutTo.y && cut.y > walk.distanceMm) toMm = min(toMm, cut.y);
-                if (cut.z < walk.cutTo.z && cut.z > walk.distanceMm) toMm = min(toMm, cut.z);
-            }
+            if (useClip()) toMm = nextCut(walk.cutFrom, walk.cutTo, walk.distanceMm, toMm);
             return true;
         }
         if (walk.distanceMm > walk.segmentEndMm) leap(walk, walk.distanceMm);

@@ -12,11 +12,14 @@ float safeInverse(float x) {
            (abs(x) > float(PARALLEL) ? x : (x < float(0.0) ? float(-PARALLEL) : float(PARALLEL)));
 }
 
+// A number for each shape that can be cut out: box, corner, ball.
+#define CUTS vec3
+
 struct ClipSpans {
     float from;    // the ray is shown from here
     float to;      // to here
-    vec3 cutFrom;  // except for up to three cuts that begin here
-    vec3 cutTo;    // and end here; an empty cut ends before it begins
+    CUTS cutFrom;  // except for cuts that begin here
+    CUTS cutTo;    // and end here; an empty cut ends before it begins
 };
 
 // Farther than any patient; neither its product with PARALLEL nor its square underflows or overflows.
@@ -56,14 +59,14 @@ vec2 spanOfBall(vec3 origin, vec3 direction) {
 }
 
 ClipSpans nothingClipped() {
-    return ClipSpans(float(-FAR_MM), float(FAR_MM), vec3(float(FAR_MM)), vec3(float(-FAR_MM)));
+    return ClipSpans(float(-FAR_MM), float(FAR_MM), CUTS(float(FAR_MM)), CUTS(float(-FAR_MM)));
 }
 
 ClipSpans clipSpans(vec3 origin, vec3 direction) {
     ClipSpans spans = nothingClipped();
     if (!useClip()) return spans;
     vec2 keep = spanOfPlanes(origin, direction, 0, params.clipKeepCount);
-    if (params.clipBall == kClipKeepBall) {
+    if (params.clipBall == kClipKeeps) {
         vec2 ball = spanOfBall(origin, direction);
         keep = vec2(max(keep.x, ball.x), min(keep.y, ball.y));
     }
@@ -81,7 +84,7 @@ ClipSpans clipSpans(vec3 origin, vec3 direction) {
         spans.cutFrom.y = cut.x;
         spans.cutTo.y = cut.y;
     }
-    if (params.clipBall == kClipCutBall) {
+    if (params.clipBall == kClipCuts) {
         vec2 cut = spanOfBall(origin, direction);
         spans.cutFrom.z = cut.x;
         spans.cutTo.z = cut.y;
@@ -90,12 +93,21 @@ ClipSpans clipSpans(vec3 origin, vec3 direction) {
 }
 
 // The end of the cut that contains this point; negative when none does.
-float endOfCut(vec3 cutFrom, vec3 cutTo, float atMm) {
+float endOfCut(CUTS cutFrom, CUTS cutTo, float atMm) {
     float end = float(-1.0);
     if (cutFrom.x <= atMm && atMm < cutTo.x) end = max(end, cutTo.x);
     if (cutFrom.y <= atMm && atMm < cutTo.y) end = max(end, cutTo.y);
     if (cutFrom.z <= atMm && atMm < cutTo.z) end = max(end, cutTo.z);
     return end;
+}
+
+// Where the next cut after `afterMm` begins; `toMm` if none does before it.
+float nextCut(CUTS cutFrom, CUTS cutTo, float afterMm, float toMm) {
+    float at = toMm;
+    if (cutFrom.x < cutTo.x && cutFrom.x > afterMm) at = min(at, cutFrom.x);
+    if (cutFrom.y < cutTo.y && cutFrom.y > afterMm) at = min(at, cutFrom.y);
+    if (cutFrom.z < cutTo.z && cutFrom.z > afterMm) at = min(at, cutFrom.z);
+    return at;
 }
 
 // The next face of the clip after `afterMm` at which the ray passes from a removed part into a shown one;
@@ -104,7 +116,7 @@ float nextFace(ClipSpans spans, float afterMm) {
     float face = float(FAR_MM);
     if (spans.from > afterMm && endOfCut(spans.cutFrom, spans.cutTo, spans.from) < float(0.0))
         face = spans.from;
-    vec3 to = spans.cutTo;
+    CUTS to = spans.cutTo;
     bool ofBox = spans.cutFrom.x < to.x && to.x > afterMm && to.x >= spans.from;
     bool ofCorner = spans.cutFrom.y < to.y && to.y > afterMm && to.y >= spans.from;
     bool ofBall = spans.cutFrom.z < to.z && to.z > afterMm && to.z >= spans.from;

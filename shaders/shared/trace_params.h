@@ -5,9 +5,10 @@
 MACULA_SHARED_BEGIN
 
 MACULA_SHARED_CONST int kMaxClipPlanes = 15;  // six of a box, six free ones, three of a corner
-MACULA_SHARED_CONST int kClipNoBall = 0;
-MACULA_SHARED_CONST int kClipKeepBall = 1;
-MACULA_SHARED_CONST int kClipCutBall = 2;
+// What a clip does with a shape that is not made of planes.
+MACULA_SHARED_CONST int kClipWithout = 0;  // there is none
+MACULA_SHARED_CONST int kClipKeeps = 1;
+MACULA_SHARED_CONST int kClipCuts = 2;
 
 MACULA_SHARED_CONST int kCoatSteps = 32;
 MACULA_SHARED_CONST int kCoatPlaces = kCoatSteps + 1;
@@ -57,7 +58,7 @@ MACULA_SHARED_CONST int kCastMean = 3;
     FIELD(int, clipKeepCount) /* planes */                                                                  \
     FIELD(int, clipBoxCount)                                                                                \
     FIELD(int, clipCornerCount)                                                                             \
-    FIELD(int, clipBall)    /* kClipNoBall, kClipKeepBall or kClipCutBall */                                \
+    FIELD(int, clipBall)    /* kClipWithout, kClipKeeps or kClipCuts */                                     \
     FIELD(int, clipShadows) /* 1: removed matter is hidden from the eye, but casts shadow */                \
     FIELD(int, greyFaces)   /* 1: clip faces show grey values; 2: and are black, not clear, below the       \
                                window */                                                                    \

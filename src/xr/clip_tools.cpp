@@ -1,6 +1,8 @@
 #include "xr/clip_tools.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "xr/placement.h"
 
@@ -42,67 +44,63 @@ glm::dquat turnOf(const glm::dmat4& stageFromWorld) {
 
 }  // namespace
 
+ClipTool toolAfter(ClipTool tool) {
+    const std::vector<scene::HandTool>& shapes = scene::handTools();
+    const auto now = std::ranges::find(shapes, tool.key, &scene::HandTool::key);
+    const auto next = now == shapes.end() ? shapes.begin() : std::next(now);
+    return next == shapes.end() ? ClipTool::none : ClipTool{next->key};
+}
+
+const scene::HandTool* shapeOf(ClipTool tool) {
+    const std::vector<scene::HandTool>& shapes = scene::handTools();
+    const auto found = std::ranges::find(shapes, tool.key, &scene::HandTool::key);
+    return found == shapes.end() ? nullptr : &*found;
+}
+
 std::optional<Clip> withTool(const Clip* before, ClipTool tool, const Pose& hand,
                              const glm::dmat4& stageFromWorld) {
     Clip clip = before ? *before : Clip{};
     const glm::dmat4 worldFromStage = glm::inverse(stageFromWorld);
-    const double halfMm = 1000.0 * kToolHalfM / scaleOf(stageFromWorld);
-    switch (tool) {
-        case ClipTool::none:
-            return std::nullopt;
-        case ClipTool::knife:
-            if (clip.planes.size() >= Clip::kMostPlanes) return std::nullopt;
-            clip.planes.push_back(keptBeside(hand, worldFromStage));
-            return clip;
-        case ClipTool::ball:
-            clip.ball =
-                Ball{.centreMm = transformPoint(worldFromStage, ahead(hand).positionM), .radiusMm = halfMm};
-            clip.ofBall = Keep::outside;
-            return clip;
-        case ClipTool::box:
-            clip.box = OrientedBox{.centreMm = transformPoint(worldFromStage, ahead(hand).positionM),
-                                   .axes = glm::dmat3(1.0),
-                                   .halfSizeMm = glm::dvec3(halfMm)};
-            clip.ofBox = Keep::outside;
-            return clip;
+    if (tool == ClipTool::knife) {
+        if (clip.planes.size() >= Clip::kMostPlanes) return std::nullopt;
+        clip.planes.push_back(keptBeside(hand, worldFromStage));
+        return clip;
     }
-    return std::nullopt;
+    const scene::HandTool* shape = shapeOf(tool);
+    if (shape == nullptr) return std::nullopt;
+    const double halfMm = 1000.0 * kToolHalfM / scaleOf(stageFromWorld);
+    shape->remove(clip, transformPoint(worldFromStage, ahead(hand).positionM), halfMm);
+    return clip;
 }
 
 std::vector<OutlinePart> outlineOf(ClipTool tool, const Pose& hand, const glm::dvec3& headM,
                                    const glm::dmat4& stageFromWorld) {
     const Pose middle = ahead(hand);
-    switch (tool) {
-        case ClipTool::none:
-            return {};
-        case ClipTool::knife: {
-            // Two pictures, because each is visible from one side only.
-            std::vector<OutlinePart> blade;
-            for (const bool isHigh : {false, true})
-                blade.push_back({.isRound = false,
-                                 .pose = {middle.positionM, middle.orientation * turnTo(0, isHigh)},
-                                 .sizeM = glm::dvec2(kBladeM)});
-            return blade;
-        }
-        case ClipTool::ball:
-            return {{.isRound = true,
-                     .pose = facing(middle.positionM, headM),
-                     .sizeM = glm::dvec2(2.0 * kToolHalfM)}};
-        case ClipTool::box: {
-            std::vector<OutlinePart> faces;
-            for (int axis = 0; axis < 3; ++axis) {
-                for (const bool isHigh : {false, true}) {
-                    const glm::dquat turn = turnOf(stageFromWorld) * turnTo(axis, isHigh);
-                    faces.push_back(
-                        {.isRound = false,
-                         .pose = {middle.positionM + turn * glm::dvec3(0.0, 0.0, kToolHalfM), turn},
-                         .sizeM = glm::dvec2(2.0 * kToolHalfM)});
-                }
-            }
-            return faces;
+    if (tool == ClipTool::knife) {
+        // Two pictures, because each is visible from one side only.
+        std::vector<OutlinePart> blade;
+        for (const bool isHigh : {false, true})
+            blade.push_back({.isRound = false,
+                             .pose = {middle.positionM, middle.orientation * turnTo(0, isHigh)},
+                             .sizeM = glm::dvec2(kBladeM)});
+        return blade;
+    }
+    const scene::HandTool* shape = shapeOf(tool);
+    if (shape == nullptr) return {};
+    if (shape->isRound)
+        return {{.isRound = true,
+                 .pose = facing(middle.positionM, headM),
+                 .sizeM = glm::dvec2(2.0 * kToolHalfM)}};
+    std::vector<OutlinePart> faces;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const bool isHigh : {false, true}) {
+            const glm::dquat turn = turnOf(stageFromWorld) * turnTo(axis, isHigh);
+            faces.push_back({.isRound = false,
+                             .pose = {middle.positionM + turn * glm::dvec3(0.0, 0.0, kToolHalfM), turn},
+                             .sizeM = glm::dvec2(2.0 * kToolHalfM)});
         }
     }
-    return {};
+    return faces;
 }
 
 HeldTool::Event HeldTool::follow(double seconds, const Hand& hand) {

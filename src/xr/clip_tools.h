@@ -1,4 +1,5 @@
-// The tools that a hand cuts with: a knife, a ball or a box. Knows no OpenXR.
+// The tools that a hand cuts with: a knife, or a shape that it removes (scene/clip/clip_shapes.h). Knows no
+// OpenXR.
 //
 // While the trigger is held, an outline shows in each frame what the tool would remove. Where the hand rests,
 // that part is hidden as a preview; when the trigger is released, it is removed.
@@ -7,22 +8,37 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/volume/clip.h"
+#include "scene/clip/clip_shapes.h"
 #include "xr/grasp.h"
 
 namespace macula::xr {
 
-enum class ClipTool { none, knife, ball, box };
+struct ClipTool {
+    std::string_view key;  // of a scene::HandTool, or one of these two
+
+    static const ClipTool none;
+    static const ClipTool knife;
+
+    bool operator==(const ClipTool&) const = default;
+};
+inline constexpr ClipTool ClipTool::none{};
+inline constexpr ClipTool ClipTool::knife{"knife"};
+
+// The tool that a person is offered after this one: a shape; none after the last.
+ClipTool toolAfter(ClipTool tool);
+// Null for a tool that is no shape.
+const scene::HandTool* shapeOf(ClipTool tool);
 
 // In metres of the room, whatever the scale of the anatomy: 6 cm around a point 10 cm ahead of the hand.
 inline constexpr double kToolReachM = 0.10;
 inline constexpr double kToolHalfM = 0.06;
 
-// The clip `before` with this cut added. A ball replaces the earlier ball, a box the earlier box. A box is
-// aligned with the patient's axes, however the hand is turned, because only such a box can be stored with the
-// study. Nothing for ClipTool::none, or if there is no room for another plane. `before` may be null.
+// The clip `before` with this cut added. A shape replaces the earlier one of its kind. Nothing for
+// ClipTool::none, or if there is no room for another plane. `before` may be null.
 std::optional<Clip> withTool(const Clip* before, ClipTool tool, const Pose& hand,
                              const glm::dmat4& stageFromWorld);
 
@@ -32,7 +48,7 @@ struct OutlinePart {
     Pose pose;
     glm::dvec2 sizeM{0.0};
 };
-// A ball is drawn as a ring that faces `headM`.
+// What is round is drawn as a ring that faces `headM`.
 std::vector<OutlinePart> outlineOf(ClipTool tool, const Pose& hand, const glm::dvec3& headM,
                                    const glm::dmat4& stageFromWorld);
 

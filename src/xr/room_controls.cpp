@@ -113,9 +113,7 @@ Result<void> RoomControls::press(PanelButton button, const RoomFrame& frame, con
             hasKnife_ = !hasKnife_;
             return {};
         case PanelButton::held:
-            held_ = held_ == ClipTool::none   ? ClipTool::ball
-                    : held_ == ClipTool::ball ? ClipTool::box
-                                              : ClipTool::none;
+            held_ = toolAfter(held_);
             return {};
         case PanelButton::resetClips: {
             // Keeps the mask (a hidden table, for example), which was chosen elsewhere.

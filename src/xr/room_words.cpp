@@ -26,9 +26,9 @@ const std::string& RoomWords::of(RoomQuality chosen) const {
     return chosen == RoomQuality::fine ? fine : balanced;
 }
 
-const std::string& RoomWords::of(ClipTool tool) const {
-    if (tool == ClipTool::ball) return ball;
-    return tool == ClipTool::box ? box : nothing;
+std::string RoomWords::of(ClipTool tool) const {
+    const scene::HandTool* shape = shapeOf(tool);
+    return shape != nullptr ? say(shape->name) : nothing;
 }
 
 std::string RoomWords::ofTitle(std::string_view title) const {

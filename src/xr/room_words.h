@@ -20,8 +20,6 @@ struct RoomWords {
     std::string knifeOff = "Knife: off";
     std::string hold = "Hold: %1";
     std::string nothing = "nothing";
-    std::string ball = "ball";
-    std::string box = "box";
     std::string resetClips = "Reset clips";
     std::string undo = "Undo";
     std::string takePicture = "Take picture";
@@ -47,11 +45,11 @@ struct RoomWords {
     std::string edited = "edited";              // marks a changed preset, as scene::ownCopy does
     std::map<std::string, std::string> titles;  // of built-in presets, by the English title
     char decimalSign = '.';
-    // Translates errors and notes. Called on any thread.
+    // Translates errors, notes and the names of shapes. Called on any thread.
     std::function<std::string(const Text&)> say = [](const Text& text) { return text.english(); };
 
     const std::string& of(RoomQuality chosen) const;
-    const std::string& of(ClipTool tool) const;  // of a tool other than the knife
+    std::string of(ClipTool tool) const;  // of a tool other than the knife
     std::string ofTitle(std::string_view title) const;
     std::string ofNumber(std::string number) const;  // `number` has a decimal point
 };

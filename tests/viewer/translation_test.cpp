@@ -9,6 +9,7 @@
 #include <QSet>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -21,6 +22,7 @@
 #include "dicom/messages/messages.h"
 #include "scene/choice/catalogue.h"
 #include "scene/choice/quality_choice.h"
+#include "scene/clip/clip_shapes.h"
 #include "segment/messages.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/language.h"
@@ -108,22 +110,32 @@ TEST(Translation, EnglishHasBothFormsOfEachCount) {
     }
 }
 
+bool isHandTool(const QString& source) {
+    return std::ranges::any_of(scene::handTools(), [&](const scene::HandTool& shape) {
+        return shape.name.format() == source.toStdString();
+    });
+}
+
 // On a panel of a headset: src/xr/room_words.h says how many letters fit. A sharp s is two.
 TEST(Translation, WordsOfTheHeadsetFitItsPanel) {
     std::map<QString, QString> words;
     for (const Entry& text : textsIn(folder() + QStringLiteral("macula_de.ts"))) {
-        if (text.context != QLatin1String("HeadsetWords")) continue;
+        const bool isShape = text.context == QLatin1String("core") && isHandTool(text.source);
+        if (text.context != QLatin1String("HeadsetWords") && !isShape) continue;
         words[text.source] = QString(text.translation).replace(QStringLiteral("ß"), QStringLiteral("SS"));
     }
-    ASSERT_EQ(words.size(), 27u);
+    ASSERT_EQ(words.size(), 25u + scene::handTools().size());
     constexpr int kButtonLetters = 15;
     constexpr int kPanelLetters = 32;
     constexpr int kSentenceLetters = 52;
     for (const char* button : {"Knife: on", "Knife: off", "Reset clips", "Undo", "Take picture",
                                "Other wrist", "Real size 1:1", "Before me"})
         EXPECT_LE(words.at(button).size(), kButtonLetters) << button;
-    for (const char* held : {"nothing", "ball", "box"})
-        EXPECT_LE(words.at("Hold: %1").arg(words.at(held)).size(), kButtonLetters) << held;
+    std::vector<std::string> held{"nothing"};
+    for (const scene::HandTool& shape : scene::handTools()) held.push_back(shape.name.format());
+    for (const std::string& what : held)
+        EXPECT_LE(words.at("Hold: %1").arg(words.at(QString::fromStdString(what))).size(), kButtonLetters)
+            << what;
     for (const char* quality : {"fast", "balanced", "fine"})
         EXPECT_LE(words.at("Quality: %1").arg(words.at(quality)).size(), kPanelLetters) << quality;
     for (const char* size : {"%1 times real size", "1/%1 of real size"})

@@ -57,7 +57,7 @@ TEST(ClipTools, ABallHasItsSizeInTheRoom) {
     const Pose hand{{0.0, 1.6, -0.4}, {1, 0, 0, 0}};
     Clip before;
     before.ball = Ball{.centreMm = {1, 2, 3}, .radiusMm = 4.0};
-    const auto clip = withTool(&before, ClipTool::ball, hand, twice);
+    const auto clip = withTool(&before, ClipTool{"ball"}, hand, twice);
     ASSERT_TRUE(clip && clip->ball);
     EXPECT_EQ(clip->ofBall, Keep::outside);
     EXPECT_NEAR(clip->ball->radiusMm, 30.0, 1e-9) << "6 cm of the room, at twice the size";
@@ -67,21 +67,21 @@ TEST(ClipTools, ABallHasItsSizeInTheRoom) {
 
 TEST(ClipTools, ABoxLiesAlongThePatient) {
     const Pose hand{{0.0, 1.6, -0.4}, glm::angleAxis(0.7, glm::normalize(glm::dvec3(1, 2, 3)))};
-    const auto clip = withTool(nullptr, ClipTool::box, hand, kPlaced);
+    const auto clip = withTool(nullptr, ClipTool{"box"}, hand, kPlaced);
     ASSERT_TRUE(clip && clip->box);
     ASSERT_TRUE(validate(*clip).ok());
     EXPECT_EQ(clip->ofBox, Keep::outside);
     EXPECT_EQ(clip->box->axes, glm::dmat3(1.0));
     EXPECT_NEAR(clip->box->halfSizeMm.x, 60.0, 1e-9);
     // Its outline has the six faces of just that box: middle and normal of each.
-    for (const OutlinePart& face : outlineOf(ClipTool::box, hand, {0, 1.6, 0}, kPlaced)) {
+    for (const OutlinePart& face : outlineOf(ClipTool{"box"}, hand, {0, 1.6, 0}, kPlaced)) {
         const glm::dvec3 middleMm = transformPoint(glm::inverse(kPlaced), face.pose.positionM);
         const glm::dvec3 normal = glm::normalize(
             transformVector(glm::inverse(kPlaced), face.pose.orientation * glm::dvec3(0, 0, 1)));
         EXPECT_NEAR(glm::distance(middleMm, clip->box->centreMm + 60.0 * normal), 0.0, 1e-6);
         EXPECT_NEAR(std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)}), 1.0, 1e-9);
     }
-    EXPECT_EQ(outlineOf(ClipTool::box, hand, {0, 1.6, 0}, kPlaced).size(), 6u);
+    EXPECT_EQ(outlineOf(ClipTool{"box"}, hand, {0, 1.6, 0}, kPlaced).size(), 6u);
     EXPECT_TRUE(outlineOf(ClipTool::none, hand, {0, 1.6, 0}, kPlaced).empty());
 }
 
@@ -89,7 +89,7 @@ TEST(ClipTools, TheRingOfABallFacesTheEyes) {
     const Pose hand{{0.2, 1.4, -0.4}, {1, 0, 0, 0}};
     for (const glm::dvec3 head :
          {glm::dvec3(0, 1.6, 0), glm::dvec3(0.2, 3.0, -0.5), glm::dvec3(0.2, 1.4, -0.5)}) {
-        const auto ring = outlineOf(ClipTool::ball, hand, head, kPlaced);
+        const auto ring = outlineOf(ClipTool{"ball"}, hand, head, kPlaced);
         ASSERT_EQ(ring.size(), 1u);
         EXPECT_TRUE(ring[0].isRound);
         EXPECT_NEAR(glm::length(ring[0].pose.orientation), 1.0, 1e-9);

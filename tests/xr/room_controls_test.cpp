@@ -276,7 +276,7 @@ TEST_F(RoomControlsTest, APanelThatMovesToTheOtherWristEndsTheLookOfABall) {
 
 TEST_F(RoomControlsTest, TheOtherHandHoldsABallOrABox) {
     press(PanelButton::held);
-    EXPECT_EQ(controls_->toolOf(0), ClipTool::ball);
+    EXPECT_EQ(controls_->toolOf(0), ClipTool{"ball"});
     const auto use = [&] {
         TwoHands hands;
         hands[0].grip = Pose{{0.0, 1.6, -0.4}, {1, 0, 0, 0}};
@@ -314,7 +314,7 @@ TEST_F(RoomControlsTest, ItSpeaksInTheWordsOfItsHost) {
     RoomWords german;
     german.shift = "Versatz";
     german.hold = "Halte: %1";
-    german.ball = "Kugel";
+    german.say = [](const Text& text) { return text == "ball" ? std::string("Kugel") : text.english(); };
     german.quality = "Qualit\xc3\xa4t: %1";
     german.balanced = "ausgewogen";
     german.isBeforeYou = "Vor Ihnen.";
@@ -384,7 +384,7 @@ TEST_F(RoomControlsTest, TheOtherWristHasThePanelAndNoStrayCut) {
     frame(pointing(PanelButton::otherWrist, 0.0f));
     frame(pointing(PanelButton::otherWrist, 1.0f));
     EXPECT_EQ(controls_->panelHand(), 1u);
-    EXPECT_EQ(controls_->toolOf(1), ClipTool::ball);
+    EXPECT_EQ(controls_->toolOf(1), ClipTool{"ball"});
     EXPECT_EQ(controls_->toolOf(0), ClipTool::knife);
     frame(pointing(PanelButton::otherWrist, 1.0f));
     frame(pointing(PanelButton::otherWrist, 0.0f));

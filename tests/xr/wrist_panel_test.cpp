@@ -95,10 +95,11 @@ TEST(WristPanel, WordsFitTheirButtons) {
     const RoomWords words;
     const int half = (188 + 2) / 12;
     for (const std::string& text :
-         {words.knifeOn, words.knifeOff, filled(words.hold, words.nothing), filled(words.hold, words.ball),
-          filled(words.hold, words.box), words.resetClips, words.undo, words.takePicture, words.otherWrist,
-          words.realSize, words.recentre})
+         {words.knifeOn, words.knifeOff, filled(words.hold, words.nothing), words.resetClips, words.undo,
+          words.takePicture, words.otherWrist, words.realSize, words.recentre})
         EXPECT_LE(int(signsOf(text).size()), half) << text;
+    for (const scene::HandTool& shape : scene::handTools())
+        EXPECT_LE(int(signsOf(filled(words.hold, words.of(ClipTool{shape.key}))).size()), half) << shape.key;
     for (const std::string& text : {words.isRealSize, words.isBeforeYou, words.nothingLeft, words.noMoreCuts,
                                     words.lostPlace, filled(words.pictureWritten, "macula-headset-100.png")})
         EXPECT_LE(int(signsOf(text).size()), 52) << text;

@@ -34,16 +34,11 @@ std::string digestOf(TransferFunction function) {
 
 std::string digestOf(const Clip& clip, const Volume& volume, PartDigests& parts) {
     std::string text = clip.removedCastsShadow ? "shadow\n" : "";
-    if (clip.box)
-        text += fmt::format("box {} {} {} {} {} {}\n", clip.ofBox == Keep::inside, words(clip.box->centreMm),
-                            words(clip.box->axes[0]), words(clip.box->axes[1]), words(clip.box->axes[2]),
-                            words(clip.box->halfSizeMm));
-    for (const HalfSpace& plane : clip.planes)
-        text += fmt::format("plane {} {:a}\n", words(plane.normal), plane.offsetMm);
-    if (clip.cut) text += fmt::format("cut {} {}\n", words(clip.cut->pointMm), words(clip.cut->towards));
-    if (clip.ball)
-        text += fmt::format("ball {} {} {:a}\n", clip.ofBall == Keep::inside, words(clip.ball->centreMm),
-                            clip.ball->radiusMm);
+    forEachShape(clip, [&](const ClipShape auto& shape, Keep keep) {
+        text += std::string(shape.kKey) + " ";
+        if (shape.kHasKeep) text += fmt::format("{} ", keep == Keep::inside);
+        text += fmt::format("{:a}\n", fmt::join(shape.numbers(), " "));
+    });
     if (clip.mask) text += "mask " + parts.of(*clip.mask, volume) + "\n";
     if (clip.greyFaces)
         text += fmt::format("grey {:a} {:a} {} {}\n", clip.greyFaces->center, clip.greyFaces->width,

@@ -1,5 +1,6 @@
 #include "pipeline/trace/reference_tracer.h"
 
+#include "pipeline/trace/clip_params.h"
 #include "pipeline/trace/reference_kernels.h"
 #include "shared/indirect_light.h"
 

@@ -1,5 +1,6 @@
 // The reference in float, apart from the rest so that it can be compiled for the speed of this machine
 // (CMakeLists.txt): the benchmark must compare against a fast CPU tracer.
+#include "pipeline/trace/clip_params.h"
 #include "pipeline/trace/reference_kernels.h"
 #include "shared/indirect_light.h"
 

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "pipeline/trace/clip_params.h"
 #include "pipeline/volume/window.h"
 #include "shared/indirect_light.h"
 
@@ -24,37 +25,6 @@ constexpr double kCloudReturns = 0.15;
 // least this probability: a lower one saves little time, and gives the continuing paths so much weight that
 // noise grows.
 constexpr double kIndirectLeast = 0.25;
-
-// Voxel coordinates have integers at faces: centres are half a voxel on.
-glm::vec4 planeInVoxels(const HalfSpace& side, const glm::dmat4& worldFromVoxel) {
-    const glm::dvec3 origin = transformPoint(worldFromVoxel, glm::dvec3(-0.5));
-    return glm::dvec4(glm::transpose(glm::dmat3(worldFromVoxel)) * side.normal,
-                      glm::dot(side.normal, origin) - side.offsetMm);
-}
-
-void writeClip(const Clip& clip, const Volume& volume, shared::TraceParams& params) {
-    const glm::dmat4& worldFromVoxel = volume.worldFromVoxel();
-    int next = 0;
-    const auto add = [&](const auto& sides) {
-        for (const HalfSpace& side : sides) params.clipPlanes[next++] = planeInVoxels(side, worldFromVoxel);
-        return static_cast<int>(sides.size());
-    };
-    params.clipKeepCount = add(clip.planes);
-    if (clip.box && clip.ofBox == Keep::inside) params.clipKeepCount += add(sidesOf(*clip.box));
-    if (clip.box && clip.ofBox == Keep::outside) params.clipBoxCount = add(sidesOf(*clip.box));
-    if (clip.cut) params.clipCornerCount = add(sidesOf(*clip.cut));
-    if (clip.ball) {
-        params.clipBall = clip.ofBall == Keep::inside ? shared::kClipKeepBall : shared::kClipCutBall;
-        params.clipBallCentre = transformPoint(glm::inverse(worldFromVoxel), clip.ball->centreMm) + 0.5;
-        params.clipBallX = glm::dvec3(worldFromVoxel[0]) / clip.ball->radiusMm;
-        params.clipBallY = glm::dvec3(worldFromVoxel[1]) / clip.ball->radiusMm;
-        params.clipBallZ = glm::dvec3(worldFromVoxel[2]) / clip.ball->radiusMm;
-    }
-    params.clipShadows = clip.removedCastsShadow ? 1 : 0;
-    if (!clip.greyFaces || clip.isNothing()) return;
-    params.greyFaces = clip.facesBelowWindowAreBlack ? 2 : 1;
-    std::tie(params.greyLow, params.greyHigh) = entriesOf(*clip.greyFaces, volume);
-}
 
 void writeGradientOpacity(const Medium& medium, const Volume& volume, shared::TraceParams& params) {
     params.unitDepthMm = static_cast<float>(medium.unitDepthMm);
@@ -291,11 +261,6 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     params.lensFocusMm = static_cast<float>(view.lens.focusMm);
     writeIndirectLight(volume, environment, view, settings, fovea, params);
     return params;
-}
-
-bool isClipped(const shared::TraceParams& params) {
-    return params.clipKeepCount + params.clipBoxCount + params.clipCornerCount > 0 ||
-           params.clipBall != shared::kClipNoBall;
 }
 
 }  // namespace macula::trace

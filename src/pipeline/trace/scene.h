@@ -38,7 +38,4 @@ FoveaInPlane foveaInPlane(const View& view);
 // returns n.
 int indirectStride(int width, int height);
 
-// Whether there is any shape to clip rays by.
-bool isClipped(const shared::TraceParams& params);
-
 }  // namespace macula::trace

@@ -11,8 +11,8 @@
 
 struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     using Real = MACULA_REAL;
-    static constexpr int kClipKeepBall = shared::kClipKeepBall;
-    static constexpr int kClipCutBall = shared::kClipCutBall;
+    static constexpr int kClipKeeps = shared::kClipKeeps;
+    static constexpr int kClipCuts = shared::kClipCuts;
     static constexpr int kCastMatter = shared::kCastMatter;
     static constexpr int kCastMaximum = shared::kCastMaximum;
     static constexpr int kCastMinimum = shared::kCastMinimum;
@@ -192,6 +192,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef BRICK
 #undef PARALLEL
 #undef FAR_MM
+#undef CUTS
 #undef BRICK_SHIFT
 #undef GRAZING
 #undef ROULETTE_BELOW

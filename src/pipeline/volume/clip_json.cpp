@@ -1,11 +1,6 @@
 #include "pipeline/volume/clip_json.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
-
-#include "pipeline/volume/json_reader.h"
+#include "pipeline/volume/clip_shape_parts.h"
 #include "pipeline/volume/json_writer.h"
 #include "pipeline/volume/window.h"
 
@@ -13,68 +8,67 @@ namespace macula {
 
 namespace {
 
-constexpr JsonRange kFraction{-10.0, 10.0};
 constexpr JsonRange kPositive{1e-9, 1e9};
+constexpr std::string_view kPlanes = "planes";
 using Json = nlohmann::ordered_json;
 
-glm::dvec3 point(const JsonNode& node) {
-    const std::vector<double> p = node.numbers(3, kFraction);
-    return {p[0], p[1], p[2]};
-}
-
-Keep keep(const JsonNode& node) {
+Keep keepOf(const JsonNode& node) {
     const std::string text = node.text();
     if (text != "inside" && text != "outside") node.fail(Text("\"inside\" or \"outside\""));
     return text == "outside" ? Keep::outside : Keep::inside;
 }
 
-struct Ends {
-    glm::dvec3 low;
-    glm::dvec3 high;
-};
-
-// Finds ends from which `box` below makes the same box bit for bit, if there are any, because sums round.
-Ends endsOf(const OrientedBox& box) {
-    Ends ends{box.centreMm - box.halfSizeMm, box.centreMm + box.halfSizeMm};
-    const auto isSame = [&](int axis, double low, double high) {
-        return 0.5 * (low + high) == box.centreMm[axis] && 0.5 * (high - low) == box.halfSizeMm[axis];
-    };
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        const double low = ends.low[axis];
-        const double high = ends.high[axis];
-        for (const double l : {low, std::nextafter(low, -kFar), std::nextafter(low, kFar)}) {
-            for (const double h : {high, std::nextafter(high, -kFar), std::nextafter(high, kFar)}) {
-                if (!isSame(axis, l, h)) continue;
-                ends.low[axis] = l;
-                ends.high[axis] = h;
-            }
+// The keys of the shapes, in their order, between those before and after them.
+std::vector<std::string_view> knownKeys() {
+    std::vector<std::string_view> keys{"version", "name", "title"};
+    const Clip any;
+    forEachPart(any, [&](const auto& part, Keep) {
+        if constexpr (requires { part.has_value(); }) {
+            keys.push_back(std::remove_cvref_t<decltype(*part)>::kKey);
+        } else {
+            keys.push_back(kPlanes);
         }
+    });
+    keys.insert(keys.end(), {"removedCastsShadow", "greyFaces", "belowWindow"});
+    return keys;
+}
+
+void readPlanes(ClipPreset& preset, const JsonNode& nodes) {
+    for (const JsonNode& node : nodes.items(0, Clip::kMostPlanes)) {
+        node.allowOnly({"normal", "at"});
+        const glm::dvec3 normal = pointOf(node["normal"]);
+        if (glm::length(normal) < 1e-6) node["normal"].fail(Text("a direction, not all zeros"));
+        preset.clip.planes.push_back({glm::normalize(normal), 0.0});
+        preset.planesAt.push_back(pointOf(node["at"]));
     }
-    return ends;
 }
 
-OrientedBox box(const JsonNode& node) {
-    node.allowOnly({"low", "high", "keep"});
-    const glm::dvec3 low = point(node["low"]);
-    const glm::dvec3 high = point(node["high"]);
-    if (!glm::all(glm::lessThan(low, high))) node.fail(Text("\"low\" below \"high\" on each axis"));
-    return {.centreMm = 0.5 * (low + high), .halfSizeMm = 0.5 * (high - low)};
+void readShapes(ClipPreset& preset, const JsonNode& root) {
+    forEachPart(preset.clip, [&](auto& part, auto&& keep) {
+        if constexpr (requires { part.has_value(); }) {
+            using Shape = std::remove_cvref_t<decltype(*part)>;
+            const auto node = root.find(Shape::kKey);
+            if (!node) return;
+            part = Shape::read(*node);
+            if constexpr (Shape::kHasKeep) keep = keepOf((*node)["keep"]);
+        } else if (const auto nodes = root.find(kPlanes)) {
+            readPlanes(preset, *nodes);
+        }
+    });
 }
 
-Octant octant(const JsonNode& node) {
-    node.allowOnly({"at", "towards"});
-    const JsonNode letters = node["towards"];
-    const std::string text = letters.text();
-    const auto sign = [&](std::size_t axis, char positive, char negative) {
-        const char letter = axis < text.size() ? text[axis] : ' ';
-        if (letter != positive && letter != negative)
-            letters.fail(Text("L or R, then A or P, then S or I, such as \"LAS\""));
-        return letter == negative ? -1.0 : 1.0;
-    };
-    if (text.size() != 3) letters.fail(Text("three letters, such as \"LAS\""));
-    return {.pointMm = point(node["at"]),
-            .towards = {sign(0, 'L', 'R'), sign(1, 'P', 'A'), sign(2, 'S', 'I')}};
+void writeShapes(Json& json, const ClipPreset& preset) {
+    std::size_t planes = 0;
+    forEachShape(preset.clip, [&](const ClipShape auto& shape, Keep keep) {
+        using Shape = std::remove_cvref_t<decltype(shape)>;
+        if constexpr (std::is_same_v<Shape, HalfSpace>) {
+            json[kPlanes].push_back(
+                {{"normal", listOf(shape.normal)}, {"at", listOf(preset.planesAt[planes++])}});
+        } else {
+            json[Shape::kKey] = shape.json();
+            if (Shape::kHasKeep) json[Shape::kKey]["keep"] = keep == Keep::outside ? "outside" : "inside";
+        }
+    });
 }
 
 }  // namespace
@@ -83,32 +77,13 @@ Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& 
     const JsonDocument document(text, where);
     MACULA_TRY_VOID(document.status());
     const JsonNode root = document.root();
-    root.allowOnly({"version", "name", "title", "box", "planes", "cut", "ball", "removedCastsShadow",
-                    "greyFaces", "belowWindow"});
+    root.allowOnly(knownKeys());
     if (root["version"].number() != 1.0)
         root["version"].fail(Text("version 1; newer ones need a newer Macula"));
 
     ClipPreset preset{.name = root["name"].text(), .title = root["title"].text(), .clip = {}, .planesAt = {}};
     Clip& clip = preset.clip;
-    if (const auto node = root.find("box")) {
-        clip.box = box(*node);
-        clip.ofBox = keep((*node)["keep"]);
-    }
-    if (const auto nodes = root.find("planes")) {
-        for (const JsonNode& node : nodes->items(0, Clip::kMostPlanes)) {
-            node.allowOnly({"normal", "at"});
-            const glm::dvec3 normal = point(node["normal"]);
-            if (glm::length(normal) < 1e-6) node["normal"].fail(Text("a direction, not all zeros"));
-            clip.planes.push_back({glm::normalize(normal), 0.0});
-            preset.planesAt.push_back(point(node["at"]));
-        }
-    }
-    if (const auto node = root.find("cut")) clip.cut = octant(*node);
-    if (const auto node = root.find("ball")) {
-        node->allowOnly({"centre", "radius", "keep"});
-        clip.ball = Ball{point((*node)["centre"]), (*node)["radius"].number({1e-9, 10.0})};
-        clip.ofBall = keep((*node)["keep"]);
-    }
+    readShapes(preset, root);
     if (const auto node = root.find("removedCastsShadow")) clip.removedCastsShadow = node->boolean();
     if (const auto node = root.find("greyFaces")) {
         preset.greyFacesOfSeries = node->isText();
@@ -133,28 +108,8 @@ Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& 
 
 std::string toJson(const ClipPreset& preset) {
     const Clip& clip = preset.clip;
-    const auto list = [](const glm::dvec3& p) { return Json{p.x, p.y, p.z}; };
-    const auto name = [](Keep keep) { return keep == Keep::outside ? "outside" : "inside"; };
-    const auto letter = [](double sign, char positive, char negative) {
-        return std::string(1, sign > 0.0 ? positive : negative);
-    };
     Json json{{"version", 1}, {"name", preset.name}, {"title", preset.title}};
-    if (clip.box) {
-        const auto [low, high] = endsOf(*clip.box);
-        json["box"] = {{"low", list(low)}, {"high", list(high)}, {"keep", name(clip.ofBox)}};
-    }
-    for (std::size_t i = 0; i < clip.planes.size(); ++i)
-        json["planes"].push_back({{"normal", list(clip.planes[i].normal)}, {"at", list(preset.planesAt[i])}});
-    if (clip.cut) {
-        const glm::dvec3& t = clip.cut->towards;
-        json["cut"] = {{"at", list(clip.cut->pointMm)},
-                       {"towards", letter(t.x, 'L', 'R') + letter(t.y, 'P', 'A') + letter(t.z, 'S', 'I')}};
-    }
-    if (clip.ball) {
-        json["ball"] = {{"centre", list(clip.ball->centreMm)},
-                        {"radius", clip.ball->radiusMm},
-                        {"keep", name(clip.ofBall)}};
-    }
+    writeShapes(json, preset);
     if (clip.removedCastsShadow) json["removedCastsShadow"] = true;
     if (preset.greyFacesOfSeries) {
         json["greyFaces"] = "series";
@@ -167,20 +122,10 @@ std::string toJson(const ClipPreset& preset) {
 
 Clip clipFor(const ClipPreset& preset, const Volume& volume) {
     const Box box = volume.worldBox();
-    const glm::dvec3 size = box.high - box.low;
-    const auto world = [&](const glm::dvec3& fraction) { return box.low + fraction * size; };
     Clip clip = preset.clip;
-    if (clip.box) {
-        clip.box->centreMm = world(clip.box->centreMm);
-        clip.box->halfSizeMm *= size;
-    }
+    shapesToMm(clip, box);
     for (std::size_t i = 0; i < clip.planes.size(); ++i)
-        clip.planes[i].offsetMm = glm::dot(clip.planes[i].normal, world(preset.planesAt[i]));
-    if (clip.cut) clip.cut->pointMm = world(clip.cut->pointMm);
-    if (clip.ball) {
-        clip.ball->centreMm = world(clip.ball->centreMm);
-        clip.ball->radiusMm *= std::min({size.x, size.y, size.z});
-    }
+        clip.planes[i].offsetMm = glm::dot(clip.planes[i].normal, mmOfFraction(preset.planesAt[i], box));
     if (preset.greyFacesOfSeries) clip.greyFaces = seriesWindow(volume);
     return clip;
 }

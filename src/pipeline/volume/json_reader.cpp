@@ -122,7 +122,7 @@ std::optional<JsonNode> JsonNode::find(std::string_view key) const {
     return JsonNode(state_, &*found, child(path_, key));
 }
 
-void JsonNode::allowOnly(std::initializer_list<std::string_view> keys) const {
+void JsonNode::allowOnly(std::span<const std::string_view> keys) const {
     if (!value_->is_object()) return fail(Text("an object, { … }"));
     for (const auto& [key, unused] : value_->items()) {
         if (std::find(keys.begin(), keys.end(), key) == keys.end()) {

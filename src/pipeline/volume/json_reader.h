@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +32,10 @@ class JsonNode {
     // Nothing if this is an object without that key; fails if it is not an object.
     std::optional<JsonNode> find(std::string_view key) const;
     // Fails if this object has any other key: for Macula's own formats, where that is a typing error.
-    void allowOnly(std::initializer_list<std::string_view> keys) const;
+    void allowOnly(std::initializer_list<std::string_view> keys) const {
+        allowOnly(std::span(keys.begin(), keys.size()));
+    }
+    void allowOnly(std::span<const std::string_view> keys) const;
 
     // Fails unless this is an array with `minimum` to `maximum` entries.
     std::vector<JsonNode> items(std::size_t minimum, std::size_t maximum) const;

@@ -31,29 +31,21 @@ bool isAlongPatient(const OrientedBox& box) {
 Result<OptionalClip> clipOfShape(const Clip& shapeMm, const OptionalClip& before, const Volume& volume) {
     MACULA_TRY_VOID(validate(shapeMm));
     const Box all = volume.worldBox();
-    const glm::dvec3 size = all.high - all.low;
-    const auto fraction = [&](const glm::dvec3& mm) { return (mm - all.low) / size; };
     ClipPreset next = before.value_or(ClipPreset{});
     const Clip kept = next.clip;
     next.clip = shapeMm;
     next.clip.mask.reset();
     next.clip.greyFaces = next.greyFacesOfSeries ? kept.greyFaces : shapeMm.greyFaces;
     next.planesAt.clear();
+    shapesToFractions(next.clip, all);
     if (next.clip.box) {
         if (!isAlongPatient(*next.clip.box)) return notKept();
         next.clip.box->axes = glm::dmat3(1.0);
-        next.clip.box->centreMm = fraction(next.clip.box->centreMm);
-        next.clip.box->halfSizeMm /= size;
     }
     for (HalfSpace& plane : next.clip.planes) {
         const double fromMiddleMm = plane.offsetMm - glm::dot(plane.normal, all.centre());
         next.planesAt.push_back(fractionOnPlane(plane.normal, fromMiddleMm, volume));
         plane.offsetMm = 0.0;
-    }
-    if (next.clip.cut) next.clip.cut->pointMm = fraction(next.clip.cut->pointMm);
-    if (next.clip.ball) {
-        next.clip.ball->centreMm = fraction(next.clip.ball->centreMm);
-        next.clip.ball->radiusMm /= std::min({size.x, size.y, size.z});
     }
     if (!next.clip.hasShape()) return OptionalClip{};
     next.name = kOwnClipName;

@@ -1,4 +1,5 @@
-// The line where a slice meets what a clip keeps, for drawing on the slice. World frame: patient LPS, mm.
+// The line where a slice meets what a clip keeps, and dots for borders in the 3D picture. World frame:
+// patient LPS, mm.
 #pragma once
 
 #include <vector>
@@ -15,5 +16,9 @@ std::vector<glm::dvec3> outlineMm(const Box& box, const slices::SlicePlane& plan
 // The outline of keptBox; empty also when that is all of the volume, or nothing.
 std::vector<glm::dvec3> keptOutlineMm(const OptionalClip& clip, const Volume& volume,
                                       const slices::SlicePlane& plane);
+
+// Rows of dots, for the 3D picture: on the edges of the box, and where a plane meets it.
+std::vector<glm::dvec3> dotsOfBox(const Box& box);
+std::vector<glm::dvec3> dotsOfPlane(const HalfSpace& plane, const Box& box);
 
 }  // namespace macula::scene

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <iterator>
 #include <optional>
 
 #include "scene/camera/picture_rays.h"
 #include "scene/clip/clip_outline.h"
+#include "scene/clip/clip_shapes.h"
 #include "scene/clip/eye_cut.h"
 
 namespace macula::scene {
@@ -15,104 +16,11 @@ namespace {
 
 constexpr double kEdgeOn = 1e-6;  // relative: below this a slice counts as seen edge-on
 
-// The signed distance of a half-space as a linear function of the pixel: positive where the half-space keeps.
-class SideInPicture {
-  public:
-    SideInPicture(const HalfSpace& side, const slices::SliceFrame& frame)
-        : atOrigin_(glm::dot(side.normal, frame.worldFromPicture({0.0, 0.0})) - side.offsetMm),
-          perPixel_(
-              glm::dvec2(glm::dot(side.normal, frame.plane.right), glm::dot(side.normal, frame.plane.down)) *
-              frame.mmPerPixel) {}
-
-    double operator()(const glm::dvec2& px) const { return atOrigin_ + glm::dot(perPixel_, px); }
-
-  private:
-    double atOrigin_;
-    glm::dvec2 perPixel_;
-};
-
-// One step of Sutherland-Hodgman clipping: the part of the polygon where `inside` is not below 0.
-template <class Point, class Inside>
-std::vector<Point> within(const std::vector<Point>& polygon, const Inside& inside) {
-    std::vector<Point> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Point& a = polygon[i];
-        const Point& b = polygon[(i + 1) % polygon.size()];
-        const double atA = inside(a);
-        const double atB = inside(b);
-        if (atA >= 0.0) kept.push_back(a);
-        if ((atA >= 0.0) != (atB >= 0.0)) kept.push_back(a + (atA / (atA - atB)) * (b - a));
-    }
-    return kept;
-}
-
-Contour pictureOf(const slices::SliceFrame& frame) {
-    const glm::dvec2 size(frame.sizePx);
-    return {{0.0, 0.0}, {size.x, 0.0}, {size.x, size.y}, {0.0, size.y}};
-}
-
-template <class Sides>
-Contour withinAll(Contour polygon, const Sides& sides, const slices::SliceFrame& frame) {
-    for (const HalfSpace& side : sides) polygon = within(polygon, SideInPicture(side, frame));
-    return polygon;
-}
-
-void addBeyond(std::vector<Contour>& contours, const HalfSpace& side, const slices::SliceFrame& frame) {
-    const SideInPicture keeps(side, frame);
-    Contour beyond = within(pictureOf(frame), [&](const glm::dvec2& px) { return -keeps(px); });
-    if (beyond.size() > 2) contours.push_back(std::move(beyond));
-}
-
-// Nothing if the slice misses the ball.
-std::optional<Contour> circleOf(const Ball& ball, const slices::SliceFrame& frame) {
-    const double offMm = frame.distanceMm(ball.centreMm);
-    const double radius2 = ball.radiusMm * ball.radiusMm - offMm * offMm;
-    if (!(radius2 > 0.0)) return std::nullopt;
-    const double radiusPx = std::sqrt(radius2) / frame.mmPerPixel;
-    const glm::dvec2 centre = frame.pictureFromWorld(ball.centreMm);
-    Contour circle;
-    for (int side = 0; side < kBallSides; ++side) {
-        const double turn = 2.0 * std::numbers::pi * side / kBallSides;
-        circle.push_back(centre + radiusPx * glm::dvec2(std::cos(turn), std::sin(turn)));
-    }
-    return circle;
-}
-
-void addBall(std::vector<Contour>& contours, const Clip& clip, const slices::SliceFrame& frame) {
-    auto circle = circleOf(*clip.ball, frame);
-    if (clip.ofBall == Keep::inside) {
-        contours.push_back(pictureOf(frame));
-        // Reversed, so that within the circle the windings of picture and circle cancel out.
-        if (circle) std::ranges::reverse(*circle);
-    }
-    if (circle) contours.push_back(std::move(*circle));
-}
-
 Contour inPicture(const std::vector<glm::dvec3>& outlineMm, const slices::SliceFrame& frame) {
     Contour line;
     for (const glm::dvec3& mm : outlineMm) line.push_back(frame.pictureFromWorld(mm));
     if (!line.empty()) line.push_back(line.front());
     return line;
-}
-
-void addClosed(std::vector<Contour>& lines, Contour polygon) {
-    if (polygon.size() < 3) return;
-    polygon.push_back(polygon.front());
-    lines.push_back(std::move(polygon));
-}
-
-// Adds the line in which a plane crosses the outline of the volume.
-void addCrossing(std::vector<Contour>& lines, const HalfSpace& plane, const Contour& outline,
-                 const slices::SliceFrame& frame) {
-    const SideInPicture side(plane, frame);
-    Contour ends;
-    for (std::size_t i = 1; i < outline.size(); ++i) {
-        const double a = side(outline[i - 1]);
-        const double b = side(outline[i]);
-        if ((a >= 0.0) != (b >= 0.0))
-            ends.push_back(outline[i - 1] + (a / (a - b)) * (outline[i] - outline[i - 1]));
-    }
-    if (ends.size() == 2) lines.push_back(std::move(ends));
 }
 
 // The area to which unbounded outlines are clipped: the picture, and as much around it on each side.
@@ -199,20 +107,8 @@ std::vector<Contour> stripsBehind(const std::vector<glm::dvec2>& outline, const 
 std::vector<Contour> removedContours(const Clip& clip, const slices::SliceFrame& frame) {
     std::vector<Contour> contours;
     if (!frame.isUsable()) return contours;
-    for (const HalfSpace& plane : clip.planes) addBeyond(contours, plane, frame);
-    if (clip.box) {
-        const auto sides = sidesOf(*clip.box);
-        if (clip.ofBox == Keep::inside) {
-            for (const HalfSpace& side : sides) addBeyond(contours, side, frame);
-        } else if (Contour removed = withinAll(pictureOf(frame), sides, frame); removed.size() > 2) {
-            contours.push_back(std::move(removed));
-        }
-    }
-    if (clip.cut) {
-        Contour removed = withinAll(pictureOf(frame), sidesOf(*clip.cut), frame);
-        if (removed.size() > 2) contours.push_back(std::move(removed));
-    }
-    if (clip.ball) addBall(contours, clip, frame);
+    for (const ShownShapePtr& shape : shownShapes(clip))
+        std::ranges::move(shape->removedOn(frame), std::back_inserter(contours));
     return contours;
 }
 
@@ -222,18 +118,16 @@ std::vector<Contour> clipLines(const OptionalClip& clip, const Cuts& cuts, const
     if (!frame.isUsable()) return lines;
     if (Contour kept = inPicture(keptOutlineMm(clip, volume, frame.plane), frame); !kept.empty())
         lines.push_back(std::move(kept));
-    const Clip inMm = clipFor(clip, cuts, volume);
-    const Contour ofVolume = inPicture(outlineMm(volume.worldBox(), frame.plane), frame);
-    Contour inVolume = ofVolume;
-    if (!inVolume.empty()) inVolume.pop_back();
-    for (const HalfSpace& plane : inMm.planes) {
-        if (!isAlongAxis(plane)) addCrossing(lines, plane, ofVolume, frame);
+    Contour ofVolume = inPicture(outlineMm(volume.worldBox(), frame.plane), frame);
+    if (!ofVolume.empty()) ofVolume.pop_back();
+    // Closed lines cover those of planes.
+    std::vector<Contour> closed;
+    for (const ShownShapePtr& shape : shownShapes(clipFor(clip, cuts, volume))) {
+        Contour line = shape->lineOn(frame, ofVolume);
+        if (line.empty()) continue;
+        (line.front() == line.back() ? closed : lines).push_back(std::move(line));
     }
-    if (inMm.box && !keepsBox(inMm)) addClosed(lines, withinAll(inVolume, sidesOf(*inMm.box), frame));
-    if (inMm.cut) addClosed(lines, withinAll(inVolume, sidesOf(*inMm.cut), frame));
-    if (inMm.ball) {
-        if (auto circle = circleOf(*inMm.ball, frame)) addClosed(lines, std::move(*circle));
-    }
+    std::ranges::move(closed, std::back_inserter(lines));
     return lines;
 }
 

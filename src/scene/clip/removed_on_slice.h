@@ -6,15 +6,13 @@
 
 #include "pipeline/volume/clip.h"
 #include "scene/clip/cuts.h"
+#include "scene/clip/slice_polygons.h"
 #include "slices/slice_plane.h"
 
 namespace macula::scene {
 
-using Contour = std::vector<glm::dvec2>;  // closed
-
-// Within the picture the contours wind around what box, planes, corner and ball of the clip remove, by the
-// rules of shows(); a ball is a polygon of kBallSides. Empty for an unusable frame.
-inline constexpr int kBallSides = 128;
+// Within the picture the contours wind around what the shapes of the clip remove, by the rules of shows(); a
+// circle is a polygon. Empty for an unusable frame.
 std::vector<Contour> removedContours(const Clip& clip, const slices::SliceFrame& frame);
 
 // The lines where the border of each part meets the slice, cut off at the volume except for a ball; faces are

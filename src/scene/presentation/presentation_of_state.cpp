@@ -146,8 +146,12 @@ void sayClip(SaidState& said, const StudyState& state, const Volume& volume) {
         }
     }
     for (const HalfSpace& plane : clip.planes) cropping.planes.push_back(croppingOf(plane));
-    if ((clip.box && clip.ofBox == Keep::outside) || clip.cut || clip.ball)
-        said.leftOut.push_back(Text("Others show boxes, corners and balls that are cut out here."));
+    bool isCutOut = false;
+    forEachShape(clip, [&](const ClipShape auto& shape, Keep keep) {
+        const bool canBeSaid = shape.kKey == OrientedBox::kKey || shape.kKey == HalfSpace::kKey;
+        isCutOut = isCutOut || !canBeSaid || keep == Keep::outside;
+    });
+    if (isCutOut) said.leftOut.push_back(Text("Others show boxes, corners and balls that are cut out here."));
     if (clip.removedCastsShadow || clip.greyFaces)
         said.leftOut.push_back(Text("Grey faces and shadows of what is cut off are for Macula alone."));
 }

@@ -1,9 +1,7 @@
 #include "viewer/clip/clip_handles_tool.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 #include "scene/clip/clip_outline.h"
 #include "viewer/slices/clip_on_slice.h"
@@ -12,53 +10,13 @@ namespace macula::viewer {
 
 namespace {
 
-using Kind = scene::ClipHandle::Kind;
-
-constexpr double kHitPx = 10.0;  // logical
-constexpr int kDotsOfEdge = 5;   // between the ends of an edge
-constexpr int kDotsOfBall = 40;
+constexpr double kHitPx = 10.0;        // logical
 constexpr double kTowardsEye = 0.995;  // cosine: a handle cannot be dragged along a line seen nearly end-on
 
-void addDot(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const glm::dvec3& mm) {
-    if (const auto place = rays.placeOf(mm)) marks.push_back({.kind = MarkKind::dot, .place = *place});
-}
-
-void addEdge(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const glm::dvec3& a,
-             const glm::dvec3& b) {
-    for (int i = 0; i <= kDotsOfEdge; ++i) addDot(marks, rays, a + double(i) / (kDotsOfEdge + 1) * (b - a));
-}
-
-void addBox(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const Box& box) {
-    const std::array<glm::dvec3, 8> corners = cornersOf(box);
-    for (std::size_t a = 0; a < corners.size(); ++a) {
-        for (std::size_t b = a + 1; b < corners.size(); ++b) {
-            const glm::dvec3 apart = corners[b] - corners[a];
-            if (int(apart.x != 0.0) + int(apart.y != 0.0) + int(apart.z != 0.0) == 1)
-                addEdge(marks, rays, corners[a], corners[b]);
-        }
-    }
-    addDot(marks, rays, box.high);
-}
-
-// Adds dots where a plane meets the box.
-void addPlane(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const HalfSpace& plane,
-              const Box& box) {
-    const glm::dvec3 n = plane.normal;
-    const glm::dvec3 other = std::abs(n.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
-    const glm::dvec3 right = glm::normalize(glm::cross(other, n));
-    const std::vector<glm::dvec3> outline =
-        scene::outlineMm(box, {.centreMm = plane.offsetMm * n, .right = right, .down = glm::cross(n, right)});
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        addEdge(marks, rays, outline[i], outline[(i + 1) % outline.size()]);
-}
-
-void addBall(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const Ball& ball) {
-    for (int i = 0; i < kDotsOfBall; ++i) {
-        const double turn = 2.0 * std::numbers::pi * i / kDotsOfBall;
-        addDot(marks, rays,
-               ball.centreMm +
-                   ball.radiusMm * (std::cos(turn) * rays.axes().right + std::sin(turn) * rays.axes().up));
-    }
+void addDots(std::vector<ToolMark>& marks, const scene::PictureRays& rays,
+             const std::vector<glm::dvec3>& dotsMm) {
+    for (const glm::dvec3& mm : dotsMm)
+        if (const auto place = rays.placeOf(mm)) marks.push_back({.kind = MarkKind::dot, .place = *place});
 }
 
 bool movesAnywhere(const scene::PlacedHandle& handle) {
@@ -71,13 +29,11 @@ std::vector<scene::PlacedHandle> ClipHandlesTool::handles(const scene::PictureRa
     const scene::StudyState& state = session_.state();
     const Volume& volume = *session_.study().volume;
     std::vector<scene::PlacedHandle> all = scene::handlesOf(state.clip, state.cuts, volume);
-    glm::dvec3 ballCentre(0.0);
     for (scene::PlacedHandle& handle : all) {
-        if (handle.handle.kind == Kind::ballCentre) ballCentre = handle.atMm;
-        if (handle.handle.kind != Kind::ballRadius) continue;
-        const double radiusMm = glm::length(handle.atMm - ballCentre);
+        if (!handle.aroundMm) continue;
+        const double radiusMm = glm::length(handle.atMm - *handle.aroundMm);
         handle.along = rays.axes().right;
-        handle.atMm = ballCentre + radiusMm * handle.along;
+        handle.atMm = *handle.aroundMm + radiusMm * handle.along;
     }
     std::erase_if(all, [&](const scene::PlacedHandle& handle) {
         return std::abs(glm::dot(handle.along, rays.axes().forward)) > kTowardsEye;
@@ -107,8 +63,7 @@ std::optional<glm::dvec3> ClipHandlesTool::draggedTo(const scene::PlacedHandle& 
     const auto rays = scene::PictureRays::of(place.picture.camera, place.picture.aspect);
     if (!rays) return std::nullopt;
     const scene::PictureRay ray = rays->through(place.at);
-    if (movesAnywhere(handle) || handle.handle.kind == Kind::ballRadius)
-        return scene::meets(ray, handle.atMm, rays->axes().forward);
+    if (movesAnywhere(handle) || handle.aroundMm) return scene::meets(ray, handle.atMm, rays->axes().forward);
     const auto by = scene::nearestOnLine(ray, handle.atMm, handle.along);
     if (!by) return std::nullopt;
     return handle.atMm + *by * handle.along;
@@ -180,18 +135,11 @@ std::vector<ToolMark> ClipHandlesTool::marks(const PictureGeometry& picture) con
 void ClipHandlesTool::addLines(std::vector<ToolMark>& marks, const scene::PictureRays& rays) const {
     const scene::StudyState& state = session_.state();
     const Volume& volume = *session_.study().volume;
-    if (const Result<Box> kept = scene::keptBox(state.clip, volume)) addBox(marks, rays, *kept);
+    if (const Result<Box> kept = scene::keptBox(state.clip, volume))
+        addDots(marks, rays, scene::dotsOfBox(*kept));
     if (!state.clip) return;
-    const Clip clip = clipFor(*state.clip, volume);
-    const Box all = volume.worldBox();
-    if (clip.box && clip.ofBox == Keep::outside && clip.box->axes == glm::dmat3(1.0))
-        addBox(marks, rays,
-               {glm::max(clip.box->centreMm - clip.box->halfSizeMm, all.low),
-                glm::min(clip.box->centreMm + clip.box->halfSizeMm, all.high)});
-    for (const HalfSpace& plane : clip.planes) {
-        if (!scene::isAlongAxis(plane)) addPlane(marks, rays, plane, all);
-    }
-    if (clip.ball) addBall(marks, rays, *clip.ball);
+    for (const scene::ShownShapePtr& shape : scene::shownShapes(clipFor(*state.clip, volume)))
+        addDots(marks, rays, shape->dots(rays, volume.worldBox()));
 }
 
 }  // namespace macula::viewer

@@ -22,7 +22,6 @@ namespace {
 
 constexpr int kLettersAtLeast = 16;
 constexpr double kFirstThicknessMm = 10.0;
-constexpr double kFirstRadiusMm = 20.0;
 constexpr std::array kOrientations{slices::Orientation::axial, slices::Orientation::coronal,
                                    slices::Orientation::sagittal};
 
@@ -40,6 +39,27 @@ std::array<scene::Face, 3> sidesOfCorner(int number) {
 // Whether `clip` is the listed one. Writing to a file may have changed the last bits of a box.
 bool isSameClip(const ClipPreset& listed, const ClipPreset& clip) {
     return listed.name == clip.name && (listed == clip || toJson(listed) == toJson(clip));
+}
+
+// What the clip does besides its faces. Oblique planes have no remark of their own: they are counted.
+QStringList remarksOn(const Clip& inMm) {
+    const std::vector<scene::ShownShapePtr> shapes = scene::shownShapes(inMm);
+    const auto isOblique = [](const scene::ShownShapePtr& shape) {
+        return !shape->isFace() && shape->remark().empty();
+    };
+    const auto oblique = std::ranges::count_if(shapes, isOblique);
+    QStringList remarks;
+    bool isCounted = false;
+    for (const scene::ShownShapePtr& shape : shapes) {
+        if (const Text remark = shape->remark(); !remark.empty()) remarks << inWindowsLanguage(remark);
+        if (!isOblique(shape) || std::exchange(isCounted, true)) continue;
+        remarks << ClipPanel::tr("Oblique planes that cut: %1.").arg(oblique);
+    }
+    return remarks;
+}
+
+QString latin(std::string_view key) {
+    return QString::fromLatin1(key.data(), qsizetype(key.size()));
 }
 
 QString reason(const Error& error) {
@@ -132,12 +152,10 @@ QWidget* ClipPanel::makeCuts() {
     crosshair_->setToolTip(tr("Where the cross-hair is, in mm of the patient (LPS)"));
     grid->addWidget(crosshair_, 0, 0, 1, 2);
     for (const scene::Face side : scene::kFaces) {
-        const std::string_view name = nameOf(side);
-        QPushButton* button =
-            addTool(capital(tr("remove %1 side").arg(sideText(side))),
-                    QStringLiteral("clip-cut-") + QString::fromLatin1(name.data(), qsizetype(name.size())),
-                    tr("Removes all that lies %1 of the cross-hair").arg(sideText(side)),
-                    [this, side] { return removedSide(side); });
+        QPushButton* button = addTool(capital(tr("remove %1 side").arg(sideText(side))),
+                                      QStringLiteral("clip-cut-") + latin(nameOf(side)),
+                                      tr("Removes all that lies %1 of the cross-hair").arg(sideText(side)),
+                                      [this, side] { return removedSide(side); });
         grid->addWidget(button, 1 + scene::axisOf(side), scene::isHigh(side) ? 1 : 0);
     }
     return group;
@@ -167,8 +185,6 @@ QWidget* ClipPanel::makeSizes() {
         guard_->watch(*box);
         connect(box, &QComboBox::currentIndexChanged, this, &ClipPanel::showTools);
     }
-    radius_ = makeMmBox(tr("Radius of the ball"), tr("From its centre, in mm"), kFirstRadiusMm);
-    radius_->setObjectName(QStringLiteral("clip-radius"));
 
     QPushButton* slab = addTool(tr("Keep only a slab"), QStringLiteral("clip-slab"),
                                 tr("Removes all but a slab with the cross-hair in its middle"), [this] {
@@ -176,23 +192,35 @@ QWidget* ClipPanel::makeSizes() {
                                     return scene::withSlabKept(clip(), kOrientations.at(along), crosshairMm(),
                                                                thickness_->value(), volume());
                                 });
-    QPushButton* ball =
-        addTool(tr("Remove a ball"), QStringLiteral("clip-ball"),
-                tr("Removes a ball around the cross-hair; it takes the place of another ball"), [this] {
-                    const ValueRange radii = scene::ballRadiiMm(volume());
-                    const double mm = std::clamp(radius_->value(), radii.low, radii.high);
-                    return scene::withBallRemoved(clip(), crosshairMm(), mm, volume());
-                });
     QPushButton* corner = addTool(tr("Remove corner"), QStringLiteral("clip-corner"),
                                   tr("Removes that corner; it takes the place of another corner"),
                                   [this] { return removedCorner(); });
     form->addRow(tr("Slab"), orientations_);
     form->addRow(thickness_, slab);
-    form->addRow(radius_, ball);
+    std::vector<QWidget*> order{orientations_, thickness_, slab};
+    for (const scene::PanelTool& tool : scene::panelTools()) {
+        QDoubleSpinBox* size =
+            makeMmBox(inWindowsLanguage(tool.size), inWindowsLanguage(tool.whatSizeIs), tool.firstMm);
+        size->setObjectName(QStringLiteral("clip-") + latin(tool.sizeKey));
+        QPushButton* button = addShapeTool(tool, *size);
+        form->addRow(size, button);
+        order.insert(order.end(), {size, button});
+        shapes_.push_back({.tool = tool, .size = size});
+    }
     form->addRow(corners_, corner);
-    const std::array<QWidget*, 7> order{orientations_, thickness_, slab, radius_, ball, corners_, corner};
+    order.insert(order.end(), {corners_, corner});
     for (std::size_t i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
     return group;
+}
+
+QPushButton* ClipPanel::addShapeTool(const scene::PanelTool& shape, QDoubleSpinBox& size) {
+    return addTool(inWindowsLanguage(shape.button), QStringLiteral("clip-") + latin(shape.key),
+                   inWindowsLanguage(shape.whatItDoes),
+                   [this, removed = shape.removed, sizesMm = shape.sizesMm, &size] {
+                       const ValueRange usable = sizesMm(volume());
+                       const double mm = std::clamp(size.value(), usable.low, usable.high);
+                       return removed(clip(), crosshairMm(), mm, volume());
+                   });
 }
 
 QPushButton* ClipPanel::addTool(const QString& text, const QString& name, const QString& what,
@@ -254,7 +282,6 @@ void ClipPanel::showStudy() {
         }
         const glm::dvec3 size = all.high - all.low;
         const double least = std::min({voxel.x, voxel.y, voxel.z});
-        const ValueRange radii = scene::ballRadiiMm(volume());
         const auto setRange = [&](QDoubleSpinBox& box, double low, double high) {
             const QSignalBlocker blocker(box);
             box.setDecimals(decimalsForMm(least));
@@ -262,7 +289,10 @@ void ClipPanel::showStudy() {
             box.setRange(low, std::max(low, high));
         };
         setRange(*thickness_, least, std::max({size.x, size.y, size.z}));
-        setRange(*radius_, radii.low, radii.high);
+        for (const SizedShape& shape : shapes_) {
+            const ValueRange usable = shape.tool.sizesMm(volume());
+            setRange(*shape.size, usable.low, usable.high);
+        }
     }
     showClip();
 }
@@ -302,18 +332,8 @@ void ClipPanel::showFaces() {
             row->setUsable(kept.ok(), kept ? QString() : reason(kept.error()));
             if (kept) row->showMm(scene::faceMm(*kept, row->face()));
         }
-        const Clip shape = clip() ? clip()->clip : Clip{};
-        const auto oblique = std::count_if(shape.planes.begin(), shape.planes.end(),
-                                           [](const HalfSpace& plane) { return !scene::isAlongAxis(plane); });
         if (!kept) besides << reason(kept.error());
-        if (shape.box && shape.ofBox == Keep::outside) besides << tr("A box is removed.");
-        if (shape.box && shape.ofBox == Keep::inside && !scene::keepsBox(shape))
-            besides << tr("Only a turned box is kept.");
-        if (oblique > 0) besides << tr("Oblique planes that cut: %1.").arg(oblique);
-        if (shape.cut) besides << tr("A corner is removed.");
-        if (shape.ball)
-            besides << (shape.ofBall == Keep::outside ? tr("A ball is removed.")
-                                                      : tr("Only a ball is kept."));
+        if (clip()) besides << remarksOn(clipFor(*clip(), volume()));
     }
     say(*besides_, besides.join(QLatin1Char(' ')));
 }
@@ -326,9 +346,10 @@ void ClipPanel::showEvent(QShowEvent* event) {
 
 void ClipPanel::showTools() {
     const bool hasStudy = session_.hasStudy();
-    for (QWidget* size : {static_cast<QWidget*>(thickness_), static_cast<QWidget*>(radius_),
-                          static_cast<QWidget*>(orientations_), static_cast<QWidget*>(corners_)})
+    for (QWidget* size : {static_cast<QWidget*>(thickness_), static_cast<QWidget*>(orientations_),
+                          static_cast<QWidget*>(corners_)})
         size->setEnabled(hasStudy);
+    for (const SizedShape& shape : shapes_) shape.size->setEnabled(hasStudy);
     for (const Tool& tool : tools_) {
         QString whyNot = tr("Open a study first.");
         bool usable = false;

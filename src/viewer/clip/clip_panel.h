@@ -10,6 +10,7 @@
 #include <functional>
 #include <vector>
 
+#include "scene/clip/clip_shapes.h"
 #include "scene/clip/edited_clip.h"
 #include "viewer/clip/face_row.h"
 #include "viewer/clip/wheel_guard.h"
@@ -38,10 +39,17 @@ class ClipPanel : public QWidget {
         bool showsAll = false;  // also removes the cuts
     };
 
+    // A shape that a button removes, and the size that a person chose for it.
+    struct SizedShape {
+        scene::PanelTool tool;
+        QDoubleSpinBox* size;
+    };
+
     void makeClips();
     QWidget* makeFaces();
     QWidget* makeCuts();
-    QWidget* makeSizes();  // slab, ball and corner
+    QWidget* makeSizes();  // slab, shapes of a size, and corner
+    QPushButton* addShapeTool(const scene::PanelTool& shape, QDoubleSpinBox& size);
     QPushButton* addTool(const QString& text, const QString& name, const QString& what,
                          std::function<Edited()> edit);
     QDoubleSpinBox* makeMmBox(const QString& name, const QString& what, double mm);
@@ -71,7 +79,7 @@ class ClipPanel : public QWidget {
     QLabel* trouble_;
     QComboBox* orientations_ = nullptr;
     QDoubleSpinBox* thickness_ = nullptr;
-    QDoubleSpinBox* radius_ = nullptr;
+    std::vector<SizedShape> shapes_;
     QComboBox* corners_ = nullptr;
     scene::OptionalClip lastOwn_;  // this study's last unlisted clip, for the list to restore
 };

@@ -21,8 +21,6 @@ void fillPanel(xr::RoomWords& words) {
     words.knifeOff = Words::tr("Knife: off").toStdString();
     words.hold = Words::tr("Hold: %1").toStdString();
     words.nothing = Words::tr("nothing").toStdString();
-    words.ball = Words::tr("ball").toStdString();
-    words.box = Words::tr("box").toStdString();
     words.resetClips = Words::tr("Reset clips").toStdString();
     words.undo = Words::tr("Undo").toStdString();
     words.takePicture = Words::tr("Take picture").toStdString();

@@ -17,7 +17,7 @@ namespace macula::viewer {
 
 // Contours are in device pixels of the picture.
 struct ClipOnSlice {
-    std::vector<scene::Contour> removed;  // filled by winding: box, planes, corner and ball
+    std::vector<scene::Contour> removed;  // filled by winding
     struct Scissors {
         std::vector<scene::Contour> behind;
         bool removesOutside = false;

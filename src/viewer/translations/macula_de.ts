@@ -116,14 +116,6 @@
         <translation>nichts</translation>
     </message>
     <message>
-        <source>ball</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>box</source>
-        <translation>Quader</translation>
-    </message>
-    <message>
         <source>Reset clips</source>
         <translation>Beschnitt weg</translation>
     </message>
@@ -9033,6 +9025,50 @@
         <source>The graphics device stopped responding; the work begins anew on a new one.</source>
         <translation>Das Grafikgerät antwortet nicht mehr; die Arbeit beginnt auf einem neuen von vorn.</translation>
     </message>
+    <message>
+        <source>A ball is removed.</source>
+        <translation>Eine Kugel ist entfernt.</translation>
+    </message>
+    <message>
+        <source>Only a ball is kept.</source>
+        <translation>Nur eine Kugel bleibt.</translation>
+    </message>
+    <message>
+        <source>Remove a ball</source>
+        <translation>Kugel entfernen</translation>
+    </message>
+    <message>
+        <source>Removes a ball around the cross-hair; it takes the place of another ball</source>
+        <translation>Entfernt eine Kugel um das Fadenkreuz; sie ersetzt eine andere Kugel</translation>
+    </message>
+    <message>
+        <source>Radius of the ball</source>
+        <translation>Radius der Kugel</translation>
+    </message>
+    <message>
+        <source>From its centre, in mm</source>
+        <translation>Von der Mitte aus, in mm</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>A corner is removed.</source>
+        <translation>Eine Ecke ist entfernt.</translation>
+    </message>
+    <message>
+        <source>A box is removed.</source>
+        <translation>Ein Quader ist entfernt.</translation>
+    </message>
+    <message>
+        <source>Only a turned box is kept.</source>
+        <translation>Nur ein gedrehter Quader bleibt.</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::BackgroundMenu</name>
@@ -9210,22 +9246,6 @@
         <translation>Welcher der acht Teile um das Fadenkreuz gemeint ist</translation>
     </message>
     <message>
-        <source>Radius of the ball</source>
-        <translation>Radius der Kugel</translation>
-    </message>
-    <message>
-        <source>From its centre, in mm</source>
-        <translation>Von der Mitte aus, in mm</translation>
-    </message>
-    <message>
-        <source>Remove a ball</source>
-        <translation>Kugel entfernen</translation>
-    </message>
-    <message>
-        <source>Removes a ball around the cross-hair; it takes the place of another ball</source>
-        <translation>Entfernt eine Kugel um das Fadenkreuz; sie ersetzt eine andere Kugel</translation>
-    </message>
-    <message>
         <source>Removes that corner; it takes the place of another corner</source>
         <translation>Entfernt diese Ecke; sie ersetzt eine andere Ecke</translation>
     </message>
@@ -9246,28 +9266,8 @@
         <translation>Öffnen Sie zuerst eine Studie.</translation>
     </message>
     <message>
-        <source>A box is removed.</source>
-        <translation>Ein Quader ist entfernt.</translation>
-    </message>
-    <message>
-        <source>Only a turned box is kept.</source>
-        <translation>Nur ein gedrehter Quader bleibt.</translation>
-    </message>
-    <message>
         <source>Oblique planes that cut: %1.</source>
         <translation>Schräge Ebenen, die schneiden: %1.</translation>
-    </message>
-    <message>
-        <source>A corner is removed.</source>
-        <translation>Eine Ecke ist entfernt.</translation>
-    </message>
-    <message>
-        <source>A ball is removed.</source>
-        <translation>Eine Kugel ist entfernt.</translation>
-    </message>
-    <message>
-        <source>Only a ball is kept.</source>
-        <translation>Nur eine Kugel bleibt.</translation>
     </message>
     <message>
         <source>%1, %2, %3 mm</source>
