@@ -6,10 +6,10 @@
 #include <initializer_list>
 #include <utility>
 
+#include "evaluate/bench_study.h"
 #include "evaluate/measurement.h"
 #include "evaluate/shown_picture.h"
 #include "evaluate/viewpoints.h"
-#include "evaluate/window_drawing.h"
 #include "image/metrics.h"
 #include "live/device/scene_on_device.h"
 #include "live/frame/estimated_model.h"

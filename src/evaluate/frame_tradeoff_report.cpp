@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 Json toJson(const FrameErrors& errors) {
     return {{"flip", errors.flip},
             {"fovealFlip", errors.fovealFlip},
-            {"maskedPsnrDb", errors.maskedPsnrDb ? Json(*errors.maskedPsnrDb) : Json()}};
+            {"maskedPsnrDb", orNull(errors.maskedPsnrDb)}};
 }
 
 Json toJson(const FrameRecipe& recipe) {

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/elapsed.h"
 #include "dicom/read/dataset.h"
 #include "dicom/read/folder.h"
 #include "dicom/read/quiet_toolkit.h"
@@ -24,7 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double perSecond(std::size_t files, Clock::time_point since) {
-    return static_cast<double>(files) / std::chrono::duration<double>(Clock::now() - since).count();
+    return static_cast<double>(files) / secondsSince(since);
 }
 
 double readAll(const std::vector<fs::path>& files, std::size_t threads,

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include "evaluate/bench_study.h"
 #include "evaluate/frame_makers.h"
 #include "evaluate/held_out_views.h"
 #include "evaluate/measurement.h"
-#include "evaluate/model_kernels.h"
 #include "live/device/scene_on_device.h"
 #include "scene/choice/lights_choice.h"
 

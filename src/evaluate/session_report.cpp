@@ -12,10 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json orNull(const std::optional<double>& number) {
-    return number ? Json(*number) : Json();
-}
-
 Json toJson(const LearntModel& model) {
     return {{"seconds", model.seconds},
             {"stage", model.stage},

@@ -1,4 +1,4 @@
-#include "presets/mitk_xml.h"
+#include "presets/importers.h"
 
 #include <cmath>
 

@@ -8,12 +8,9 @@
 #include "base/atomic_file.h"
 #include "pipeline/volume/json_reader.h"
 #include "pipeline/volume/transfer_function_json.h"
-#include "presets/mitk_xml.h"
-#include "presets/numbers.h"
-#include "presets/paraview_json.h"
+#include "presets/importers.h"
 #include "presets/preset_name.h"
-#include "presets/slicer_vp.h"
-#include "presets/slicer_xml.h"
+#include "presets/vtk_curve.h"
 
 namespace macula::presets {
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/camera.h"
 #include "registration/comparison.h"
 #include "registration/intensity_bins.h"
 #include "registration/pattern_search.h"
@@ -106,14 +107,6 @@ Extent extentOf(const ScalarGrid& grid) {
     extent.volumeMl =
         double(extent.cells) * std::abs(glm::determinant(glm::dmat3(grid.worldFromGrid))) / 1000.0;
     return extent;
-}
-
-std::array<glm::dvec3, 8> cornersOf(const Box& box) {
-    std::array<glm::dvec3, 8> corners;
-    for (unsigned n = 0; n < corners.size(); ++n)
-        corners[n] = {n & 1U ? box.high.x : box.low.x, n & 2U ? box.high.y : box.low.y,
-                      n & 4U ? box.high.z : box.low.z};
-    return corners;
 }
 
 glm::dvec3 shiftOf(const Parameters& p) {

@@ -8,9 +8,7 @@
 #include "segment/coarse_grid.h"
 #include "segment/components.h"
 #include "segment/distance.h"
-#include "segment/enclosed.h"
 #include "segment/messages.h"
-#include "segment/opening.h"
 #include "segment/table_surface.h"
 
 namespace macula::segment {

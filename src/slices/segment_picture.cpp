@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "slices/sampled_slice.h"
-#include "slices/voxel_places.h"
+#include "slices/voxel_grid.h"
 
 namespace macula::slices {
 

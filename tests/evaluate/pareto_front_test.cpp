@@ -1,4 +1,4 @@
-#include "evaluate/pareto_front.h"
+#include "evaluate/frame_tradeoff.h"
 
 #include <gtest/gtest.h>
 

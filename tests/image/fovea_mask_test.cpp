@@ -1,5 +1,5 @@
 // Masks of foveas against angles worked out by hand.
-#include "image/fovea_mask.h"
+#include "image/frame_metrics.h"
 
 #include <gtest/gtest.h>
 
