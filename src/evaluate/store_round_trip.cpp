@@ -27,10 +27,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kSavesEvery = 10;  // frames
 constexpr int kLaterSaves = 5;
 
-double msSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 Result<void> checkFolder(const fs::path& folder) {
     std::error_code error;
     if (folder.empty() || !fs::exists(fs::symlink_status(folder, error))) return {};

@@ -90,11 +90,8 @@ glm::dmat4 sformOf(const Header& header) {
 
 double largestDifferenceMm(const glm::dmat4& a, const glm::dmat4& b, const glm::ivec3& size) {
     double most = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 voxel(corner & 1 ? size.x - 1 : 0, corner & 2 ? size.y - 1 : 0,
-                               corner & 4 ? size.z - 1 : 0);
+    for (const glm::dvec3& voxel : cornersOf({glm::dvec3(0.0), glm::dvec3(size - 1)}))
         most = std::max(most, glm::length(transformPoint(a, voxel) - transformPoint(b, voxel)));
-    }
     return most;
 }
 

@@ -18,7 +18,6 @@ Error headerDamaged();
 // The assumption for a file without an orientation.
 Text lpsAssumed();
 
-std::string lowerCase(std::string text);
 std::vector<std::string> words(const std::string& text);
 
 // Nothing unless the text is exactly `count` numbers.

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/atomic_file.h"
+#include "base/parsing.h"
 #include "pipeline/volume/json_reader.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/importers.h"
@@ -85,12 +86,6 @@ std::string nameOf(const fs::path& path) {
     fs::path name = path.stem();
     if (name.extension() == ".vp") name = name.stem();
     return name.string();
-}
-
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/camera.h"
+#include "base/is_finite.h"
 #include "registration/comparison.h"
 #include "registration/intensity_bins.h"
 #include "registration/pattern_search.h"
@@ -345,9 +345,7 @@ double boxOverlap(const Volume& fixed, const Volume& moving, const glm::dmat4& m
 
 bool isRigid(const glm::dmat4& transform) {
     constexpr double kTolerance = 1e-3;
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(transform[column][row])) return false;
+    if (!isFinite(transform)) return false;
     const glm::dmat3 turn(transform);
     const glm::dmat3 square = glm::transpose(turn) * turn;
     for (int column = 0; column < 3; ++column)
