@@ -4,7 +4,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
 
 #include "base/parallel.h"
 #include "live/frame/times_report.h"

@@ -6,7 +6,6 @@
 #include <initializer_list>
 #include <utility>
 
-#include "evaluate/bench_study.h"
 #include "evaluate/measurement.h"
 #include "evaluate/shown_picture.h"
 #include "evaluate/viewpoints.h"

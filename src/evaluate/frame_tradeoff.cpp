@@ -8,7 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "evaluate/bench_study.h"
 #include "evaluate/frame_makers.h"
 #include "evaluate/measurement.h"
 #include "evaluate/viewpoints.h"

@@ -6,7 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "evaluate/bench_study.h"
 #include "evaluate/frame_scores.h"
 #include "evaluate/measurement.h"
 #include "evaluate/shown_picture.h"

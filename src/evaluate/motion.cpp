@@ -8,8 +8,6 @@
 #include "evaluate/frame_makers.h"
 #include "evaluate/shown_picture.h"
 #include "evaluate/viewpoints.h"
-#include "image/edges.h"
-#include "image/frame_metrics.h"
 #include "image/masked_metrics.h"
 #include "image/metrics.h"
 #include "live/device/scene_on_device.h"

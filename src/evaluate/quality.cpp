@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "evaluate/bench_study.h"
 #include "evaluate/frame_makers.h"
 #include "evaluate/held_out_views.h"
 #include "evaluate/measurement.h"

@@ -11,7 +11,6 @@
 #include "base/check.h"
 #include "base/draft.h"
 #include "base/elapsed.h"
-#include "evaluate/bench_study.h"
 #include "evaluate/measurement.h"
 #include "evaluate/stored_scene.h"
 #include "image/masked_metrics.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/glm.hpp>
 
 #include "image/planes.h"
 

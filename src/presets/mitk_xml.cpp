@@ -1,7 +1,5 @@
 #include "presets/importers.h"
 
-#include <cmath>
-
 #include "base/parsing.h"
 #include "presets/preset_name.h"
 #include "presets/vtk_curve.h"

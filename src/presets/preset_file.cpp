@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "base/atomic_file.h"
 #include "base/parsing.h"
 #include "pipeline/volume/json_reader.h"
 #include "pipeline/volume/transfer_function_json.h"
-#include "presets/importers.h"
 #include "presets/preset_name.h"
 #include "presets/vtk_curve.h"
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <vector>
 
 #include "base/parallel.h"
 

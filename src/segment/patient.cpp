@@ -1,7 +1,6 @@
 #include "segment/patient.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 
 #include "base/parallel.h"

@@ -5,7 +5,6 @@
 #include <vulkan/vulkan_core.h>
 
 #include <algorithm>
-#include <string>
 
 #include "pipeline/gpu/device.h"
 

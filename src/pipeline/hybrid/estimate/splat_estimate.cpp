@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
-#include <utility>
 
 #include "base/parallel.h"
 #include "base/timeline.h"

@@ -1,8 +1,6 @@
 #include "pipeline/hybrid/views/coarse_picture.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 #include "pipeline/splat/train/reference_loss.h"
 
