@@ -22,7 +22,6 @@
 #include "pipeline/hybrid/model/held_out_pictures.h"
 #include "pipeline/hybrid/model/model_start.h"
 #include "pipeline/hybrid/model/peripheral_state.h"
-#include "pipeline/hybrid/views/asked_views.h"
 #include "pipeline/hybrid/views/candidate_poses.h"
 #include "pipeline/hybrid/views/training_views.h"
 #include "pipeline/splat/train/trainer.h"
