@@ -15,7 +15,7 @@
 #include "cli/shared/number_range.h"
 #include "cli/shared/output_options.h"
 #include "evaluate/edits.h"
-#include "evaluate/frame_tradeoff_report.h"
+#include "evaluate/frame_tradeoff.h"
 #include "evaluate/live_picture.h"
 #include "evaluate/specks.h"
 #include "pictures/output_files.h"

@@ -7,7 +7,7 @@
 #include "bench/command.h"
 #include "bench/study_report.h"
 #include "cli/shared/number_range.h"
-#include "evaluate/session_report.h"
+#include "evaluate/store_round_trip.h"
 
 namespace macula::bench {
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "evaluate/bench_study.h"
 #include "evaluate/frame_recipes.h"
 #include "evaluate/frame_scores.h"
+#include "evaluate/svg_plot.h"
 
 namespace macula::evaluate {
 
@@ -82,5 +84,17 @@ void markFronts(FrameTradeoff& tradeoff);
 // seen; with usage if the samples of the truth are odd, or lights follow the camera.
 Result<FrameTradeoff> measureFrameTradeoff(const BenchStudy& study, const FrameTradeoffOptions& options,
                                            Progress& progress);
+
+// The results as JSON and as plots; neither contains patient data. The report begins with `describe` of its
+// study. Unknown values, and the recipe of splats alone, are null.
+nlohmann::ordered_json reportOf(const BenchStudy& study, const FrameTradeoffOptions& options,
+                                const FrameTradeoff& result);
+nlohmann::ordered_json toJson(const ModelPoint& point);
+nlohmann::ordered_json toJson(const FramePoint& point);
+
+// Three plots: FLIP of whole frames over milliseconds, FLIP around the gaze over milliseconds, and FLIP of
+// models over seconds. The first two show splats alone, a Pareto front for each field of the fovea, and the
+// front of all; the third shows a curve for each varied quantity, and the front.
+std::vector<Plot> plotsOf(const FrameTradeoff& tradeoff);
 
 }  // namespace macula::evaluate

@@ -1,4 +1,4 @@
-#include "evaluate/frame_tradeoff_report.h"
+#include "evaluate/frame_tradeoff.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "evaluate/session_report.h"
+#include "evaluate/store_round_trip.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -96,5 +97,12 @@ Result<void> check(const BenchStudyOptions& study, const StoreRoundTripOptions& 
 // with `cancelled`; and with the first error of a keeper.
 Result<StoreRoundTrip> measureSession(const BenchStudy& study, const StoreRoundTripOptions& options,
                                       Progress& progress);
+
+// All results as JSON, null for those that do not exist. `store` is present only if it was measured.
+nlohmann::ordered_json toJson(const StoreRoundTrip& measured);
+
+// Begins with `describe` of the study; contains no patient data.
+nlohmann::ordered_json reportOf(const BenchStudy& study, const StoreRoundTripOptions& options,
+                                const StoreRoundTrip& measured);
 
 }  // namespace macula::evaluate

@@ -9,8 +9,6 @@
 #include <string>
 #include <tuple>
 
-#include "evaluate/frame_tradeoff_report.h"
-
 namespace macula::evaluate {
 namespace {
 

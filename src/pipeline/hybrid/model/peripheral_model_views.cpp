@@ -5,7 +5,7 @@
 #include "pipeline/hybrid/model/peripheral_model.h"
 #include "pipeline/hybrid/views/candidate_poses.h"
 #include "pipeline/hybrid/views/held_out.h"
-#include "pipeline/hybrid/views/learnt_views.h"
+#include "pipeline/hybrid/views/training_views.h"
 
 namespace macula::hybrid {
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "base/camera.h"
@@ -90,5 +91,16 @@ class AskedViews {
     glm::ivec2 sizePx_;
     std::vector<Camera> cameras_;
 };
+
+// An upper estimate of the device memory that the views of a trainer take.
+double bytesOfViews(const splat::Trainer& trainer);
+// Mean number of pixels of a view; 0 without views.
+double meanPixelsOfViews(const splat::Trainer& trainer);
+
+// The index of the picture with exactly this view, if any.
+std::optional<std::size_t> pictureOf(const splat::Trainer& trainer, const splat::RasterView& view);
+// Whether there is a picture from there (isSamePose).
+bool hasPictureFrom(const splat::Trainer& trainer, const splat::RasterView& view, double radiusMm,
+                    const AdmissionOptions& options);
 
 }  // namespace macula::hybrid

@@ -1,4 +1,4 @@
-#include "formats/text_fields.h"
+#include "formats/text_header.h"
 
 #include <algorithm>
 #include <fstream>
