@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "image/masked_metrics.h"
 #include "image/planes.h"
 #include "image/ssim.h"
 
@@ -13,17 +13,9 @@ namespace macula::image {
 
 Result<double> psnr(const Image& reference, const Image& test) {
     MACULA_TRY_VOID(comparable(reference, test));
-    const auto a = colourPlanes(reference);
-    const auto b = colourPlanes(test);
-    double squares = 0.0;
-    for (std::size_t c = 0; c < a.size(); ++c) {
-        for (std::size_t i = 0; i < a[c].values.size(); ++i) {
-            const double difference = a[c].values[i] - b[c].values[i];
-            squares += difference * difference;
-        }
-    }
-    if (squares == 0.0) return std::numeric_limits<double>::infinity();
-    return -10.0 * std::log10(squares / double(a.size() * a.front().values.size()));
+    const Mask whole(std::size_t(reference.width) * std::size_t(reference.height), 1);
+    MACULA_TRY(const std::optional<double> db, maskedPsnr(reference, test, whole));
+    return *db;
 }
 
 Result<double> ssim(const Image& reference, const Image& test) {
