@@ -15,7 +15,6 @@
 #include "registration/intensity_bins.h"
 #include "registration/pattern_search.h"
 #include "registration/rival.h"
-#include "registration/sample_points.h"
 #include "registration/scalar_grid.h"
 
 namespace macula::registration {

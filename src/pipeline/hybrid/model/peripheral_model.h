@@ -85,7 +85,7 @@ struct PeripheralReport {
     std::size_t heldOut = 0;
     std::optional<double> error;       // of the trained model, mean over the held-out pictures
     std::optional<double> shownError;  // of the shown model, over the same pictures
-    // True once a shown model had no larger error than coarse pictures (coarse_picture.h); nothing while too
+    // True once a shown model had no larger error than coarse pictures (coarselyShown); nothing while too
     // few pictures are held out.
     std::optional<bool> isSharp;
     std::optional<double> fallPerSecond;  // ErrorTrend
