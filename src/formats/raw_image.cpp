@@ -278,6 +278,13 @@ std::uint64_t RawImageLayout::bytes() const {
     return std::uint64_t(size.x) * std::uint64_t(size.y) * std::uint64_t(size.z) * bytesOf(type);
 }
 
+Error notWritten() {
+    return {ErrorCode::outputNotWritable,
+            Text("The file could not be written."),
+            {},
+            Text("Check free space and permissions.")};
+}
+
 Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume) {
     if (volume < 1 || volume > layout.volumes) {
         return Error{ErrorCode::usage,
