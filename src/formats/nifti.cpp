@@ -393,7 +393,8 @@ Result<void> writeNifti(const fs::path& path, const RawImage& image, Progress& p
         return notWritten();
     for (std::size_t at = 0; at < image.data.size(); at += kPortion) {
         const auto length = static_cast<unsigned>(std::min(kPortion, image.data.size() - at));
-        if (gzwrite(file.get(), image.data.data() + at, length) != static_cast<int>(length)) return notWritten();
+        if (gzwrite(file.get(), image.data.data() + at, length) != static_cast<int>(length))
+            return notWritten();
         progress.advance();
         if (progress.cancelled())
             return Error{ErrorCode::cancelled, Text("Stopped; nothing was written."), {}, {}};
