@@ -1,6 +1,7 @@
 #include "evaluate/edits.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>

@@ -2,6 +2,7 @@
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <vulkan/vulkan_core.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -23,35 +24,13 @@
 #include <vector>
 
 #include "base/result.h"
+#include "pipeline/gpu/binding.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/foreign_images.h"
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/resources.h"
 
 namespace macula::gpu {
-
-// A resource that a dispatch binds to a shader. The shader decides which kind of descriptor it becomes.
-class Binding {
-  public:
-    Binding(const Buffer& buffer);                         // buffer (std430, scalar) or uniform block
-    Binding(const TexelBuffer& texels);                    // samplerBuffer or imageBuffer
-    Binding(const TexelBuffer& texels, std::size_t view);  // the same, of one view
-    Binding(const Image& image);                           // image2D, image3D, texture2D
-    Binding(const Image& image, const Sampler& sampler);   // sampler2D, sampler3D
-
-  private:
-    friend class Recorder;
-
-    enum class Kind { buffer, texelBuffer, image, sampledImage };
-    bool fits(VkDescriptorType type) const;
-
-    Kind kind_;
-    const std::string* label_;
-    VkDescriptorBufferInfo buffer_{};
-    VkDescriptorImageInfo image_{};
-    VkBufferView view_ = VK_NULL_HANDLE;
-    VkFlags usage_ = 0;
-};
 
 // Threads, not groups; rounded up to whole groups, so a shader must test its invocation against the actual
 // size.

@@ -4,13 +4,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <vulkan/vulkan_core.h>
+
 #include <algorithm>
 #include <cerrno>
 
 #include "pipeline/gpu/device.h"
 
 namespace macula::gpu {
-
 namespace {
 
 constexpr std::uint32_t kMostEdgePx = 16384;
