@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/elapsed.h"
 
 namespace macula {
 
@@ -28,7 +29,7 @@ void Aside::begin(std::function<void()> work) {
         } catch (...) {
             thrown_ = std::current_exception();
         }
-        took_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        took_ = secondsSince(start);
     };
     try {
         thread_ = std::jthread(run);

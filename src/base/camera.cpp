@@ -122,15 +122,6 @@ CameraBasis standardBasis(ViewDirection from) {
     return {.right = glm::cross(-view.fromDirection, view.up), .up = view.up, .forward = -view.fromDirection};
 }
 
-std::array<glm::dvec3, 8> cornersOf(const Box& box) {
-    std::array<glm::dvec3, 8> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        corners[i] = {(i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
-                      (i & 4) != 0 ? box.high.z : box.low.z};
-    }
-    return corners;
-}
-
 Camera framePoints(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes, double verticalFovDeg,
                    double aspectWidthOverHeight) {
     MACULA_CHECK(!pointsMm.empty());

@@ -1,7 +1,6 @@
 // A camera in patient LPS mm: an eye, or parallel rays.
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "base/frames.h"
@@ -71,8 +70,5 @@ Camera framePoints(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes
 // The same with parallel rays. The target is the middle of the points' bounding box along the axes.
 Camera frameInParallel(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes, double verticalFovDeg,
                        double aspectWidthOverHeight);
-
-// The corners of a box, for framePoints.
-std::array<glm::dvec3, 8> cornersOf(const Box& box);
 
 }  // namespace macula

@@ -1,10 +1,20 @@
 #include "base/frames.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "base/is_finite.h"
+
 namespace macula {
+
+std::array<glm::dvec3, 8> cornersOf(const Box& box) {
+    std::array<glm::dvec3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i] = {(i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
+                      (i & 4) != 0 ? box.high.z : box.low.z};
+    }
+    return corners;
+}
 
 glm::dmat4 affine(const glm::dvec3& columnI, const glm::dvec3& columnJ, const glm::dvec3& columnK,
                   const glm::dvec3& origin) {
@@ -13,11 +23,7 @@ glm::dmat4 affine(const glm::dvec3& columnI, const glm::dvec3& columnJ, const gl
 }
 
 bool isInvertibleAffine(const glm::dmat4& transform) {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
-            if (!std::isfinite(transform[column][row])) return false;
-        }
-    }
+    if (!isFinite(transform)) return false;
     const glm::dvec3 lengths{glm::length(glm::dvec3(transform[0])), glm::length(glm::dvec3(transform[1])),
                              glm::length(glm::dvec3(transform[2]))};
     if (!(lengths.x > 0.0 && lengths.y > 0.0 && lengths.z > 0.0)) return false;

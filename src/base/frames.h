@@ -3,6 +3,7 @@
 // with integers at voxel centres. A transform named bFromA takes coordinates in frame a to frame b.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <string>
 
@@ -16,6 +17,9 @@ struct Box {
     glm::dvec3 centre() const { return 0.5 * (low + high); }
     double diagonal() const { return glm::length(high - low); }
 };
+
+// Bit n of the index is set at the high end of axis n.
+std::array<glm::dvec3, 8> cornersOf(const Box& box);
 
 inline glm::dvec3 transformPoint(const glm::dmat4& bFromA, const glm::dvec3& point) {
     return glm::dvec3(bFromA * glm::dvec4(point, 1.0));

@@ -1,9 +1,7 @@
 #include "base/parallel.h"
 
-#include <algorithm>
 #include <exception>
 #include <optional>
-#include <system_error>
 #include <thread>
 #include <vector>
 

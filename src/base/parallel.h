@@ -1,6 +1,7 @@
 // Data parallelism over all cores.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -16,5 +17,13 @@ std::size_t coreCount();
 // first exception.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body,
                  const CancelToken& token = {});
+
+// Calls body(first, count) for portions of `size` elements, on all cores.
+template <class Body>
+void inChunks(std::size_t size, const Body& body) {
+    constexpr std::size_t kChunk = std::size_t{1} << 20;
+    parallelFor((size + kChunk - 1) / kChunk,
+                [&](std::size_t chunk) { body(chunk * kChunk, std::min(kChunk, size - chunk * kChunk)); });
+}
 
 }  // namespace macula

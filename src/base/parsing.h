@@ -1,9 +1,10 @@
-// Parses numbers in text from files, with a decimal point whatever the locale.
+// Parses text from files: numbers with a decimal point, whatever the locale.
 #pragma once
 
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace macula {
@@ -14,6 +15,12 @@ constexpr std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(kPadding);
     if (begin == std::string_view::npos) return {};
     return text.substr(begin, text.find_last_not_of(kPadding) - begin + 1);
+}
+
+// With the letters A to Z in lower case, whatever the locale.
+inline std::string lowerCase(std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
 }
 
 // Parses the whole of `text` as a number; nothing when it has padding or other characters.

@@ -7,7 +7,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
-#include "base/camera.h"
 #include "base/parallel.h"
 
 namespace macula::phantom {

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "base/elapsed.h"
+
 namespace macula {
 
 namespace {
@@ -49,7 +51,7 @@ class Estimate {
             first_ = update.fraction;
         }
         fraction_ = update.fraction;
-        const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+        const double seconds = secondsSince(start_);
         const double done = fraction_ - first_;
         if (seconds < 1.0 || done < 0.01 || fraction_ >= 1.0) return -1.0;
         return seconds * (1.0 - fraction_) / done;

@@ -16,17 +16,9 @@ namespace macula {
 namespace {
 
 constexpr double kLargestStored = 65535.0;
-constexpr std::size_t kChunk = std::size_t{1} << 20;
 constexpr std::size_t kMostLookedAt = 1'000'000;  // voxels sampled to find the ends of the range
 constexpr double kShareBeyond = 1e-4;             // of the voxels may lie beyond the range, at each end
 constexpr double kStretched = 8.0;  // a range wider than the others' range by this factor is cut
-
-// Calls body(first, count) for chunks of `size` elements, on all cores.
-template <class Body>
-void inChunks(std::size_t size, const Body& body) {
-    parallelFor((size + kChunk - 1) / kChunk,
-                [&](std::size_t chunk) { body(chunk * kChunk, std::min(kChunk, size - chunk * kChunk)); });
-}
 
 bool isPadding(float value, std::optional<float> padding) {
     return std::isnan(value) || value == padding;

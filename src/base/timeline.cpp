@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/elapsed.h"
+
 namespace macula {
 
 namespace {
 
 thread_local Timeline* watching = nullptr;
-
-double msSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 template <typename Stages>
 auto find(Stages& stages, std::string_view name) {

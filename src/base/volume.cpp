@@ -13,14 +13,6 @@ namespace {
 
 constexpr double kAirHu = -1000.0;
 constexpr std::int64_t kMaxVoxelsPerAxis = 65536;
-constexpr std::size_t kChunk = std::size_t{1} << 20;
-
-// Calls body(first, count) for chunks of `size` elements, on all cores.
-template <class Body>
-void inChunks(std::size_t size, const Body& body) {
-    parallelFor((size + kChunk - 1) / kChunk,
-                [&](std::size_t chunk) { body(chunk * kChunk, std::min(kChunk, size - chunk * kChunk)); });
-}
 
 // Smallest and largest voxel for which `isPadding` is false; low > high if there is none.
 template <class T, class IsPadding>
@@ -181,10 +173,7 @@ glm::dvec3 Volume::spacingMm() const {
 Box Volume::worldBox() const {
     Box box{glm::dvec3(std::numeric_limits<double>::max()),
             glm::dvec3(std::numeric_limits<double>::lowest())};
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 voxel{(corner & 1 ? options_.size.x : 0) - 0.5,
-                               (corner & 2 ? options_.size.y : 0) - 0.5,
-                               (corner & 4 ? options_.size.z : 0) - 0.5};
+    for (const glm::dvec3& voxel : cornersOf({glm::dvec3(-0.5), glm::dvec3(options_.size) - 0.5})) {
         const glm::dvec3 world = transformPoint(options_.worldFromVoxel, voxel);
         box.low = glm::min(box.low, world);
         box.high = glm::max(box.high, world);

@@ -4,6 +4,7 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 
+#include "cli/shared/number_range.h"
 #include "cli/shared/study_options.h"
 #include "scene/choice/lights_choice.h"
 
@@ -17,9 +18,7 @@ void addBenchStudyOptions(CLI::App& command, evaluate::BenchStudyOptions& option
     cli::addJoin(command, options.how);
     command.add_option("--preset", options.preset, "Preset by name, number or file; default by modality");
     command.add_option("--lights", options.lights, "Light rig by name or file")->capture_default_str();
-    command.add_option("--size", options.size, "Width and height in pixels")
-        ->capture_default_str()
-        ->check(CLI::Range(8, 4096));
+    cli::addNumber(command, "--size", options.size, "Width and height in pixels", 8, 4096);
     command.add_option("--device", options.device, "Device by number or part of its name");
 }
 

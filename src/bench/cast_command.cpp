@@ -14,6 +14,7 @@
 #include "bench/command.h"
 #include "cli/shared/interrupt.h"
 #include "cli/shared/json_text.h"
+#include "cli/shared/number_range.h"
 #include "cli/shared/report.h"
 #include "evaluate/benchmark_reports.h"
 
@@ -70,9 +71,7 @@ void addCast(CLI::App& app, cli::Action& action) {
     auto* command = app.add_subcommand("cast", "Ray-cast looks, one sample a pixel, beside VTK's CPU mapper");
     addBenchStudyOptions(*command, options->study, 512);
     addBenchCamera(*command, options->study);
-    command->add_option("--repetitions", options->turns, "Turns; medians are printed")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
+    cli::addNumber(*command, "--repetitions", options->turns, "Turns; medians are printed", 1, 1000);
     command
         ->add_option("--pictures", options->pictures,
                      "Folder for each contender's picture, and the converged one it is compared with")

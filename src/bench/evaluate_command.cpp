@@ -124,17 +124,11 @@ Result<void> evaluateAll(EvaluateOptions options) {
 void addProtocolOptions(CLI::App& command, EvaluateOptions& o) {
     evaluate::EvaluationOptions& e = o.studies.evaluation;
     cli::addModelOptions(command, e.model);
-    command
-        .add_option("--truth-views", e.truthViews,
-                    "Views that are compared; fewer are some from each distance")
-        ->capture_default_str()
-        ->check(CLI::Range(1, cli::kMostViews));
+    cli::addNumber(command, "--truth-views", e.truthViews,
+                   "Views that are compared; fewer are some from each distance", 1, cli::kMostViews);
     e.truth.samplesPerPixel = 256;
-    command
-        .add_option("--truth-spp", e.truth.samplesPerPixel,
-                    "Samples per pixel of what is compared with, even; the protocol wants 1024")
-        ->capture_default_str()
-        ->check(CLI::Range(2, 1 << 20));
+    cli::addNumber(command, "--truth-spp", e.truth.samplesPerPixel,
+                   "Samples per pixel of what is compared with, even; the protocol wants 1024", 2, 1 << 20);
     command.add_option("--truth-size", o.truthSizePx, "Its width and height in pixels (default: as --size)")
         ->check(CLI::Range(16, kMostTruthSizePx));
     CLI::Option* cache = command.add_option(
@@ -148,20 +142,15 @@ void addProtocolOptions(CLI::App& command, EvaluateOptions& o) {
 }
 
 void addRefinementOptions(CLI::App& command, evaluate::RefinementPlan& plan) {
-    command.add_option("--more-views", plan.views, "Views that are traced for going on")
-        ->capture_default_str()
-        ->check(CLI::Range(1, cli::kMostViews));
-    command
-        .add_option("--more-spp", plan.samplesPerPixel,
-                    "Samples per pixel of these; few will do, because views light each other")
-        ->capture_default_str()
-        ->check(CLI::Range(1, cli::kMostSamplesOfView));
-    command.add_option("--more-iterations", plan.iterations, "Steps of training that follow")
-        ->capture_default_str()
-        ->check(CLI::Range(1, cli::kMostIterations));
-    command.add_option("--snapshot-every", plan.snapshotEvery, "Steps after which the model is compared")
-        ->capture_default_str()
-        ->check(CLI::Range(1, cli::kMostIterations));
+    cli::addNumber(command, "--more-views", plan.views, "Views that are traced for going on", 1,
+                   cli::kMostViews);
+    cli::addNumber(command, "--more-spp", plan.samplesPerPixel,
+                   "Samples per pixel of these; few will do, because views light each other", 1,
+                   cli::kMostSamplesOfView);
+    cli::addNumber(command, "--more-iterations", plan.iterations, "Steps of training that follow", 1,
+                   cli::kMostIterations);
+    cli::addNumber(command, "--snapshot-every", plan.snapshotEvery, "Steps after which the model is compared",
+                   1, cli::kMostIterations);
     command.add_option("--splats", plan.capacity, "Most splats that it may come to have, if it has fewer")
         ->capture_default_str()
         ->check(CLI::Range(1u, trace::kMaxSurfacePoints));

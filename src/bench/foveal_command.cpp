@@ -13,18 +13,9 @@
 
 namespace macula::bench {
 
-namespace {
-
-struct BenchFovealOptions {
-    evaluate::BenchStudyOptions study;
-    evaluate::FovealOptions foveal;
-};
-
-}  // namespace
-
 void addFoveal(CLI::App& app, cli::Action& action) {
-    auto options = std::make_shared<BenchFovealOptions>();
-    evaluate::FovealOptions& o = options->foveal;
+    auto options = std::make_shared<StudyAnd<evaluate::FovealOptions>>();
+    evaluate::FovealOptions& o = options->measured;
     auto* command = app.add_subcommand(
         "foveal",
         "One picture for the fovea, with guides and denoising, beside the scalar C++ reference; and the time "
@@ -45,7 +36,7 @@ void addFoveal(CLI::App& app, cli::Action& action) {
     cli::addNumber(*command, "--side-by-side", o.sideBySide,
                    "Samples of a pixel that are traced side by side; 0: as many as the device likes", 0, 64);
     command->callback([options, &action] {
-        action = [options] { return printReport(options->study, options->foveal, evaluate::measureFoveal); };
+        action = [options] { return printReport(*options, evaluate::measureFoveal); };
     });
 }
 

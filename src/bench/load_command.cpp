@@ -1,7 +1,6 @@
 // macula-bench load PATH: reading headers and loading a series, beside DCMTK and ITK.
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "bench/command.h"
 #include "cli/shared/interrupt.h"
 #include "cli/shared/json_text.h"
+#include "cli/shared/number_range.h"
 #include "dicom/loader.h"
 #include "dicom/scan.h"
 #include "evaluate/baseline.h"
@@ -87,9 +87,7 @@ void addLoad(CLI::App& app, cli::Action& action) {
     command->add_option("PATH", options->path, "Folder with DICOM files")->required();
     command->add_option("--series", options->series,
                         "Place in the list of macula info, or series UID (default: the best)");
-    command->add_option("--repetitions", options->rounds, "Turns; medians are printed")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
+    cli::addNumber(*command, "--repetitions", options->rounds, "Turns; medians are printed", 1, 1000);
     command->add_flag("--json", options->json, "Print JSON");
     command->add_option("--baseline", options->baseline,
                         "JSON output of an earlier run to compare ratios with");

@@ -7,22 +7,13 @@
 #include "bench/command.h"
 #include "bench/study_report.h"
 #include "cli/shared/number_range.h"
-#include "evaluate/session_report.h"
+#include "evaluate/store_round_trip.h"
 
 namespace macula::bench {
 
-namespace {
-
-struct BenchSessionOptions {
-    evaluate::BenchStudyOptions study;
-    evaluate::StoreRoundTripOptions session;
-};
-
-}  // namespace
-
 void addSession(CLI::App& app, cli::Action& action) {
-    auto options = std::make_shared<BenchSessionOptions>();
-    evaluate::StoreRoundTripOptions& o = options->session;
+    auto options = std::make_shared<StudyAnd<evaluate::StoreRoundTripOptions>>();
+    evaluate::StoreRoundTripOptions& o = options->measured;
     auto* command =
         app.add_subcommand("session",
                            "What it costs to keep a model between runs: saving it while frames are drawn, "
@@ -39,9 +30,7 @@ void addSession(CLI::App& app, cli::Action& action) {
     command->add_flag("--large", o.large,
                       "Measure too a store of 10 000 studies and 2 000 models, which takes minutes to make");
     command->callback([options, &action] {
-        action = [options] {
-            return checkAndPrintReport(options->study, options->session, evaluate::measureSession);
-        };
+        action = [options] { return checkAndPrintReport(*options, evaluate::measureSession); };
     });
 }
 

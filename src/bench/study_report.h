@@ -11,30 +11,35 @@
 
 namespace macula::bench {
 
+// The study, and the options of what is measured of it.
+template <class Options>
+struct StudyAnd {
+    evaluate::BenchStudyOptions study;
+    Options measured;
+};
+
 // `measure` of the study that is opened; its reportOf on stdout. `keep` gets what was measured
 // after the report is printed, so that a file that cannot be written loses no numbers.
 template <class Options, class Measure, class Keep>
-Result<void> printReport(const evaluate::BenchStudyOptions& input, const Options& options, Measure measure,
-                         Keep keep) {
+Result<void> printReport(const StudyAnd<Options>& options, Measure measure, Keep keep) {
     Progress progress(terminalProgressBar(), cli::interruptToken());
-    MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(input, progress));
+    MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(options.study, progress));
     cli::printNotes(study.notes, study.warnings);
-    MACULA_TRY(const auto report, measure(study, options, progress));
-    fmt::print("{}\n", cli::jsonText(reportOf(study, options, report)));
+    MACULA_TRY(const auto report, measure(study, options.measured, progress));
+    fmt::print("{}\n", cli::jsonText(reportOf(study, options.measured, report)));
     return keep(report);
 }
 
 template <class Options, class Measure>
-Result<void> printReport(const evaluate::BenchStudyOptions& input, const Options& options, Measure measure) {
-    return printReport(input, options, measure, [](const auto&) { return Result<void>(); });
+Result<void> printReport(const StudyAnd<Options>& options, Measure measure) {
+    return printReport(options, measure, [](const auto&) { return Result<void>(); });
 }
 
-// The same, of options with a check(input, options) that tells what is wrong before anything takes time.
+// The same, of options with a check(study, measured) that tells what is wrong before anything takes time.
 template <class Options, class Measure>
-Result<void> checkAndPrintReport(const evaluate::BenchStudyOptions& input, const Options& options,
-                                 Measure measure) {
-    MACULA_TRY_VOID(check(input, options));
-    return printReport(input, options, measure);
+Result<void> checkAndPrintReport(const StudyAnd<Options>& options, Measure measure) {
+    MACULA_TRY_VOID(check(options.study, options.measured));
+    return printReport(options, measure);
 }
 
 }  // namespace macula::bench

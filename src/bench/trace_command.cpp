@@ -1,7 +1,6 @@
 // macula-bench trace [PATH]: the tracer's speed beside the scalar reference, as JSON.
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "cli/shared/interrupt.h"
 #include "cli/shared/json_text.h"
 #include "cli/shared/name_option.h"
+#include "cli/shared/number_range.h"
 #include "cli/shared/report.h"
 #include "evaluate/baseline.h"
 #include "evaluate/benchmark_reports.h"
@@ -48,20 +48,17 @@ void addTrace(CLI::App& app, cli::Action& action) {
     auto* command = app.add_subcommand("trace", "The path tracer beside the scalar C++ reference, as JSON");
     addBenchStudyOptions(*command, options->study, 512);
     addBenchCamera(*command, options->study);
-    command->add_option("--spp", options->benchmark.samplesPerPixel, "Samples per pixel of one turn")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 4096));
-    command->add_option("--bounces", options->benchmark.bounces, "Vertices of a path")
-        ->capture_default_str()
-        ->check(CLI::Range(1, trace::kMaxBounces));
+    cli::addNumber(*command, "--spp", options->benchmark.samplesPerPixel, "Samples per pixel of one turn", 1,
+                   4096);
+    cli::addNumber(*command, "--bounces", options->benchmark.bounces, "Vertices of a path", 1,
+                   trace::kMaxBounces);
     command
         ->add_option("--filter", options->benchmark.filter,
                      "How values between voxels are found (default: one way after the other)")
         ->transform(cli::asFilter())
         ->option_text(cli::kFilterNames);
-    command->add_option("--repetitions", options->benchmark.repetitions, "Turns; medians are printed")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
+    cli::addNumber(*command, "--repetitions", options->benchmark.repetitions, "Turns; medians are printed", 1,
+                   1000);
     command->add_option("--baseline", options->baseline, "Output of an earlier run to compare ratios with");
     command->callback([options, &action] { action = [options] { return benchTrace(*options); }; });
 }

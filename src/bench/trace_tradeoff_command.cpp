@@ -1,7 +1,6 @@
 // macula-bench trace-tradeoff [PATH]: error against time, over samples, bounces, denoising and filtering.
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +10,7 @@
 #include "bench/command.h"
 #include "cli/shared/interrupt.h"
 #include "cli/shared/json_text.h"
+#include "cli/shared/number_range.h"
 #include "cli/shared/output_options.h"
 #include "cli/shared/report.h"
 #include "evaluate/benchmark_reports.h"
@@ -69,11 +69,8 @@ void addTraceTradeoff(CLI::App& app, cli::Action& action) {
         "Error against a converged picture, and time, over samples, bounces, denoising and "
         "filtering");
     addBenchStudyOptions(*command, o.study, 256);
-    command
-        ->add_option("--converged-spp", o.tradeoff.convergedSamples,
-                     "Samples of the picture that counts as the truth")
-        ->capture_default_str()
-        ->check(CLI::Range(64, 1 << 20));
+    cli::addNumber(*command, "--converged-spp", o.tradeoff.convergedSamples,
+                   "Samples of the picture that counts as the truth", 64, 1 << 20);
     command->add_option("--plot", o.plot, "Write the curves as SVG");
     cli::addOverwrite(*command, o.overwrite);
     command->add_flag("--json", o.json, "Print JSON instead of a table");

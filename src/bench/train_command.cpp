@@ -13,6 +13,7 @@
 #include "bench/command.h"
 #include "cli/shared/interrupt.h"
 #include "cli/shared/json_text.h"
+#include "cli/shared/number_range.h"
 #include "cli/shared/report.h"
 #include "evaluate/baseline.h"
 #include "evaluate/benchmark_reports.h"
@@ -107,12 +108,8 @@ void addTrain(CLI::App& app, cli::Action& action) {
                      "Of the model, made of as many points on what can be seen")
         ->capture_default_str()
         ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
-    command->add_option("--degree", o.training.shDegree, "Of spherical harmonics")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 1));
-    command->add_option("--repetitions", o.training.repetitions, "Turns; medians are printed")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
+    cli::addNumber(*command, "--degree", o.training.shDegree, "Of spherical harmonics", 0, 1);
+    cli::addNumber(*command, "--repetitions", o.training.repetitions, "Turns; medians are printed", 1, 1000);
     command->add_flag("--from-volume", o.fromVolume,
                       "Measure too how long the first splats, their first picture, and a traced view take");
     command->add_flag("--json", o.json, "Print JSON instead of tables");

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "evaluate/measurement.h"
 #include "evaluate/shown_picture.h"
 #include "live/device/open_device.h"
+#include "pipeline/hybrid/model/first_model.h"
 #include "pipeline/trace/device_scene.h"
 #include "scene/camera/camera_file.h"
+#include "scene/choice/catalogue.h"
 #include "scene/choice/lights_choice.h"
 #include "study/open/loaded_study.h"
 
@@ -64,8 +67,7 @@ Result<void> traceMore(trace::PathTracer& tracer, std::uint32_t samples, Progres
     for (std::uint32_t done = 0; done < samples; done += kPortion) {
         const std::uint32_t count = std::min(kPortion, samples - done);
         MACULA_TRY(const bool whole, tracer.trace(count, [&] { return !progress.cancelled(); }));
-        if (!whole || progress.cancelled())
-            return Error{ErrorCode::cancelled, Text("The measurement was cancelled."), {}, {}};
+        if (!whole || progress.cancelled()) return cancelledError();
         progress.advance(count);
     }
     return {};
@@ -82,6 +84,33 @@ nlohmann::ordered_json describe(const std::string& benchmark, const BenchStudy& 
             {"preset", study.preset},
             {"lights", study.lights},
             {"picture", {study.view.width, study.view.height}}};
+}
+
+nlohmann::ordered_json orNull(const std::optional<double>& number) {
+    return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
+}
+
+Result<void> compileModelKernels(const BenchStudy& study, live::SceneOnDevice& scene, int bounces,
+                                 Progress& progress) {
+    hybrid::FirstModelOptions least{.views = 1, .samplesPerPixel = 1, .directions = 2, .sizePx = 32};
+    least.points.count = 256;
+    least.bounces = bounces;
+    least.iterations = 10;
+    MACULA_TRY([[maybe_unused]] const hybrid::FirstModel model,
+               hybrid::makeFirstModel(study.device, scene.tracer, scene.traced.seenMm(), least, progress));
+    return {};
+}
+
+Result<std::shared_ptr<const trace::LightRig>> builtInLights(const std::string& name) {
+    MACULA_TRY(const scene::Catalogue catalogue, scene::builtInCatalogue());
+    return scene::findLights(catalogue, name);
+}
+
+Result<scene::Drawing> drawingOf(const BenchStudy& study) {
+    scene::Drawing drawing;
+    drawing.transferFunction = std::make_shared<const TransferFunction>(study.function);
+    MACULA_TRY(drawing.lights, builtInLights(study.lights));
+    return drawing;
 }
 
 }  // namespace macula::evaluate

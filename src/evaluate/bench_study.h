@@ -18,6 +18,7 @@
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/volume/transfer_function.h"
 #include "scene/choice/study_preset.h"
+#include "scene/drawing/drawing.h"
 
 namespace macula::evaluate {
 
@@ -62,5 +63,19 @@ Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& pr
 
 // The beginning of a report.
 nlohmann::ordered_json describe(const std::string& benchmark, const BenchStudy& study);
+
+// A number of a report; null if it is missing.
+nlohmann::ordered_json orNull(const std::optional<double>& number);
+
+// Compiles the kernels of first models before any model is timed: makes a small one and discards it. Fails as
+// hybrid::makeFirstModel does. The tracer is left with other settings and another view.
+Result<void> compileModelKernels(const BenchStudy& study, live::SceneOnDevice& scene, int bounces,
+                                 Progress& progress);
+
+// Fails with usage for lights that are not built in: a window has no others.
+Result<std::shared_ptr<const trace::LightRig>> builtInLights(const std::string& name);
+
+// The drawing with which a window would show the study: complete, with default settings. Fails likewise.
+Result<scene::Drawing> drawingOf(const BenchStudy& study);
 
 }  // namespace macula::evaluate

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
 
 #include "base/parallel.h"
 #include "live/frame/times_report.h"
@@ -277,7 +276,7 @@ Json toJson(const QualityRow& row) {
     return {{"way", row.way},
             {"model", row.model.empty() ? Json() : Json(row.model)},
             {"splats", row.splats > 0 ? Json(row.splats) : Json()},
-            {"preparationSeconds", row.preparationSeconds ? Json(*row.preparationSeconds) : Json()},
+            {"preparationSeconds", orNull(row.preparationSeconds)},
             {"frameMs", spreadJson(row.views, [](const View& view) { return Number(view.frameMs); })},
             {"stagesMs", foveaTimesJson(row)},
             {"samplesPerPixel", spreadJson(row.views, samples)},

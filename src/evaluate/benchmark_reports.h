@@ -12,7 +12,6 @@
 #include "evaluate/cast_benchmark.h"
 #include "evaluate/edits.h"
 #include "evaluate/foveal_benchmark.h"
-#include "evaluate/header_benchmark.h"
 #include "evaluate/load_benchmark.h"
 #include "evaluate/motion.h"
 #include "evaluate/quality.h"

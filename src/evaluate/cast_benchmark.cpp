@@ -1,7 +1,6 @@
 #include "evaluate/cast_benchmark.h"
 
 #include <chrono>
-#include <cmath>
 #include <string>
 #include <utility>
 

@@ -1,6 +1,7 @@
 #include "evaluate/edits.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -9,7 +10,6 @@
 #include "evaluate/measurement.h"
 #include "evaluate/shown_picture.h"
 #include "evaluate/viewpoints.h"
-#include "evaluate/window_drawing.h"
 #include "image/metrics.h"
 #include "live/device/scene_on_device.h"
 #include "live/frame/estimated_model.h"

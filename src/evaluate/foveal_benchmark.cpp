@@ -87,15 +87,8 @@ class Bench {
     Result<FovealTimes> show(trace::PathTracer& tracer, std::uint32_t samples) const {
         FovealTimes times;
         MACULA_TRY(times.traceMs, timedMs([&] { return trace(tracer, samples); }));
-        MACULA_TRY(times.guidesMs, timedMs([&]() -> Result<void> {
-                       MACULA_TRY([[maybe_unused]] const trace::Guides* guides, tracer.guides());
-                       return study_.device->waitForAll();
-                   }));
-        MACULA_TRY(times.displayMs, timedMs([&]() -> Result<void> {
-                       MACULA_TRY([[maybe_unused]] const gpu::Image* picture,
-                                  tracer.display(glm::vec3(0.0f)));
-                       return study_.device->waitForAll();
-                   }));
+        MACULA_TRY(times.guidesMs, timedMs([&] { return guides(tracer); }));
+        MACULA_TRY(times.displayMs, timedMs([&] { return display(tracer); }));
         MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
         times.dispatches = statistics.dispatches;
         return times;

@@ -6,7 +6,7 @@
 #include "base/check.h"
 #include "evaluate/shown_picture.h"
 #include "image/edges.h"
-#include "image/fovea_mask.h"
+#include "image/frame_metrics.h"
 #include "image/metrics.h"
 #include "pipeline/splat/draw/displayed.h"
 

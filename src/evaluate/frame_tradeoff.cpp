@@ -1,14 +1,15 @@
 #include "evaluate/frame_tradeoff.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
 #include <limits>
+#include <tuple>
 #include <utility>
 
+#include "evaluate/frame_makers.h"
 #include "evaluate/measurement.h"
-#include "evaluate/model_kernels.h"
-#include "evaluate/moving_frames.h"
 #include "evaluate/viewpoints.h"
 #include "live/device/scene_on_device.h"
 #include "scene/choice/lights_choice.h"
@@ -224,6 +225,24 @@ Result<FrameTradeoff> measureFrameTradeoff(const BenchStudy& study, const FrameT
     MACULA_TRY_VOID(scene::checkPatientLights(study.environment, study.lights));
     MACULA_TRY(live::SceneOnDevice scene, study.putOnDevice());
     return Measurement(study, options, std::move(scene), progress).run();
+}
+
+std::vector<std::size_t> paretoFront(std::span<const CostAndError> points) {
+    std::vector<std::size_t> byCost;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (std::isfinite(points[i].cost) && std::isfinite(points[i].error)) byCost.push_back(i);
+    }
+    std::stable_sort(byCost.begin(), byCost.end(), [&](std::size_t a, std::size_t b) {
+        return std::tie(points[a].cost, points[a].error) < std::tie(points[b].cost, points[b].error);
+    });
+    std::vector<std::size_t> front;
+    double least = std::numeric_limits<double>::infinity();  // least error of all points that cost no more
+    for (const std::size_t i : byCost) {
+        if (points[i].error >= least) continue;
+        least = points[i].error;
+        front.push_back(i);
+    }
+    return front;
 }
 
 }  // namespace macula::evaluate

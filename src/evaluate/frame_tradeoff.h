@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,9 +14,19 @@
 #include "evaluate/bench_study.h"
 #include "evaluate/frame_recipes.h"
 #include "evaluate/frame_scores.h"
-#include "evaluate/pareto_front.h"
+#include "evaluate/svg_plot.h"
 
 namespace macula::evaluate {
+
+struct CostAndError {
+    double cost = 0.0;
+    double error = 0.0;
+};
+
+// The indices of the Pareto front, the points that are worth their cost: no other has at most their cost and
+// at most their error, and less of one. Cost ascends along the front, and error falls. Only the first of
+// equal points is on it. A point whose cost or error is not finite is never on the front.
+std::vector<std::size_t> paretoFront(std::span<const CostAndError> points);
 
 struct FrameTradeoffOptions {
     glm::ivec2 sizePx{240, 240};
@@ -73,5 +84,17 @@ void markFronts(FrameTradeoff& tradeoff);
 // seen; with usage if the samples of the truth are odd, or lights follow the camera.
 Result<FrameTradeoff> measureFrameTradeoff(const BenchStudy& study, const FrameTradeoffOptions& options,
                                            Progress& progress);
+
+// The results as JSON and as plots; neither contains patient data. The report begins with `describe` of its
+// study. Unknown values, and the recipe of splats alone, are null.
+nlohmann::ordered_json reportOf(const BenchStudy& study, const FrameTradeoffOptions& options,
+                                const FrameTradeoff& result);
+nlohmann::ordered_json toJson(const ModelPoint& point);
+nlohmann::ordered_json toJson(const FramePoint& point);
+
+// Three plots: FLIP of whole frames over milliseconds, FLIP around the gaze over milliseconds, and FLIP of
+// models over seconds. The first two show splats alone, a Pareto front for each field of the fovea, and the
+// front of all; the third shows a curve for each varied quantity, and the front.
+std::vector<Plot> plotsOf(const FrameTradeoff& tradeoff);
 
 }  // namespace macula::evaluate

@@ -1,4 +1,4 @@
-#include "evaluate/frame_tradeoff_report.h"
+#include "evaluate/frame_tradeoff.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 Json toJson(const FrameErrors& errors) {
     return {{"flip", errors.flip},
             {"fovealFlip", errors.fovealFlip},
-            {"maskedPsnrDb", errors.maskedPsnrDb ? Json(*errors.maskedPsnrDb) : Json()}};
+            {"maskedPsnrDb", orNull(errors.maskedPsnrDb)}};
 }
 
 Json toJson(const FrameRecipe& recipe) {

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <span>
 
+#include "base/elapsed.h"
 #include "image/masked_metrics.h"
 #include "pipeline/hybrid/views/drawn_views.h"
 #include "pipeline/hybrid/views/training_views.h"
@@ -52,8 +53,7 @@ Result<HeldOutViews> HeldOutViews::trace(std::shared_ptr<gpu::Device> device, li
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY(views.truth_, hybrid::truthPictures(scene.tracer, scene.traced, chosen.cameras, options,
                                                    hybrid::PictureCache(cache), progress));
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    views.seconds_ = seconds.count();
+    views.seconds_ = secondsSince(start);
     views.sizePx_ = options.sizePx;
     views.givenUp_ = chosen.givenUp;
     return views;

@@ -15,7 +15,6 @@
 #include "live/device/open_device.h"
 #include "pictures/output_files.h"
 #include "pipeline/trace/environment.h"
-#include "scene/choice/lights_choice.h"
 #include "scene/choice/preset_choice.h"
 #include "scene/lights/light_meter.h"
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,5 +53,12 @@ Result<void> check(const BenchStudyOptions& study, const LivePictureOptions& opt
 // `cancelled`; with inputNotUsable if nothing can be seen; and as live::recordLive does.
 Result<LivePictureReport> measureLivePicture(const BenchStudy& study, const LivePictureOptions& options,
                                              Progress& progress);
+
+// All results, null for those that do not exist; docs/hybrid-frame.md says what each number is.
+nlohmann::ordered_json toJson(const LivePictureReport& report);
+
+// Begins with `describe` of the study; contains no patient data.
+nlohmann::ordered_json reportOf(const BenchStudy& study, const LivePictureOptions& options,
+                                const LivePictureReport& report);
 
 }  // namespace macula::evaluate

@@ -1,5 +1,5 @@
-// How fast a volume is loaded, compared with ITK's reader of series and a bare DCMTK loop in the same run:
-// ratios are comparable between machines, seconds are not.
+// How fast headers are read, compared with bare DCMTK, and a volume is loaded, compared with ITK's reader of
+// series and a bare DCMTK loop in the same run: ratios are comparable between machines, seconds are not.
 #pragma once
 
 #include <filesystem>
@@ -14,6 +14,20 @@
 #include "dicom/scan.h"
 
 namespace macula::evaluate {
+
+struct HeaderBenchmark {
+    std::size_t files = 0;  // with DICOM, each read once per round
+    std::size_t threads = 0;
+    int rounds = 0;
+    // In the fastest round; all rounds have a warm cache.
+    double headersPerSecond = 0.0;    // readHeader
+    double bareDcmtkPerSecond = 0.0;  // DcmFileFormat::loadFileUntilTag up to PixelData, and nothing else
+    double scanPerSecond = 0.0;       // scanFolder, which also groups and sorts; always on all cores
+};
+
+// Measures the contenders in alternation. Fails as scanFolder does.
+Result<HeaderBenchmark> benchmarkHeaders(const std::filesystem::path& path, std::size_t threads, int rounds,
+                                         Progress& progress);
 
 struct LoadBenchmarkOptions {
     std::vector<std::filesystem::path> files;  // of the volume's slices, sorted, one frame each

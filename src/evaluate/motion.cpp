@@ -5,11 +5,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
+#include "evaluate/frame_makers.h"
 #include "evaluate/shown_picture.h"
-#include "evaluate/splat_periphery.h"
 #include "evaluate/viewpoints.h"
-#include "image/edges.h"
-#include "image/fovea_mask.h"
 #include "image/masked_metrics.h"
 #include "image/metrics.h"
 #include "live/device/scene_on_device.h"
@@ -114,11 +112,7 @@ class Measurement {
         Watch watch;
         MACULA_TRY_VOID(
             withFovea_.aim({.whole = whole, .sidePx = sidePx, .samplesPerPixel = options_.foveaSamples}));
-        while (withFovea_.isTracing()) {
-            if (progress_.cancelled()) return cancelledError();
-            MACULA_TRY([[maybe_unused]] const bool isThere,
-                       withFovea_.traceFovea([&] { return !progress_.cancelled(); }));
-        }
+        MACULA_TRY_VOID(evaluate::traceFovea(withFovea_, progress_));
         report_.foveaMs = watch.lap().wallMs;
         return {};
     }

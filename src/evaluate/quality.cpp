@@ -7,7 +7,6 @@
 #include "evaluate/frame_makers.h"
 #include "evaluate/held_out_views.h"
 #include "evaluate/measurement.h"
-#include "evaluate/model_kernels.h"
 #include "live/device/scene_on_device.h"
 #include "scene/choice/lights_choice.h"
 

@@ -1,4 +1,4 @@
-#include "evaluate/session_report.h"
+#include "evaluate/store_round_trip.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -11,10 +11,6 @@ namespace macula::evaluate {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json orNull(const std::optional<double>& number) {
-    return number ? Json(*number) : Json();
-}
 
 Json toJson(const LearntModel& model) {
     return {{"seconds", model.seconds},

@@ -1,7 +1,6 @@
 #include "evaluate/specks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/check.h"

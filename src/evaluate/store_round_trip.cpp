@@ -1,7 +1,9 @@
 #include "evaluate/store_round_trip.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -11,7 +13,7 @@
 #include "base/elapsed.h"
 #include "evaluate/measurement.h"
 #include "evaluate/stored_scene.h"
-#include "evaluate/window_drawing.h"
+#include "image/masked_metrics.h"
 #include "scene/choice/lights_choice.h"
 
 namespace macula::evaluate {
@@ -23,10 +25,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kSavesEvery = 10;  // frames
 constexpr int kLaterSaves = 5;
-
-double msSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 Result<void> checkFolder(const fs::path& folder) {
     std::error_code error;
@@ -245,6 +243,24 @@ Result<StoreRoundTrip> measureSession(const BenchStudy& study, const StoreRoundT
         MACULA_TRY(measured.store, measureStore(draft.path() / "store", {}, progress));
     }
     return measured;
+}
+
+double FrameTimes::percentileMs(double fraction) const {
+    return image::percentile(ms, fraction);
+}
+
+double FrameTimes::maxMs() const {
+    MACULA_CHECK(!ms.empty());
+    return *std::ranges::max_element(ms);
+}
+
+std::array<std::size_t, kFrameBucketsMs.size() + 1> FrameTimes::histogram() const {
+    std::array<std::size_t, kFrameBucketsMs.size() + 1> frames{};
+    for (const double each : ms) {
+        const auto bucket = std::ranges::lower_bound(kFrameBucketsMs, each);
+        ++frames.at(static_cast<std::size_t>(std::distance(kFrameBucketsMs.begin(), bucket)));
+    }
+    return frames;
 }
 
 }  // namespace macula::evaluate

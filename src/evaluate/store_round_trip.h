@@ -6,8 +6,11 @@
 // ms to list studies, and 30 ms to find and read a model.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -15,11 +18,27 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/bench_study.h"
-#include "evaluate/frame_times.h"
 #include "evaluate/session_reopening.h"
 #include "evaluate/store_benchmark.h"
 
 namespace macula::evaluate {
+
+// Upper edges of buckets. A frame belongs to the first bucket whose edge it does not exceed, or to an
+// additional one after the last.
+inline constexpr std::array kFrameBucketsMs{5.0,   10.0,  20.0,  30.0,  50.0,  75.0,
+                                            100.0, 150.0, 200.0, 300.0, 500.0, 1000.0};
+
+// Wall-clock times of single frames, from the first call until the device has drawn the frame: percentiles
+// and the maximum, because a mean would hide a late frame.
+struct FrameTimes {
+    std::vector<double> ms;
+
+    // Need at least one frame; `fraction` as in image::percentile.
+    double percentileMs(double fraction) const;
+    double maxMs() const;
+    // Frames in each bucket.
+    std::array<std::size_t, kFrameBucketsMs.size() + 1> histogram() const;
+};
 
 struct StoreRoundTripOptions {
     double learnS = 20.0;  // or longer, until the model can be drawn
@@ -78,5 +97,12 @@ Result<void> check(const BenchStudyOptions& study, const StoreRoundTripOptions& 
 // with `cancelled`; and with the first error of a keeper.
 Result<StoreRoundTrip> measureSession(const BenchStudy& study, const StoreRoundTripOptions& options,
                                       Progress& progress);
+
+// All results as JSON, null for those that do not exist. `store` is present only if it was measured.
+nlohmann::ordered_json toJson(const StoreRoundTrip& measured);
+
+// Begins with `describe` of the study; contains no patient data.
+nlohmann::ordered_json reportOf(const BenchStudy& study, const StoreRoundTripOptions& options,
+                                const StoreRoundTrip& measured);
 
 }  // namespace macula::evaluate

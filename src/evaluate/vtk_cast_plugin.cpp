@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/elapsed.h"
 #include "base/parallel.h"
 #include "evaluate/vtk_cast.h"
 
@@ -174,7 +175,7 @@ Result<VtkCast> cast(const VtkCastRequest& options, const std::function<void()>&
         renderer->GetActiveCamera()->Modified();
         const auto since = std::chrono::steady_clock::now();
         window->Render();
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+        return secondsSince(since);
     };
     VtkCast result;
     result.firstSeconds = seconds();

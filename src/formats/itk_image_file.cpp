@@ -45,13 +45,6 @@ itk::ImageIORegion wholeOf(const glm::ivec3& size) {
     return region;
 }
 
-Error notWritten() {
-    return {ErrorCode::outputNotWritable,
-            Text("The file could not be written."),
-            {},
-            Text("Check free space and permissions.")};
-}
-
 Result<void> write(itk::ImageIOBase& io, const fs::path& path, const RawImage& image) try {
     io.SetFileName(path.string());
     io.SetNumberOfDimensions(3);

@@ -1,7 +1,6 @@
 // https://itk.org/Wiki/ITK/MetaIO/Documentation
 #include <algorithm>
 
-#include "formats/text_fields.h"
 #include "formats/text_header.h"
 
 namespace macula::formats {

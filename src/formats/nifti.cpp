@@ -10,7 +10,6 @@
 #include <cstring>
 #include <limits>
 #include <memory>
-#include <optional>
 
 #include "formats/raw_values.h"
 
@@ -55,10 +54,6 @@ Error notUsable(Text message, Text hint = Text("Convert it with the program it c
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
 }
 
-Error cutOff() {
-    return notUsable(Text("The file is cut off or damaged."), Text("Get the file again from where it came."));
-}
-
 std::int32_t swapped32(std::uint32_t value) {
     return static_cast<std::int32_t>(__builtin_bswap32(value));
 }
@@ -90,11 +85,8 @@ glm::dmat4 sformOf(const Header& header) {
 
 double largestDifferenceMm(const glm::dmat4& a, const glm::dmat4& b, const glm::ivec3& size) {
     double most = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 voxel(corner & 1 ? size.x - 1 : 0, corner & 2 ? size.y - 1 : 0,
-                               corner & 4 ? size.z - 1 : 0);
+    for (const glm::dvec3& voxel : cornersOf({glm::dvec3(0.0), glm::dvec3(size - 1)}))
         most = std::max(most, glm::length(transformPoint(a, voxel) - transformPoint(b, voxel)));
-    }
     return most;
 }
 
@@ -390,29 +382,24 @@ std::optional<fs::path> niftiValuesFile(const fs::path& path) {
 
 Result<void> writeNifti(const fs::path& path, const RawImage& image, Progress& progress) {
     MACULA_TRY(const nifti_1_header header, headerFor(image));
-    const auto failed = [] {
-        return Error{ErrorCode::outputNotWritable,
-                     Text("The file could not be written."),
-                     {},
-                     Text("Check free space and permissions.")};
-    };
     // Level 1 takes a third of the time of level 6, and makes files a tenth larger. T: no compression.
     GzFile file(gzopen(path.c_str(), path.extension() == ".gz" ? "wb1" : "wbT"));
-    if (!file) return failed();
+    if (!file) return notWritten();
     gzbuffer(file.get(), kPortion);
     progress.beginStage(Text("Writing"), (image.data.size() + kPortion - 1) / kPortion);
     if (gzwrite(file.get(), &header, kHeaderBytes) != static_cast<int>(kHeaderBytes) ||
         gzwrite(file.get(), kNoExtensions.data(), kNoExtensions.size()) !=
             static_cast<int>(kNoExtensions.size()))
-        return failed();
+        return notWritten();
     for (std::size_t at = 0; at < image.data.size(); at += kPortion) {
         const auto length = static_cast<unsigned>(std::min(kPortion, image.data.size() - at));
-        if (gzwrite(file.get(), image.data.data() + at, length) != static_cast<int>(length)) return failed();
+        if (gzwrite(file.get(), image.data.data() + at, length) != static_cast<int>(length))
+            return notWritten();
         progress.advance();
         if (progress.cancelled())
             return Error{ErrorCode::cancelled, Text("Stopped; nothing was written."), {}, {}};
     }
-    if (gzclose(file.release()) != Z_OK) return failed();
+    if (gzclose(file.release()) != Z_OK) return notWritten();
     return {};
 }
 

@@ -1,7 +1,6 @@
 // http://teem.sourceforge.net/nrrd/format.html
 #include <algorithm>
 
-#include "formats/text_fields.h"
 #include "formats/text_header.h"
 
 namespace macula::formats {

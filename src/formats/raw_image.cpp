@@ -20,6 +20,22 @@ constexpr std::size_t kChunk = std::size_t{1} << 20;
 constexpr double kMost16 = 65535.0;
 constexpr double kMostExact = 9007199254740992.0;  // 2^53: a double cannot hold the next whole number
 
+struct Scalar {
+    std::string_view name;
+    std::size_t bytes;
+};
+// In the order of ScalarType.
+constexpr std::array<Scalar, 10> kScalars{{{"int8", 1},
+                                           {"uint8", 1},
+                                           {"int16", 2},
+                                           {"uint16", 2},
+                                           {"int32", 4},
+                                           {"uint32", 4},
+                                           {"int64", 8},
+                                           {"uint64", 8},
+                                           {"float32", 4},
+                                           {"float64", 8}}};
+
 // The names of units in valueNote().
 constexpr std::array<std::pair<Unit, std::string_view>, 3> kUnitNames{
     {{Unit::hounsfield, "HU"}, {Unit::becquerelsPerMillilitre, "Bq/mL"}, {Unit::suvBodyWeight, "SUVbw"}}};
@@ -212,49 +228,11 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
 }  // namespace
 
 std::size_t bytesOf(ScalarType type) {
-    switch (type) {
-        case ScalarType::int8:
-        case ScalarType::uint8:
-            return 1;
-        case ScalarType::int16:
-        case ScalarType::uint16:
-            return 2;
-        case ScalarType::int32:
-        case ScalarType::uint32:
-        case ScalarType::float32:
-            return 4;
-        case ScalarType::int64:
-        case ScalarType::uint64:
-        case ScalarType::float64:
-            break;
-    }
-    return 8;
+    return kScalars.at(static_cast<std::size_t>(type)).bytes;
 }
 
 std::string_view nameOf(ScalarType type) {
-    switch (type) {
-        case ScalarType::int8:
-            return "int8";
-        case ScalarType::uint8:
-            return "uint8";
-        case ScalarType::int16:
-            return "int16";
-        case ScalarType::uint16:
-            return "uint16";
-        case ScalarType::int32:
-            return "int32";
-        case ScalarType::uint32:
-            return "uint32";
-        case ScalarType::int64:
-            return "int64";
-        case ScalarType::uint64:
-            return "uint64";
-        case ScalarType::float32:
-            return "float32";
-        case ScalarType::float64:
-            break;
-    }
-    return "float64";
+    return kScalars.at(static_cast<std::size_t>(type)).name;
 }
 
 std::string valueNote(const RawImageLayout& layout) {
@@ -298,6 +276,13 @@ void readValueNote(std::string_view note, RawImageLayout& layout) {
 
 std::uint64_t RawImageLayout::bytes() const {
     return std::uint64_t(size.x) * std::uint64_t(size.y) * std::uint64_t(size.z) * bytesOf(type);
+}
+
+Error notWritten() {
+    return {ErrorCode::outputNotWritable,
+            Text("The file could not be written."),
+            {},
+            Text("Check free space and permissions.")};
 }
 
 Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume) {

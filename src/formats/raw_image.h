@@ -53,6 +53,9 @@ struct RawImage : RawImageLayout {
     std::vector<std::byte> data;  // i fastest, in the byte order of this machine
 };
 
+// The error of a file that could not be written.
+Error notWritten();
+
 // inputNotUsable when the image is not a volume (a side below 2), has a side above 65536, or needs more than
 // `bytesInFile` can hold (deflate packs at most 1 : 1032); outOfMemory when it does not fit.
 Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile, bool compressed);

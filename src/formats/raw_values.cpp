@@ -13,13 +13,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kPortion = std::size_t{1} << 20;
 
-Error cutOff() {
-    return {ErrorCode::inputNotUsable,
-            Text("The file is cut off or damaged."),
-            {},
-            Text("Get the file again from where it came.")};
-}
-
 // Reads bytes from an offset in a file, and inflates them if they are compressed.
 class Source {
   public:
@@ -93,6 +86,13 @@ class Source {
 };
 
 }  // namespace
+
+Error cutOff() {
+    return {ErrorCode::inputNotUsable,
+            Text("The file is cut off or damaged."),
+            {},
+            Text("Get the file again from where it came.")};
+}
 
 ValuesInFile valuesOfVolume(ValuesInFile values, const RawImageLayout& layout, std::size_t volume) {
     (values.compressed ? values.skip : values.offset) += (volume - 1) * layout.bytes();

@@ -15,6 +15,9 @@ struct ValuesInFile {
     bool bigEndian = false;
 };
 
+// The error of a file that ends too early, or whose values are damaged.
+Error cutOff();
+
 // The place of one of several volumes, from 1.
 ValuesInFile valuesOfVolume(ValuesInFile values, const RawImageLayout& layout, std::size_t volume);
 

@@ -8,6 +8,7 @@
 #include "base/available_memory.h"
 #include "base/draft.h"
 #include "base/exceptions.h"
+#include "base/parsing.h"
 #include "formats/itk_image_file.h"
 #include "formats/nifti.h"
 #include "formats/text_header.h"
@@ -35,9 +36,7 @@ constexpr std::array<Ending, 7> kEndings{{{".nii.gz", Format::nifti, false},
                                           {".hdr", Format::nifti, true, false}}};
 
 const Ending* endingOf(const fs::path& path) {
-    std::string name = path.filename().string();
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+    const std::string name = lowerCase(path.filename().string());
     for (const Ending& ending : kEndings) {
         if (name.size() > ending.text.size() && name.ends_with(ending.text)) return &ending;
     }

@@ -1,7 +1,6 @@
 // A picture in memory, as floating point.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 namespace macula::image {
@@ -19,15 +18,5 @@ struct Image {
     Encoding encoding = Encoding::linear;
     std::vector<float> pixels;  // width * height * channels
 };
-
-// Counts of values that light cannot have. Readers return such a picture unchanged: the caller decides what
-// to do, and reports it.
-struct Faults {
-    std::size_t notFinite = 0;
-    std::size_t negative = 0;
-
-    std::size_t total() const { return notFinite + negative; }
-};
-Faults countFaults(const Image& image);
 
 }  // namespace macula::image

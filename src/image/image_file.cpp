@@ -1,5 +1,7 @@
 #include "image/image_file.h"
 
+#include <cmath>
+
 #include "base/plugin.h"
 #include "image/picture_files.h"
 
@@ -22,6 +24,18 @@ const Result<const PictureFiles*>& pictureFiles() {
 Result<Image> readImage(const std::filesystem::path& path) {
     MACULA_TRY(const PictureFiles* files, pictureFiles());
     return files->readImage(path);
+}
+
+Faults countFaults(const Image& image) {
+    Faults faults;
+    for (const float value : image.pixels) {
+        if (!std::isfinite(value)) {
+            ++faults.notFinite;
+        } else if (value < 0.0f) {
+            ++faults.negative;
+        }
+    }
+    return faults;
 }
 
 Result<void> writePng(const std::filesystem::path& path, int width, int height,

@@ -1,6 +1,7 @@
 // Picture files: Radiance HDR, OpenEXR and PNG, with OpenImageIO.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -24,6 +25,16 @@ inline constexpr std::uint64_t kMaxBytes = std::uint64_t{4} << 30;  // of decode
 // damaged, truncated, of another format, or larger than kMaxEdge on a side. NaN, infinite and negative values
 // are kept: see countFaults.
 Result<Image> readImage(const std::filesystem::path& path);
+
+// Counts of values that light cannot have. Readers return such a picture unchanged: the caller decides what
+// to do, and reports it.
+struct Faults {
+    std::size_t notFinite = 0;
+    std::size_t negative = 0;
+
+    std::size_t total() const { return notFinite + negative; }
+};
+Faults countFaults(const Image& image);
 
 // 8-bit RGBA, display-encoded (sRGB), alpha straight; width * height * 4 bytes, row 0 on top. The file is
 // written whole or not at all.

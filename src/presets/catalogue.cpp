@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/parsing.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/embedded_files.h"
 
@@ -25,8 +26,7 @@ Result<std::vector<TransferFunction>> builtInPresets() {
 }
 
 bool isMeant(const TransferFunction& preset, std::string_view typed) {
-    const auto sameLetter = [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); };
-    return std::equal(preset.name.begin(), preset.name.end(), typed.begin(), typed.end(), sameLetter) ||
+    return preset.name == lowerCase(std::string(typed)) ||
            (preset.number && fmt::to_string(*preset.number) == typed);
 }
 

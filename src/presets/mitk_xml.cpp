@@ -1,6 +1,4 @@
-#include "presets/mitk_xml.h"
-
-#include <cmath>
+#include "presets/importers.h"
 
 #include "base/parsing.h"
 #include "presets/preset_name.h"

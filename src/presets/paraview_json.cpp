@@ -1,4 +1,4 @@
-#include "presets/paraview_json.h"
+#include "presets/importers.h"
 
 #include <algorithm>
 #include <array>

@@ -3,17 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "base/atomic_file.h"
+#include "base/parsing.h"
 #include "pipeline/volume/json_reader.h"
 #include "pipeline/volume/transfer_function_json.h"
-#include "presets/mitk_xml.h"
-#include "presets/numbers.h"
-#include "presets/paraview_json.h"
 #include "presets/preset_name.h"
-#include "presets/slicer_vp.h"
-#include "presets/slicer_xml.h"
+#include "presets/vtk_curve.h"
 
 namespace macula::presets {
 
@@ -88,12 +84,6 @@ std::string nameOf(const fs::path& path) {
     fs::path name = path.stem();
     if (name.extension() == ".vp") name = name.stem();
     return name.string();
-}
-
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
 }
 
 }  // namespace

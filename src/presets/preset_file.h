@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "presets/horos_plist.h"
 #include "presets/imported_preset.h"
+#include "presets/importers.h"
 
 namespace macula::presets {
 

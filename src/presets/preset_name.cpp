@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/parsing.h"
+
 namespace macula::presets {
 
 namespace {
@@ -27,8 +29,7 @@ bool isLetterOrDigit(char c) {
 std::string keyFrom(std::string_view title) {
     constexpr std::size_t kLongest = 64;
     std::string key;
-    for (char c : title) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    for (const char c : lowerCase(std::string(title))) {
         if (isLetterOrDigit(c)) {
             key += c;
         } else if (!key.empty() && key.back() != '-') {

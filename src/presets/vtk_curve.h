@@ -1,6 +1,7 @@
 // Reads curves in the formats of programs that use VTK.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,10 @@
 #include "pipeline/volume/transfer_function.h"
 
 namespace macula::presets {
+
+// All numbers of a text, separated by spaces, as other programs write them: with a decimal point, whatever
+// the locale, and finite. Nothing if one of them is invalid, or there are more than `most`.
+std::optional<std::vector<double>> numbersFrom(std::string_view text, std::size_t most);
 
 constexpr std::size_t kMostPoints = 4096;
 constexpr double kLargestValue = 1e9;  // the largest |x|

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/is_finite.h"
 #include "registration/comparison.h"
 #include "registration/intensity_bins.h"
 #include "registration/pattern_search.h"
 #include "registration/rival.h"
-#include "registration/sample_points.h"
 #include "registration/scalar_grid.h"
 
 namespace macula::registration {
@@ -106,14 +106,6 @@ Extent extentOf(const ScalarGrid& grid) {
     extent.volumeMl =
         double(extent.cells) * std::abs(glm::determinant(glm::dmat3(grid.worldFromGrid))) / 1000.0;
     return extent;
-}
-
-std::array<glm::dvec3, 8> cornersOf(const Box& box) {
-    std::array<glm::dvec3, 8> corners;
-    for (unsigned n = 0; n < corners.size(); ++n)
-        corners[n] = {n & 1U ? box.high.x : box.low.x, n & 2U ? box.high.y : box.low.y,
-                      n & 4U ? box.high.z : box.low.z};
-    return corners;
 }
 
 glm::dvec3 shiftOf(const Parameters& p) {
@@ -352,9 +344,7 @@ double boxOverlap(const Volume& fixed, const Volume& moving, const glm::dmat4& m
 
 bool isRigid(const glm::dmat4& transform) {
     constexpr double kTolerance = 1e-3;
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(transform[column][row])) return false;
+    if (!isFinite(transform)) return false;
     const glm::dmat3 turn(transform);
     const glm::dmat3 square = glm::transpose(turn) * turn;
     for (int column = 0; column < 3; ++column)

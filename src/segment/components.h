@@ -1,4 +1,4 @@
-// Connected parts of a mask, and their shapes.
+// Connected parts of a mask, their shapes, and what the mask encloses.
 #pragma once
 
 #include "base/result.h"
@@ -25,5 +25,10 @@ Result<Parts> partsOf(const Grid& grid, const Mask& mask, bool corners, const st
 
 // Counts Part::persistent.
 void countPersistent(const Grid& grid, Parts& parts);
+
+// Fills lungs, bowel gas and everything else within the patient that is not solid: adds to the mask, slice by
+// slice, the regions that it encloses. Up to a third of a region's border may be
+// the edge of the field of view, which may cut through a hollow organ; with more, the region is the room.
+Result<void> fillEnclosed(const Grid& grid, const Mask& outside, Mask& mask, const CancelToken& token);
 
 }  // namespace macula::segment

@@ -1,4 +1,4 @@
-// Euclidean distances on the coarse grid.
+// Euclidean distances on the coarse grid, and morphological opening by them.
 #pragma once
 
 #include <vector>
@@ -12,5 +12,15 @@ namespace macula::segment {
 // parabolas around its blocks (Felzenszwalb and Huttenlocher, Distance transforms of sampled functions,
 // 2012). May throw std::bad_alloc.
 std::vector<float> distanceTo(const Grid& grid, const Mask& mask);
+
+struct Opened {
+    Mask mask;
+    std::vector<float> depthMm;  // from each block to the nearest one outside the input mask
+};
+
+// Morphological opening by distances in mm, exact on anisotropic grids: the part of the mask that a ball of
+// this radius covers without leaving it. The mask counts as continuing beyond the edge of the grid. May throw
+// std::bad_alloc.
+Opened opened(const Grid& grid, const Mask& mask, double radiusMm);
 
 }  // namespace macula::segment

@@ -1,16 +1,13 @@
 #include "segment/patient.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 
 #include "base/parallel.h"
 #include "segment/coarse_grid.h"
 #include "segment/components.h"
 #include "segment/distance.h"
-#include "segment/enclosed.h"
 #include "segment/messages.h"
-#include "segment/opening.h"
 #include "segment/table_surface.h"
 
 namespace macula::segment {

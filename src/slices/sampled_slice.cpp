@@ -9,7 +9,6 @@
 #include "slices/interpolated.h"
 #include "slices/slab_steps.h"
 #include "slices/voxel_grid.h"
-#include "slices/voxel_places.h"
 
 namespace macula::slices {
 

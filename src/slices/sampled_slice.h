@@ -1,8 +1,10 @@
 // Samples the values in a slice or through a slab, in the volume's unit.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "base/volume.h"
@@ -11,6 +13,21 @@
 namespace macula::slices {
 
 enum class Projection { mean, maximum, minimum };
+// Names of projections, as in files.
+inline constexpr std::array kProjections{Projection::mean, Projection::maximum, Projection::minimum};
+
+constexpr std::string_view nameOf(Projection projection) {
+    switch (projection) {
+        case Projection::mean:
+            return "mean";
+        case Projection::maximum:
+            return "maximum";
+        case Projection::minimum:
+            return "minimum";
+    }
+    return {};
+}
+
 enum class Filter { nearest, linear };
 
 struct Slab {

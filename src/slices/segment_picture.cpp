@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "slices/sampled_slice.h"
-#include "slices/voxel_places.h"
+#include "slices/voxel_grid.h"
 
 namespace macula::slices {
 
@@ -29,14 +29,13 @@ struct Rect {
 // because borders are found by their neighbours.
 std::optional<Rect> rectOf(const VoxelSet& voxels, const Volume& volume, const SliceFrame& frame) {
     if (voxels.high().x < voxels.low().x) return std::nullopt;
-    const std::array<glm::dvec3, 2> ends{glm::dvec3(voxels.low()) - 0.5, glm::dvec3(voxels.high()) + 0.5};
     glm::dvec2 low(1e9);
     glm::dvec2 high(-1e9);
     double nearest = 1e300;
     double farthest = -1e300;
-    for (unsigned n = 0; n < 8; ++n) {
-        const glm::dvec3 mm = transformPoint(volume.worldFromVoxel(),
-                                             {ends[n & 1u].x, ends[n >> 1u & 1u].y, ends[n >> 2u & 1u].z});
+    for (const glm::dvec3& corner :
+         cornersOf({glm::dvec3(voxels.low()) - 0.5, glm::dvec3(voxels.high()) + 0.5})) {
+        const glm::dvec3 mm = transformPoint(volume.worldFromVoxel(), corner);
         const glm::dvec2 px = frame.pictureFromWorld(mm);
         low = glm::min(low, px);
         high = glm::max(high, px);

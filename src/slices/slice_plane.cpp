@@ -31,15 +31,10 @@ glm::dvec3 perpendicular(const glm::dvec3& a, const glm::dvec3& b) {
     return across / glm::length(across);
 }
 
-// Bit n of the index is set at the high end of axis n.
+// In the order of cornersOf.
 std::array<glm::dvec3, 8> cornersMm(const Volume& volume) {
-    std::array<glm::dvec3, 8> corners;
-    const glm::ivec3 size = volume.size();
-    for (unsigned corner = 0; corner < corners.size(); ++corner) {
-        const glm::dvec3 voxel{(corner & 1U ? size.x : 0) - 0.5, (corner & 2U ? size.y : 0) - 0.5,
-                               (corner & 4U ? size.z : 0) - 0.5};
-        corners[corner] = transformPoint(volume.worldFromVoxel(), voxel);
-    }
+    auto corners = cornersOf({glm::dvec3(-0.5), glm::dvec3(volume.size()) - 0.5});
+    for (glm::dvec3& corner : corners) corner = transformPoint(volume.worldFromVoxel(), corner);
     return corners;
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "evaluate/frame_tradeoff.h"
-#include "evaluate/frame_tradeoff_report.h"
 #include "gpu/shared_device.h"
 #include "scene/choice/lights_choice.h"
 

@@ -1,4 +1,4 @@
-#include "evaluate/header_benchmark.h"
+#include "evaluate/load_benchmark.h"
 
 #include <filesystem>
 #include <fstream>

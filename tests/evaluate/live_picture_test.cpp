@@ -6,8 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "evaluate/live_picture_report.h"
-
 namespace macula::evaluate {
 namespace {
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "evaluate/benchmark_reports.h"
-#include "evaluate/equal_time.h"
+#include "evaluate/frame_makers.h"
 #include "evaluate/shown_picture.h"
 
 namespace macula::evaluate {

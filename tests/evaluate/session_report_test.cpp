@@ -1,5 +1,5 @@
 // The parts of macula-bench session that need no device.
-#include "evaluate/session_report.h"
+#include "evaluate/store_round_trip.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
 // Midpoint and sharpness as vtkPiecewiseFunction defines them: known values, and properties.
-#include "pipeline/volume/curve_blend.h"
 
 #include <gtest/gtest.h>
 

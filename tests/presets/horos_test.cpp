@@ -1,5 +1,5 @@
 // Presets of Horos and OsiriX.
-#include "presets/horos_plist.h"
+#include "presets/importers.h"
 
 #include <filesystem>
 #include <fstream>

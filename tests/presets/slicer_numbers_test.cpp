@@ -6,8 +6,8 @@
 
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/embedded_files.h"
+#include "presets/importers.h"
 #include "presets/slicer_numbers.h"
-#include "presets/slicer_xml.h"
 
 namespace macula {
 namespace {

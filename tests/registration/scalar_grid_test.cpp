@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "registration/comparison.h"
 #include "registration/intensity_bins.h"
-#include "registration/sample_points.h"
 
 namespace macula::registration {
 namespace {

@@ -10,7 +10,6 @@
 #include <random>
 
 #include "segment/itk_filters.h"
-#include "segment/opening.h"
 
 namespace macula::segment {
 namespace {

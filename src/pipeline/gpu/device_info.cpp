@@ -1,10 +1,8 @@
 #include "pipeline/gpu/device_info.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
-#include <optional>
 
 #include "pipeline/gpu/instance_state.h"
 #include "pipeline/gpu/physical_device.h"

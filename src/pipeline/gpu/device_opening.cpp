@@ -11,16 +11,23 @@ namespace macula::gpu {
 
 namespace {
 
-// Macula's required features, which listDevices has checked, and those of its optional ones that the device
-// has.
-struct Features {
+struct FeatureChain {
     VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13};
     VkPhysicalDeviceVulkan11Features v11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES, &v12};
     VkPhysicalDeviceFeatures2 core{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v11, {}};
 
+    FeatureChain() = default;
+    FeatureChain(const FeatureChain&) = delete;
+    FeatureChain& operator=(const FeatureChain&) = delete;
+};
+
+// Macula's required features, which listDevices has checked, and those of its optional ones that the device
+// has.
+struct Features : FeatureChain {
     explicit Features(VkPhysicalDevice device) {
-        const Offered offered(device);
+        FeatureChain offered;
+        vkGetPhysicalDeviceFeatures2(device, &offered.core);
         core.features.shaderStorageImageReadWithoutFormat =
             offered.core.features.shaderStorageImageReadWithoutFormat;
         core.features.shaderStorageImageWriteWithoutFormat =
@@ -32,20 +39,6 @@ struct Features {
         v13.subgroupSizeControl = offered.v13.subgroupSizeControl;
         v13.computeFullSubgroups = offered.v13.computeFullSubgroups;
     }
-    Features(const Features&) = delete;
-    Features& operator=(const Features&) = delete;
-
-  private:
-    struct Offered {
-        VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
-        VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13};
-        VkPhysicalDeviceVulkan11Features v11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES, &v12};
-        VkPhysicalDeviceFeatures2 core{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v11, {}};
-
-        explicit Offered(VkPhysicalDevice device) { vkGetPhysicalDeviceFeatures2(device, &core); }
-        Offered(const Offered&) = delete;
-        Offered& operator=(const Offered&) = delete;
-    };
 };
 
 }  // namespace

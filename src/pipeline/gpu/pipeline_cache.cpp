@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
-#include <span>
 #include <system_error>
 #include <utility>
 #include <vector>

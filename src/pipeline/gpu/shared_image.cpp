@@ -1,6 +1,5 @@
 #include "pipeline/gpu/shared_image.h"
 
-#include <string>
 #include <utility>
 
 #include "base/check.h"

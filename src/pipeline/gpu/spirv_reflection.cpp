@@ -1,7 +1,6 @@
 #include "pipeline/gpu/spirv_reflection.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace macula::gpu {

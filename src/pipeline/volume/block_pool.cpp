@@ -1,7 +1,5 @@
 #include "pipeline/volume/block_pool.h"
 
-#include <bit>
-
 #include "base/check.h"
 
 namespace macula {

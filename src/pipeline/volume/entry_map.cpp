@@ -24,11 +24,9 @@ EntryMap entryMapOf(const Volume& volume) {
 
 void writeEntries(const Volume& volume, const EntryMap& map, std::size_t first,
                   std::span<std::uint16_t> entries) {
-    constexpr std::size_t kChunk = std::size_t{1} << 20;
     const auto voxels = volume.voxels().subspan(first, entries.size());
-    parallelFor((entries.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-        const std::size_t end = std::min(entries.size(), (chunk + 1) * kChunk);
-        for (std::size_t i = chunk * kChunk; i < end; ++i) entries[i] = map.entryOf(voxels[i]);
+    inChunks(entries.size(), [&](std::size_t begin, std::size_t count) {
+        for (std::size_t i = begin; i < begin + count; ++i) entries[i] = map.entryOf(voxels[i]);
     });
 }
 

@@ -1,8 +1,6 @@
 #include "pipeline/volume/json_reader.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace macula {

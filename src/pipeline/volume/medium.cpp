@@ -1,7 +1,6 @@
 #include "pipeline/volume/medium.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/check.h"

@@ -12,7 +12,7 @@
 namespace macula {
 
 // `midpoint` and `sharpness` shape the curve from this point to the next, as vtkPiecewiseFunction defines
-// them (curve_blend.h); 0.5 and 0 give a straight line.
+// them (blendedFraction); 0.5 and 0 give a straight line.
 struct OpacityPoint {
     double value = 0.0;      // in units of the volume, or of TransferFunction::gradientOpacity
     double opacity = 0.0;    // 0 to 1, of a layer of thickness `unitDistanceMm`
@@ -148,5 +148,17 @@ Result<void> validate(const TransferFunction& function);
 // Whether the curves make sense for values of this unit: they have the same unit, are fitted to the whole
 // range of values, or are raw and fitted to a foreground that is not in Hounsfield units.
 bool suits(const TransferFunction& function, Unit unit);
+
+// How a curve leads from one of its points to the next: the rule of vtkPiecewiseFunction and
+// vtkColorTransferFunction, which files of 3D Slicer, ParaView and MITK share. `u` is the position between
+// the values of both points, from 0 to 1.
+//
+// Maps `u` so that the midpoint lies at 0.5, then pushes it away from there by the power 1 + 10 sharpness.
+// The result is 0 to 1. Below a sharpness of 0.01 nothing is pushed; above 0.99 the result is 0 or 1.
+double warpedFraction(double u, double midpoint, double sharpness);
+
+// The position between the heights of both points: a cubic Hermite curve over warpedFraction whose tangents
+// flatten as the sharpness grows, and a line below a sharpness of 0.01. 0 to 1, and 0.5 at the midpoint.
+double blendedFraction(double u, double midpoint, double sharpness);
 
 }  // namespace macula

@@ -1,7 +1,6 @@
 #include "pipeline/volume/visible_hull.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 

@@ -1,7 +1,6 @@
 #include "pipeline/volume/volume_fit.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace macula {
 

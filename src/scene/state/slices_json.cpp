@@ -7,7 +7,7 @@
 #include "base/utf8.h"
 #include "pipeline/volume/json_reader.h"
 #include "scene/state/json_names.h"
-#include "slices/projection_names.h"
+#include "slices/sampled_slice.h"
 
 namespace macula::scene {
 

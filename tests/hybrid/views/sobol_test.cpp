@@ -1,5 +1,5 @@
 // Scrambled Sobol points against what makes them: nets in base two.
-#include "pipeline/hybrid/views/sobol.h"
+#include "pipeline/hybrid/views/pose_sampling.h"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,6 @@
 #include "pipeline/hybrid/model/first_model.h"
 #include "pipeline/hybrid/model/initial_splats.h"
 #include "pipeline/hybrid/model/refinement.h"
-#include "pipeline/hybrid/views/coverage_views.h"
 #include "pipeline/hybrid/views/drawn_views.h"
 #include "pipeline/hybrid/views/training_views.h"
 #include "pipeline/hybrid/views/truth_pictures.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
-#include <utility>
 
 #include "base/parallel.h"
 #include "base/timeline.h"
@@ -100,16 +99,6 @@ void recolour(splat::Splats& splats, std::size_t i, const Lit& before, const Lit
         for (std::size_t k = 0; k < count; ++k) splats.sh[i * count + k][c] *= known * factor;
     }
     splats.dc[i] = splat::dcOfColour(colour);
-}
-
-void append(const splat::Splats& from, std::size_t i, splat::Splats& to) {
-    to.position.push_back(from.position[i]);
-    to.logScale.push_back(from.logScale[i]);
-    to.rotation.push_back(from.rotation[i]);
-    to.opacityLogit.push_back(from.opacityLogit[i]);
-    to.dc.push_back(from.dc[i]);
-    const std::size_t count = splat::shCount(from.shDegree);
-    for (std::size_t k = 0; k < count; ++k) to.sh.push_back(from.sh[i * count + k]);
 }
 
 void appendAll(const splat::Splats& from, splat::Splats& to) {
@@ -260,7 +249,7 @@ void SplatEstimate::addChanged(std::size_t i, const ShownMatter& shown, const Li
     const float learnt = std::min(opacityOf(model_->opacityLogit[i]), kMostLearntOpacity);
     const float opacity = denser == 1.0f ? learnt : -std::expm1(denser * std::log1p(-learnt));
     if (opacity < kLeastOpacity && opacity < learnt) return;
-    append(*model_, i, splats);
+    splats.append(*model_, i);
     const std::size_t last = splats.size() - 1;
     splats.opacityLogit[last] = logitOf(std::clamp(opacity, 1e-4f, kMostLearntOpacity));
     recolour(splats, last, {before.reflectance, light_.at(lightOn(*matter_, learntLit_, place.cell))},

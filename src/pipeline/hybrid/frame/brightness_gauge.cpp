@@ -1,7 +1,6 @@
 #include "pipeline/hybrid/frame/brightness_gauge.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/check.h"

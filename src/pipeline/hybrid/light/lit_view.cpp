@@ -4,14 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "base/camera.h"
 #include "base/check.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/light/light_slots.h"
 #include "pipeline/trace/portions.h"
 #include "shaders/hybrid.h"
-#include "shared/light_params.h"
 #include "shared/pixel_layers.h"
 
 namespace macula::hybrid {

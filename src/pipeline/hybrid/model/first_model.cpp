@@ -1,7 +1,6 @@
 #include "pipeline/hybrid/model/first_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 

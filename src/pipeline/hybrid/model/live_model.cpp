@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/elapsed.h"
 #include "base/log.h"
 #include "base/timeline.h"
 
@@ -15,10 +16,6 @@ using Clock = std::chrono::steady_clock;
 
 // After so many steps most models are sharp; used when too few pictures are held out to judge it.
 constexpr std::uint64_t kStepsOfSharpModels = 120;
-
-double msSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 bool isOutOfMemory(const Result<void>& done) {
     return !done && done.error().code == ErrorCode::outOfMemory;

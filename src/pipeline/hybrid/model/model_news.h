@@ -97,7 +97,7 @@ struct ModelNews {
     std::uint64_t steps = 0;
     std::size_t views = 0;  // learnt or held out
 
-    // The model shows more than a coarse picture would (coarse_picture.h); or, if too few pictures are held
+    // The model shows more than a coarse picture would (coarselyShown); or, if too few pictures are held
     // out to judge that, it has learnt for as long as this usually takes.
     bool isSharp = false;
 

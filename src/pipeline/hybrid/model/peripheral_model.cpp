@@ -9,7 +9,7 @@
 #include "pipeline/hybrid/model/refinement.h"
 #include "pipeline/hybrid/model/training_rounds.h"
 #include "pipeline/hybrid/views/held_out.h"
-#include "pipeline/hybrid/views/learnt_views.h"
+#include "pipeline/hybrid/views/training_views.h"
 
 namespace macula::hybrid {
 

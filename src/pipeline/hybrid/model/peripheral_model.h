@@ -22,7 +22,6 @@
 #include "pipeline/hybrid/model/held_out_pictures.h"
 #include "pipeline/hybrid/model/model_start.h"
 #include "pipeline/hybrid/model/peripheral_state.h"
-#include "pipeline/hybrid/views/asked_views.h"
 #include "pipeline/hybrid/views/candidate_poses.h"
 #include "pipeline/hybrid/views/training_views.h"
 #include "pipeline/splat/train/trainer.h"
@@ -86,7 +85,7 @@ struct PeripheralReport {
     std::size_t heldOut = 0;
     std::optional<double> error;       // of the trained model, mean over the held-out pictures
     std::optional<double> shownError;  // of the shown model, over the same pictures
-    // True once a shown model had no larger error than coarse pictures (coarse_picture.h); nothing while too
+    // True once a shown model had no larger error than coarse pictures (coarselyShown); nothing while too
     // few pictures are held out.
     std::optional<bool> isSharp;
     std::optional<double> fallPerSecond;  // ErrorTrend

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "pipeline/hybrid/model/peripheral_model.h"
+#include "pipeline/hybrid/views/candidate_poses.h"
 #include "pipeline/hybrid/views/held_out.h"
-#include "pipeline/hybrid/views/learnt_views.h"
-#include "pipeline/hybrid/views/showing_pose.h"
+#include "pipeline/hybrid/views/training_views.h"
 
 namespace macula::hybrid {
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/elapsed.h"
 #include "pipeline/hybrid/model/first_model.h"
 #include "pipeline/hybrid/model/training_rounds.h"
 #include "pipeline/hybrid/views/training_set.h"
@@ -81,8 +82,8 @@ Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tr
         trainer.goOnWith(training, std::max(options.shDegree, trainer.lastGood().splats.shDegree)));
     for (TracedView& view : pictures.traced) MACULA_TRY_VOID(learnFrom(trainer, seenMm, std::move(view)));
     if (picturesOf(trainer) >= kEnoughSides) trainer.forgetStandIns();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    return MoreViews{.seconds = seconds.count(), .givenUp = chosen.givenUp, .fromKept = pictures.fromKept};
+    return MoreViews{
+        .seconds = secondsSince(start), .givenUp = chosen.givenUp, .fromKept = pictures.fromKept};
 }
 
 }  // namespace macula::hybrid

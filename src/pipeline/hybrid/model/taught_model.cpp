@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "base/elapsed.h"
 #include "base/timeline.h"
 #include "pipeline/hybrid/views/view_tracing.h"
 
@@ -17,15 +18,11 @@ using Clock = std::chrono::steady_clock;
 // The model learns again from a picture on screen that has so many times the samples: half the noise.
 constexpr std::uint32_t kMoreSamples = 4;
 
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 // Wraps `goesOn`, and notes in the pace how long each piece of work between two calls took.
 std::function<bool()> measuredBy(LearningPace& pace, LearningPart part, const std::function<bool()>& goesOn) {
     return [&pace, part, &goesOn, last = Clock::now()]() mutable {
         constexpr double kAskedTwiceMs = 0.01;
-        const double ms = millisecondsSince(std::exchange(last, Clock::now()));
+        const double ms = msSince(std::exchange(last, Clock::now()));
         if (ms > kAskedTwiceMs) pace.took(part, ms);
         return goesOn();
     };
@@ -125,13 +122,13 @@ Result<void> TaughtModel::doPart(LearningPart part, trace::PathTracer& tracer,
             // time.
             Result<void> done =
                 model_->step(std::numeric_limits<double>::infinity(), measuredBy(pace_, part, goesOn));
-            wanted_.tookToTrain(millisecondsSince(start));
+            wanted_.tookToTrain(msSince(start));
             return done;
         }
         case LearningPart::trace: {
             Result<void> done =
                 wanted_.trace(tracer, options_.samplesPerPixel, measuredBy(pace_, part, goesOn));
-            wanted_.tookToTrace(millisecondsSince(start));
+            wanted_.tookToTrace(msSince(start));
             return done;
         }
         case LearningPart::show: {
@@ -148,7 +145,7 @@ Result<void> TaughtModel::doPart(LearningPart part, trace::PathTracer& tracer,
             break;
         }
     }
-    pace_.took(part, millisecondsSince(start));
+    pace_.took(part, msSince(start));
     return {};
 }
 
@@ -173,11 +170,9 @@ Result<void> TaughtModel::learnWithin(double leftMs, trace::PathTracer& tracer,
                                       const std::function<bool()>& keepGoing) {
     const auto start = Clock::now();
     bool isDone = false;
-    while (const std::optional<LearningPart> next = nextWithin(leftMs - millisecondsSince(start))) {
+    while (const std::optional<LearningPart> next = nextWithin(leftMs - msSince(start))) {
         isDone = true;
-        const auto goesOn = [&] {
-            return pace_.fits(*next, leftMs - millisecondsSince(start)) && keepGoing();
-        };
+        const auto goesOn = [&] { return pace_.fits(*next, leftMs - msSince(start)) && keepGoing(); };
         MACULA_TRY_VOID(doPart(*next, tracer, settings, goesOn));
         if (!keepGoing()) return {};
     }

@@ -4,15 +4,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/camera.h"
 #include "base/frames.h"
 #include "base/result.h"
+#include "pipeline/gpu/device.h"
 #include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/hybrid/views/training_views.h"
 #include "pipeline/splat/draw/raster_view.h"
+#include "pipeline/splat/model/splats.h"
 
 namespace macula::hybrid {
 
@@ -47,5 +51,13 @@ struct CandidatePose {
 Result<std::vector<CandidatePose>> candidatePoses(std::span<const KnownPose> known, const Box& seenMm,
                                                   const glm::dvec3& originMm, std::uint64_t seed,
                                                   const CandidateOptions& options = {});
+
+// A pose that shows something among those that would teach a model most: the first of `wanted` in which the
+// model covers enough of the picture, or else the one in which it covers most; nothing if all are empty.
+// Draws small pictures in the shape of `sizePx`, usually one. Fails as drawViews does.
+Result<std::optional<CandidatePose>> firstThatShows(const std::shared_ptr<gpu::Device>& device,
+                                                    const splat::Splats& model,
+                                                    std::span<const CandidatePose> wanted,
+                                                    const glm::ivec2& sizePx);
 
 }  // namespace macula::hybrid

@@ -4,13 +4,13 @@
 #include <chrono>
 #include <utility>
 
+#include "base/elapsed.h"
 #include "pipeline/splat/draw/rasterizer.h"
 
 namespace macula::hybrid {
 
 Result<DrawnViews> drawViews(const std::shared_ptr<gpu::Device>& device, const splat::Splats& splats,
                              std::span<const Camera> cameras, const glm::ivec2& sizePx) {
-    using Clock = std::chrono::steady_clock;
     MACULA_TRY_VOID(splats.validate());
     const auto count = static_cast<std::uint32_t>(splats.size());
     const std::uint32_t capacity = std::max(count, 1u);
@@ -22,10 +22,10 @@ Result<DrawnViews> drawViews(const std::shared_ptr<gpu::Device>& device, const s
     DrawnViews drawn;
     for (const Camera& camera : cameras) {
         MACULA_TRY(const splat::RasterView view, splat::rasterView(camera, sizePx, splats.originMm));
-        const auto start = Clock::now();
+        const auto start = std::chrono::steady_clock::now();
         MACULA_TRY_VOID(rasterizer.draw(parameters, count, view, blending));
         MACULA_TRY_VOID(device->waitForAll());
-        drawn.milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+        drawn.milliseconds.push_back(msSince(start));
         MACULA_TRY(std::vector<glm::vec4> picture, rasterizer.picture().read());
         drawn.pictures.push_back(std::move(picture));
     }

@@ -1,7 +1,6 @@
 #include "pipeline/hybrid/views/picture_cache.h"
 
 #include <bit>
-#include <cstdio>
 #include <cstring>
 #include <span>
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "base/camera.h"
@@ -62,5 +63,11 @@ using PoseAcceptance = std::function<Result<bool>(const Camera& camera)>;
 // finite, or a number is unusable, and if `accept` fails.
 Result<std::vector<SampledPose>> samplePoses(const Box& seenMm, const PoseSampling& sampling,
                                              const PoseAcceptance& accept = {});
+
+// Points that fill a square more evenly than random ones: point `index` of the first two dimensions of the
+// Sobol sequence (Sobol 1967), with nested uniform scrambling (Owen 1995): over the seeds each point is
+// uniform in [0, 1)^2, and the points of one seed are as well spread as the sequence. Of any 2^k points from
+// a multiple of 2^k on, one lies in each elementary interval of area 2^-k.
+glm::dvec2 scrambledSobol(std::uint32_t index, std::uint64_t seed);
 
 }  // namespace macula::hybrid

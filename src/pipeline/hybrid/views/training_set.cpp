@@ -10,8 +10,8 @@
 #include "pipeline/hybrid/light/combined_view.h"
 #include "pipeline/hybrid/light/light_in_space.h"
 #include "pipeline/hybrid/light/lit_view.h"
-#include "pipeline/hybrid/views/coverage_views.h"
 #include "pipeline/hybrid/views/host_work.h"
+#include "pipeline/hybrid/views/view_tracing.h"
 #include "pipeline/trace/device_scene.h"
 
 namespace macula::hybrid {

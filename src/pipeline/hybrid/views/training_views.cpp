@@ -118,4 +118,61 @@ Result<Novelty> admit(splat::Trainer& trainer, splat::TrainingView picture, doub
     return known.empty() ? Novelty::pose : Novelty::picture;
 }
 
+void AskedViews::add(const Camera& camera) {
+    constexpr std::size_t kMostAsked = 8;
+    cameras_.push_back(camera);
+    if (cameras_.size() > kMostAsked) cameras_.erase(cameras_.begin());
+}
+
+void AskedViews::came(const splat::RasterView& from, const glm::dvec3& originMm, double radiusMm,
+                      const AdmissionOptions& options) {
+    std::erase_if(cameras_, [&](const Camera& camera) {
+        const auto asked = splat::rasterView(camera, sizePx_, originMm);
+        return asked && isSamePose(*asked, from, radiusMm, options);
+    });
+}
+
+std::vector<splat::RasterView> AskedViews::views(const glm::dvec3& originMm) const {
+    std::vector<splat::RasterView> views;
+    for (const Camera& camera : cameras_) {
+        if (const auto view = splat::rasterView(camera, sizePx_, originMm)) views.push_back(*view);
+    }
+    return views;
+}
+
+namespace {
+
+// Bytes on the device for a pixel of a view, with its smaller copies: a third more than LossTarget takes.
+constexpr double kBytesOfPixel = 27.0;
+
+}  // namespace
+
+double bytesOfViews(const splat::Trainer& trainer) {
+    double bytes = 0.0;
+    for (std::size_t i = 0; i < trainer.viewCount(); ++i)
+        bytes += kBytesOfPixel * double(trainer.view(i).pixels.size());
+    return bytes;
+}
+
+double meanPixelsOfViews(const splat::Trainer& trainer) {
+    double pixels = 0.0;
+    for (std::size_t i = 0; i < trainer.viewCount(); ++i) pixels += double(trainer.view(i).pixels.size());
+    return pixels / double(std::max<std::size_t>(trainer.viewCount(), 1));
+}
+
+std::optional<std::size_t> pictureOf(const splat::Trainer& trainer, const splat::RasterView& view) {
+    for (std::size_t i = 0; i < trainer.viewCount(); ++i)
+        if (trainer.view(i).kind == splat::ViewKind::picture && trainer.view(i).view == view) return i;
+    return std::nullopt;
+}
+
+bool hasPictureFrom(const splat::Trainer& trainer, const splat::RasterView& view, double radiusMm,
+                    const AdmissionOptions& options) {
+    for (std::size_t i = 0; i < trainer.viewCount(); ++i)
+        if (trainer.view(i).kind == splat::ViewKind::picture &&
+            isSamePose(view, trainer.view(i).view, radiusMm, options))
+            return true;
+    return false;
+}
+
 }  // namespace macula::hybrid

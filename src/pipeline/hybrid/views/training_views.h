@@ -2,13 +2,17 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
+#include "base/camera.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/hybrid/views/pose_sampling.h"
 #include "pipeline/hybrid/views/view_tracing.h"
+#include "pipeline/splat/draw/raster_view.h"
 #include "pipeline/splat/train/trainer.h"
 #include "pipeline/trace/path_tracer.h"
 
@@ -69,5 +73,34 @@ bool isSamePose(const splat::RasterView& a, const splat::RasterView& b, double r
 // trainer has a view with that pose that it has not drawn yet. Fails as Trainer::addView does.
 Result<Novelty> admit(splat::Trainer& trainer, splat::TrainingView picture, double radiusMm,
                       const AdmissionOptions& options = {});
+
+// Views that a model has asked for, and that have not arrived yet.
+class AskedViews {
+  public:
+    explicit AskedViews(const glm::ivec2& sizePx) : sizePx_(sizePx) {}
+
+    // Keeps the last few.
+    void add(const Camera& camera);
+    // Call when a picture has arrived from `from`: forgets views of the same pose.
+    void came(const splat::RasterView& from, const glm::dvec3& originMm, double radiusMm,
+              const AdmissionOptions& options);
+    // The views, with pictures of `sizePx`, relative to the origin of a model.
+    std::vector<splat::RasterView> views(const glm::dvec3& originMm) const;
+
+  private:
+    glm::ivec2 sizePx_;
+    std::vector<Camera> cameras_;
+};
+
+// An upper estimate of the device memory that the views of a trainer take.
+double bytesOfViews(const splat::Trainer& trainer);
+// Mean number of pixels of a view; 0 without views.
+double meanPixelsOfViews(const splat::Trainer& trainer);
+
+// The index of the picture with exactly this view, if any.
+std::optional<std::size_t> pictureOf(const splat::Trainer& trainer, const splat::RasterView& view);
+// Whether there is a picture from there (isSamePose).
+bool hasPictureFrom(const splat::Trainer& trainer, const splat::RasterView& view, double radiusMm,
+                    const AdmissionOptions& options);
 
 }  // namespace macula::hybrid

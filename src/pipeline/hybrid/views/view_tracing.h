@@ -77,4 +77,12 @@ struct PoseLimits {
 PoseAcceptance showsEnough(trace::PathTracer& tracer, double radiusMm, const PoseLimits& limits,
                            const Progress& progress);
 
+// Views of coverage only, without light: the tracer's guides find them without noise, at a fraction of the
+// cost of tracing. They teach a model its shape from many more sides than it has pictures of. One for each
+// camera: black, with the coverage of each pixel, and no samples. Asks `hasTime`
+// (may be empty) before each view, and leaves out the rest when it says no.
+Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
+                                              const glm::ivec2& sizePx, Progress& progress,
+                                              const std::function<bool()>& hasTime = {});
+
 }  // namespace macula::hybrid

@@ -3,10 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fstream>
-#include <string_view>
 #include <utility>
 #include <vector>
 

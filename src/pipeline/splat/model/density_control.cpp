@@ -24,16 +24,6 @@ glm::vec3 axisOf(const glm::vec4& rotation, int axis) {
     return {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
 }
 
-void append(const Splats& from, std::uint32_t i, Splats& to) {
-    to.position.push_back(from.position[i]);
-    to.logScale.push_back(from.logScale[i]);
-    to.rotation.push_back(from.rotation[i]);
-    to.opacityLogit.push_back(from.opacityLogit[i]);
-    to.dc.push_back(from.dc[i]);
-    const std::size_t count = shCount(from.shDegree);
-    for (std::size_t k = 0; k < count; ++k) to.sh.push_back(from.sh[i * count + k]);
-}
-
 // Marks the splats with the least weight, up to `share` of the total. Splats that were not drawn stay,
 // because nothing is known about them.
 std::vector<std::uint8_t> unneeded(std::span<const shared::SplatStatistics> statistics, double share) {
@@ -84,7 +74,7 @@ Regrouped regroup(const Splats& splats, std::span<const shared::SplatStatistics>
     result.splats.resize(0);
     for (const std::uint32_t i : kept) {
         for (int half = 0; half <= split[i]; ++half) {
-            append(splats, i, result.splats);
+            result.splats.append(splats, i);
             result.source.push_back(i);
             result.isNew.push_back(split[i]);
             if (split[i] == 0) continue;

@@ -93,6 +93,16 @@ void Splats::resize(std::size_t count) {
     sh.resize(count * shCount(shDegree), glm::vec3(0.0f));
 }
 
+void Splats::append(const Splats& from, std::size_t i) {
+    position.push_back(from.position[i]);
+    logScale.push_back(from.logScale[i]);
+    rotation.push_back(from.rotation[i]);
+    opacityLogit.push_back(from.opacityLogit[i]);
+    dc.push_back(from.dc[i]);
+    const std::size_t count = shCount(from.shDegree);
+    for (std::size_t k = 0; k < count; ++k) sh.push_back(from.sh[i * count + k]);
+}
+
 void Splats::setShDegree(int degree) {
     MACULA_CHECK(degree >= 0 && degree <= kMaxShDegree);
     const std::size_t before = shCount(shDegree);

@@ -77,6 +77,9 @@ struct Splats {
     // setShDegree.
     void resize(std::size_t count);
 
+    // Adds splat `i` of a model of the same degree at the end.
+    void append(const Splats& from, std::size_t i);
+
     // Keeps the bands that both degrees have; new ones are 0.
     void setShDegree(int degree);
 

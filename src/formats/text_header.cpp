@@ -1,4 +1,4 @@
-#include "formats/text_fields.h"
+#include "formats/text_header.h"
 
 #include <algorithm>
 #include <fstream>
@@ -28,12 +28,6 @@ Text lpsAssumed() {
     return Text(
         "The file does not say how the image lies in the patient: its axes were taken to lead to the "
         "patient's left, back and head. Left and right may be exchanged.");
-}
-
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-    return text;
 }
 
 std::vector<std::string> words(const std::string& text) {

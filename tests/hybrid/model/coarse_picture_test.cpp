@@ -1,5 +1,5 @@
 // What is seen while there is no model.
-#include "pipeline/hybrid/views/coarse_picture.h"
+#include "pipeline/hybrid/model/held_out_pictures.h"
 
 #include <gtest/gtest.h>
 
