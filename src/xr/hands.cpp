@@ -5,16 +5,66 @@
 #include <string>
 #include <utility>
 
+#include "xr/openxr.h"
 #include "xr/xr_error.h"
 
 namespace macula::xr {
 
 namespace {
 
+constexpr InteractionProfile kProfiles[] = {
+    {.name = "/interaction_profiles/khr/simple_controller",
+     .extension = nullptr,
+     .grab = "select/click",
+     .cut = "menu/click",
+     .press = "select/click",
+     .turn = nullptr,
+     .turnsWhile = nullptr},
+    {.name = "/interaction_profiles/oculus/touch_controller",
+     .extension = nullptr,
+     .grab = "squeeze/value",
+     .cut = "trigger/value",
+     .press = "trigger/value",
+     .turn = "thumbstick/x",
+     .turnsWhile = nullptr},
+    {.name = "/interaction_profiles/valve/index_controller",
+     .extension = nullptr,
+     .grab = "squeeze/value",
+     .cut = "trigger/value",
+     .press = "trigger/value",
+     .turn = "thumbstick/x",
+     .turnsWhile = nullptr},
+    {.name = "/interaction_profiles/htc/vive_controller",
+     .extension = nullptr,
+     .grab = "squeeze/click",
+     .cut = "trigger/value",
+     .press = "trigger/value",
+     .turn = "trackpad/x",
+     .turnsWhile = "trackpad/click"},
+    {.name = "/interaction_profiles/microsoft/motion_controller",
+     .extension = nullptr,
+     .grab = "squeeze/click",
+     .cut = "trigger/value",
+     .press = "trigger/value",
+     .turn = "thumbstick/x",
+     .turnsWhile = nullptr},
+    {.name = "/interaction_profiles/hp/mixed_reality_controller",
+     .extension = XR_EXT_HP_MIXED_REALITY_CONTROLLER_EXTENSION_NAME,
+     .grab = "squeeze/value",
+     .cut = "trigger/value",
+     .press = "trigger/value",
+     .turn = "thumbstick/x",
+     .turnsWhile = nullptr},
+};
+
 constexpr const char* kHands[] = {"/user/hand/left", "/user/hand/right"};
 constexpr const char* kGazePath = "/user/eyes_ext/input/gaze_ext/pose";
 
 }  // namespace
+
+std::span<const InteractionProfile> interactionProfiles() {
+    return kProfiles;
+}
 
 Result<Hands> Hands::create(const Session& session) {
     MACULA_TRY(std::optional<TrackedHands> tracked, TrackedHands::create(session));

@@ -4,15 +4,28 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/result.h"
 #include "xr/grasp.h"
-#include "xr/interaction_profiles.h"
 #include "xr/session.h"
 #include "xr/tracked_hands.h"
 
 namespace macula::xr {
+
+// Paths below /user/hand/left/input and right; null: the controller has no such control.
+struct InteractionProfile {
+    const char* name;
+    const char* extension;  // the extension that it needs; null: none
+    const char* grab;
+    const char* cut;
+    const char* press;
+    const char* turn;        // a stick, -1 to 1
+    const char* turnsWhile;  // for a pad, which a thumb always touches: turns only while this is pressed
+};
+
+std::span<const InteractionProfile> interactionProfiles();
 
 // The OpenXR actions of a session. Must not outlive it.
 class Hands {

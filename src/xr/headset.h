@@ -16,7 +16,6 @@
 
 #include "base/result.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
-#include "xr/depth_layer.h"
 #include "xr/eye_copy.h"
 #include "xr/eye_masks.h"
 #include "xr/frame_statistics.h"

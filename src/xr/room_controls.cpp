@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "xr/placement.h"
-#include "xr/preset_steps.h"
+#include "xr/room_choice.h"
 
 namespace macula::xr {
 

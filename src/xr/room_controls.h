@@ -17,7 +17,6 @@
 #include "xr/floating_pictures.h"
 #include "xr/grasp.h"
 #include "xr/panel_picture.h"
-#include "xr/panel_pointer.h"
 #include "xr/room_choice.h"
 #include "xr/room_host.h"
 #include "xr/wrist_panel.h"

@@ -6,7 +6,7 @@
 #include "viewer/slice_volume.h"
 #include "viewer/viewport/camera_keys.h"
 #include "viewer/viewport/picture_camera.h"
-#include "viewer/viewport/picture_tools.h"
+#include "viewer/viewport/picture_hand.h"
 
 namespace macula::viewer {
 namespace {

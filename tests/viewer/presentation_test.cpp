@@ -6,7 +6,7 @@
 #include "scene/transfer/same_transfer.h"
 #include "support.h"
 #include "viewer/offscreen.h"
-#include "viewer/output/presentation_dialog.h"
+#include "viewer/output/presentations_controller.h"
 
 namespace macula::viewer {
 namespace {

@@ -12,9 +12,8 @@
 #include "viewer/overlay/slice_texts.h"
 #include "viewer/slice_volume.h"
 #include "viewer/slices/clip_on_slice.h"
-#include "viewer/slices/measurement_drawing.h"
-#include "viewer/slices/measurement_texts.h"
-#include "viewer/slices/pane_view.h"
+#include "viewer/slices/pane_content.h"
+#include "viewer/slices/pane_measurements.h"
 
 namespace macula::viewer {
 namespace {

@@ -40,8 +40,7 @@ StudyBrowser::StudyBrowser(QWidget* parent)
       reading_(new QLabel(tr("The folder is still being read. What is in it can be opened then."))),
       elsewhere_(new QLabel(tr("Nothing of this folder is open."))),
       model_(new StudyTreeModel(this)),
-      pictures_(this, {.progressed = [](const ProgressUpdate&) {},
-                       .ended = [this](const Result<study::Thumbnail>& made) { takePicture(made); }}) {
+      pictures_(this, {.ended = [this](const Result<study::Thumbnail>& made) { takePicture(made); }}) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(search_);

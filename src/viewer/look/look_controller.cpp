@@ -9,7 +9,7 @@
 #include <array>
 
 #include "scene/drawing/projection_windows.h"
-#include "viewer/editor/follow_state.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/choice_menu.h"

@@ -13,7 +13,7 @@
 #include "base/atomic_file.h"
 #include "viewer/output/movie_export.h"
 #include "viewer/output/movie_panel.h"
-#include "viewer/output/movie_stamps.h"
+#include "viewer/output/picture_overlays.h"
 #include "viewer/output/video_encoder.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/status/status_texts.h"

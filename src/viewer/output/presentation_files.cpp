@@ -36,8 +36,7 @@ Error notRead() {
 
 PresentationFiles::PresentationFiles(QObject* parent)
     : QObject(parent),
-      saving_(this, {.progressed = [](const ProgressUpdate&) {},
-                     .ended =
+      saving_(this, {.ended =
                          [this](const auto& leftOut) {
                              if (leftOut) {
                                  Q_EMIT saved(path_, inWindowsLanguage(*leftOut));
@@ -45,8 +44,7 @@ PresentationFiles::PresentationFiles(QObject* parent)
                                  Q_EMIT failed(leftOut.error());
                              }
                          }}),
-      opening_(this, {.progressed = [](const ProgressUpdate&) {},
-                      .ended =
+      opening_(this, {.ended =
                           [this](const auto& presented) {
                               if (presented) {
                                   Q_EMIT opened(presented->state, inWindowsLanguage(presented->notes));
@@ -54,15 +52,13 @@ PresentationFiles::PresentationFiles(QObject* parent)
                                   Q_EMIT failed(presented.error());
                               }
                           }}),
-      openingOnSlices_(this, {.progressed = [](const ProgressUpdate&) {},
-                              .ended =
-                                  [this](const auto& shown) {
-                                      if (shown) {
-                                          Q_EMIT openedOnSlices(*shown, inWindowsLanguage(shown->notes));
-                                      } else {
-                                          Q_EMIT failed(shown.error());
-                                      }
-                                  }}) {}
+      openingOnSlices_(this, {.ended = [this](const auto& shown) {
+                           if (shown) {
+                               Q_EMIT openedOnSlices(*shown, inWindowsLanguage(shown->notes));
+                           } else {
+                               Q_EMIT failed(shown.error());
+                           }
+                       }}) {}
 
 void PresentationFiles::save(const std::filesystem::path& path, scene::PresentationRequest request) {
     path_ = QString::fromStdString(path.string());

@@ -2,14 +2,17 @@
 
 #include "viewer/output/presentations_controller.h"
 
+#include <QDialogButtonBox>
+#include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
 #include <utility>
 #include <vector>
 
 #include "viewer/browser/study_browser.h"
 #include "viewer/keys/keys.h"
-#include "viewer/output/presentation_dialog.h"
 #include "viewer/output/presentation_files.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/slices/slice_view.h"
@@ -18,6 +21,29 @@
 #include "viewer/volume/state_controller.h"
 
 namespace macula::viewer {
+
+PresentationDialog::PresentationDialog(QWidget* parent)
+    : QDialog(parent), deidentified_(new QCheckBox(tr("&Without patient and study"), this)) {
+    setWindowTitle(tr("Save Presentation State"));
+    auto* text = new QLabel(
+        tr("A DICOM object without pixels, for the archive: camera, colours, clip and shading of the 3D "
+           "view. Macula draws the same picture of it; other programs draw what they can."),
+        this);
+    text->setWordWrap(true);
+    deidentified_->setObjectName(QStringLiteral("without-patient"));
+    deidentified_->setAccessibleName(tr("Without patient and study"));
+    deidentified_->setToolTip(tr(
+        "Nothing of the patient is written, and all UIDs are other ones. It can be opened where the series "
+        "itself is."));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("&Choose File…"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(text);
+    column->addWidget(deidentified_);
+    column->addWidget(buttons);
+}
 
 PresentationsController::PresentationsController(const WindowContext& context, const Uses& uses)
     : QObject(&context.window), context_(context), uses_(uses), files_(new PresentationFiles(this)) {

@@ -1,6 +1,8 @@
 // Presentation states: the 3D view as a DICOM object, saved and opened again.
 #pragma once
 
+#include <QCheckBox>
+#include <QDialog>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -28,6 +30,19 @@ class PresentationFiles;
 class SliceView;
 class StateController;
 class StudyBrowser;
+
+// Asks whether a presentation state is to be de-identified. Its value holds once it is accepted.
+class PresentationDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    explicit PresentationDialog(QWidget* parent = nullptr);
+
+    bool isDeidentified() const { return deidentified_->isChecked(); }
+
+  private:
+    QCheckBox* deidentified_;
+};
 
 // Lives on the UI thread.
 class PresentationsController : public QObject {

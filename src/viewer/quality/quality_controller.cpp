@@ -32,8 +32,7 @@ QualityController::QualityController(const WindowContext& context, std::uint32_t
     : QObject(&context.window),
       context_(context),
       control_(new QualityControl(knownFront(), &context.window)),
-      calibration_(this, {.progressed = [](const ProgressUpdate&) {},
-                          .ended = [this](const auto& measured) { onCalibrated(measured); }}),
+      calibration_(this, {.ended = [this](const auto& measured) { onCalibrated(measured); }}),
       converge_(new ConvergeNow({.sampleLimit = sampleLimit}, this)),
       bar_(new WorkBar) {
     connect(control_, &QualityControl::changed, &context_.viewport, &Viewport::setLiveQuality);

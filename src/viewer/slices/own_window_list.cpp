@@ -30,11 +30,9 @@ OwnWindowList::OwnWindowList(std::optional<std::filesystem::path> folder, QObjec
     : QObject(parent), folder_(std::move(folder)) {
     if (!folder_) return;
     reading_.emplace(this, BackgroundJob<std::string>::Listener{
-                               .progressed = [](const ProgressUpdate&) {},
                                .ended = [this](const Result<std::string>& json) { onRead(json); }});
     writing_.emplace(
-        this, BackgroundJob<Kept>::Listener{.progressed = [](const ProgressUpdate&) {},
-                                            .ended = [this](const Result<Kept>& kept) { onKept(kept); }});
+        this, BackgroundJob<Kept>::Listener{.ended = [this](const Result<Kept>& kept) { onKept(kept); }});
     reading_->start([folder = *folder_](Progress&) -> Result<std::string> {
         try {
             MACULA_TRY(const std::optional<std::string> json, live::machineDocument(folder, documentId()));

@@ -19,7 +19,6 @@
 #include "viewer/slices/pane_picture.h"
 #include "viewer/slices/pane_zoom.h"
 #include "viewer/slices/second_volume_texts.h"
-#include "viewer/slices/slice_cine.h"
 #include "viewer/slices/slice_hand.h"
 #include "viewer/slices/slice_keys.h"
 #include "viewer/slices/slice_painting.h"

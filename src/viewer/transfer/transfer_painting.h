@@ -9,7 +9,6 @@
 #include <QSize>
 #include <optional>
 
-#include "viewer/transfer/point_id.h"
 #include "viewer/transfer/transfer_plot.h"
 
 namespace macula::viewer {

@@ -14,9 +14,16 @@
 #include "pipeline/volume/transfer_function.h"
 #include "scene/transfer/histogram.h"
 #include "scene/transfer/value_axis.h"
-#include "viewer/transfer/point_id.h"
 
 namespace macula::viewer {
+
+struct PointId {
+    enum class Curve { opacity, colour };
+    Curve curve = Curve::opacity;
+    std::size_t index = 0;
+
+    bool operator==(const PointId&) const = default;
+};
 
 // The areas of the plot in a widget, in logical pixels.
 struct TransferLayout {

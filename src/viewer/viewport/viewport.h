@@ -18,9 +18,7 @@
 #include "viewer/viewport/picture_camera.h"
 #include "viewer/viewport/picture_hand.h"
 #include "viewer/viewport/picture_overlay.h"
-#include "viewer/viewport/picture_tools.h"
 #include "viewer/viewport/rest_goal.h"
-#include "viewer/viewport/window_container.h"
 
 namespace macula::viewer {
 
