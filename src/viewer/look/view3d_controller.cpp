@@ -16,6 +16,7 @@
 #include "viewer/editor/study_editor.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/settings/key_book.h"
 #include "viewer/status/study_notes.h"
 #include "viewer/status/visibility_note.h"
@@ -49,8 +50,8 @@ BackgroundMenu::BackgroundMenu(StudyEditor& session, QWidget* parent)
     addChoice(tr("&White"), QStringLiteral("background-white"));
     addSeparator();
     QAction* other = addAction(tr("&Other Colour…"), this, &BackgroundMenu::askForColour);
-    other->setObjectName(QStringLiteral("background-other"));
-    other->setToolTip(tr("Of what lies behind the patient in the 3D picture, and in pictures saved of it"));
+    describe(*other, "background-other",
+             tr("Of what lies behind the patient in the 3D picture, and in pictures saved of it"));
     connect(this, &ChoiceMenu::changed, this, &BackgroundMenu::onChosen);
     connect(&session_, &StudyEditor::changed, this, &BackgroundMenu::showChosen);
     connect(&session_, &StudyEditor::studyShown, this, &BackgroundMenu::showChosen);
@@ -118,9 +119,8 @@ void View3dController::addCamera(QMenu& view) {
 void View3dController::addMarks(QMenu& view) {
     const auto add = [&](const QString& title, KeyAction key, const char* name, const QString& about) {
         QAction* action = view.addAction(title + QLatin1Char('\t') + keyOf(key).toString());
-        action->setObjectName(QLatin1String(name));
         action->setCheckable(true);
-        action->setToolTip(about);
+        describe(*action, name, about);
         return action;
     };
     QAction* marks =

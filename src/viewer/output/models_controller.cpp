@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "pipeline/splat/files/model_file.h"
+#include "viewer/menus/controls.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/status/work_status.h"
 #include "viewer/volume/shown_volume.h"
@@ -132,9 +133,8 @@ ModelsController::ModelsController(const WindowContext& context)
 
 void ModelsController::addActions(QMenu& file) {
     QAction* model = file.addAction(tr("Save Mo&del…"), this, &ModelsController::askWhereToSave);
-    model->setObjectName(QStringLiteral("save-model"));
-    model->setToolTip(
-        tr("The preview as a model in mm of the patient (3D Gaussians), for this and other programs"));
+    describe(*model, "save-model",
+             tr("The preview as a model in mm of the patient (3D Gaussians), for this and other programs"));
 }
 
 QString ModelsController::unfinished() const {

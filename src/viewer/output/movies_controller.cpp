@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "viewer/menus/controls.h"
 #include "viewer/output/movie_export.h"
 #include "viewer/output/movie_panel.h"
 #include "viewer/output/picture_overlays.h"
@@ -61,8 +62,7 @@ void MoviesController::addActions(QMenu& file) {
         dock_->raise();
         panel_->setFocus();
     });
-    movie->setObjectName(QStringLiteral("save-movie"));
-    movie->setToolTip(tr("A turntable or a way of the camera as pictures, and as a video"));
+    describe(*movie, "save-movie", tr("A turntable or a way of the camera as pictures, and as a video"));
 }
 
 QString MoviesController::unfinished() const {

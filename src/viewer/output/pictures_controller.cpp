@@ -11,6 +11,7 @@
 #include "study/open/found_volumes.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/output/picture_dialog.h"
 #include "viewer/output/picture_overlays.h"
 #include "viewer/panes/pane_grid.h"
@@ -89,9 +90,8 @@ PicturesController::PicturesController(const WindowContext& context, const PaneG
 
 void PicturesController::addActions(QMenu& file) {
     QAction* save = file.addAction(tr("Save &Picture…"), this, &PicturesController::askHowToSave);
-    save->setObjectName(QStringLiteral("save-picture"));
     save->setShortcut(keyOf(KeyAction::savePicture));
-    save->setToolTip(tr("Draw what is seen in 3D at any size and quality, without names"));
+    describe(*save, "save-picture", tr("Draw what is seen in 3D at any size and quality, without names"));
 }
 
 QString PicturesController::unfinished() const {

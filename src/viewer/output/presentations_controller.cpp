@@ -13,6 +13,7 @@
 
 #include "viewer/browser/study_browser.h"
 #include "viewer/keys/keys.h"
+#include "viewer/menus/controls.h"
 #include "viewer/output/presentation_files.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/slices/slice_view.h"
@@ -30,11 +31,9 @@ PresentationDialog::PresentationDialog(QWidget* parent)
            "view. Macula draws the same picture of it; other programs draw what they can."),
         this);
     text->setWordWrap(true);
-    deidentified_->setObjectName(QStringLiteral("without-patient"));
-    deidentified_->setAccessibleName(tr("Without patient and study"));
-    deidentified_->setToolTip(tr(
-        "Nothing of the patient is written, and all UIDs are other ones. It can be opened where the series "
-        "itself is."));
+    describe(*deidentified_, "without-patient", tr("Without patient and study"),
+             tr("Nothing of the patient is written, and all UIDs are other ones. It can be opened where the "
+                "series itself is."));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("&Choose File…"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -70,13 +69,12 @@ const study::OpenedStudy& PresentationsController::study() const {
 void PresentationsController::addActions(QMenu& file) {
     QAction* open =
         file.addAction(tr("Open Presen&tation State…"), this, &PresentationsController::askForOne);
-    open->setObjectName(QStringLiteral("open-presentation"));
-    open->setToolTip(tr("Show this series as a DICOM presentation state says"));
+    describe(*open, "open-presentation", tr("Show this series as a DICOM presentation state says"));
     QAction* save =
         file.addAction(tr("Save Presentation State…"), this, &PresentationsController::askHowToSave);
-    save->setObjectName(QStringLiteral("save-presentation"));
     save->setShortcut(keyOf(KeyAction::savePresentation));
-    save->setToolTip(tr("The 3D view as a DICOM object, for the archive and other programs"));
+    describe(*save, "save-presentation",
+             tr("The 3D view as a DICOM object, for the archive and other programs"));
 }
 
 QString PresentationsController::unfinished() const {

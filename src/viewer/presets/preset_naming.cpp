@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "viewer/menus/controls.h"
 #include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
@@ -16,14 +17,11 @@ PresetNameDialog::PresetNameDialog(const QString& title, const QString& what, co
     auto* about = new QLabel(what);
     about->setTextFormat(Qt::PlainText);
     about->setWordWrap(true);
-    name_->setObjectName(QStringLiteral("preset-name"));
-    name_->setAccessibleName(tr("Name of the preset"));
-    name_->setToolTip(tr("For all studies, so without anything of a patient"));
+    describe(*name_, "preset-name", tr("Name of the preset"),
+             tr("For all studies, so without anything of a patient"));
     name_->setText(proposed);
     name_->selectAll();
-    trouble_->setObjectName(QStringLiteral("preset-name-trouble"));
-    trouble_->setTextFormat(Qt::PlainText);
-    trouble_->setWordWrap(true);
+    makePlain(*trouble_, "preset-name-trouble");
     // So that the buttons do not move while a person types.
     trouble_->setMinimumHeight(2 * trouble_->fontMetrics().lineSpacing());
     trouble_->setAlignment(Qt::AlignLeft | Qt::AlignTop);

@@ -17,6 +17,7 @@
 #include "viewer/browser/study_browser.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/second/second_volume_bar.h"
 #include "viewer/second/second_volume_loader.h"
 #include "viewer/second/slice_pair.h"
@@ -194,8 +195,7 @@ void SecondVolumeController::addFileActions(QMenu& file) {
     file.addAction(tr("Open File Besi&de…"), this, [this] { askFor(QFileDialog::ExistingFile); })
         ->setToolTip(tr("The series of an image, or a NIfTI, NRRD or MetaImage file, beside this study"));
     QAction* close = file.addAction(tr("&Close Second Volume"), this, [this] { loader_->close(); });
-    close->setObjectName(QStringLiteral("close-second"));
-    close->setToolTip(tr("The study stays open"));
+    describe(*close, "close-second", tr("The study stays open"));
     actions_ << close;
 }
 

@@ -19,6 +19,7 @@
 #include "viewer/keys/keys.h"
 #include "viewer/language/harmless_text.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/overlay/measurement_handles.h"
 #include "viewer/settings/key_book.h"
 
@@ -105,8 +106,8 @@ void addOwnWindows(QMenu& menu, const SliceMenuOf& of, QWidget* parent) {
                          [session = of.session, window = own[i].window] { setWindow(*session, window); });
     }
     QAction* keep = menu.addAction(SliceMenuWords::tr("&Keep This Window…"));
-    keep->setObjectName(QStringLiteral("keep-window"));
-    keep->setToolTip(SliceMenuWords::tr("Under a name, for all studies with values of this unit"));
+    describe(*keep, "keep-window",
+             SliceMenuWords::tr("Under a name, for all studies with values of this unit"));
     QObject::connect(keep, &QAction::triggered, parent, [of, parent] { askToKeepWindow(of, parent); });
     if (own.empty()) return;
     QMenu* remove = menu.addMenu(SliceMenuWords::tr("&Remove a Window"));
@@ -124,8 +125,7 @@ QMenu* makeSliceMenu(const SliceMenuOf& of, QWidget* parent) {
     menu->setToolTipsVisible(true);
     if (of.editLabel) {
         QAction* label = menu->addAction(SliceMenuWords::tr("&Label…\tEnter"));
-        label->setObjectName(QStringLiteral("edit-label"));
-        label->setToolTip(SliceMenuWords::tr("Words beside this measurement"));
+        describe(*label, "edit-label", SliceMenuWords::tr("Words beside this measurement"));
         QObject::connect(label, &QAction::triggered, parent, of.editLabel);
         menu->addSeparator();
     }
@@ -133,8 +133,7 @@ QMenu* makeSliceMenu(const SliceMenuOf& of, QWidget* parent) {
         const QString key =
             KeyBook::ofProgram().chosen(keyOf(KeyAction::fit)).toString(QKeySequence::NativeText);
         QAction* fit = menu->addAction(SliceMenuWords::tr("&Fit the Pane\t%1").arg(key));
-        fit->setObjectName(QStringLiteral("fit-slice"));
-        fit->setToolTip(SliceMenuWords::tr("The whole slice is seen, in the middle of the pane"));
+        describe(*fit, "fit-slice", SliceMenuWords::tr("The whole slice is seen, in the middle of the pane"));
         QObject::connect(fit, &QAction::triggered, parent, of.fit);
         menu->addSeparator();
     }

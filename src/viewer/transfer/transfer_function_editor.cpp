@@ -8,6 +8,7 @@
 
 #include "scene/transfer/edited_transfer.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 
 namespace macula::viewer {
 
@@ -31,9 +32,7 @@ TransferFunctionEditor::TransferFunctionEditor(StudyEditor& session, QWidget* pa
       showsMatter_(new QPushButton(tr("Matter"), this)),
       reset_(new QPushButton(tr("Reset"), this)),
       save_(new QPushButton(tr("Save as…"), this)) {
-    line_->setObjectName(QStringLiteral("transfer-line"));
-    line_->setTextFormat(Qt::PlainText);
-    line_->setWordWrap(true);
+    makePlain(*line_, "transfer-line");
     line_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     // Room for two lines, so that the curve does not move during the first drag, which makes the text longer.
     line_->setMinimumHeight(2 * line_->fontMetrics().lineSpacing());
@@ -66,12 +65,10 @@ void TransferFunctionEditor::makeButtons() {
     showsMatter_->setCheckable(true);
     showsMatter_->setAccessibleName(tr("Show how matter scatters light"));
     showsMatter_->setToolTip(tr("How matter scatters light: its surface, and anisotropy"));
-    reset_->setObjectName(QStringLiteral("transfer-reset"));
-    reset_->setAccessibleName(tr("Reset the transfer function"));
-    reset_->setToolTip(tr("Back to the preset as it was chosen; can be undone"));
-    save_->setObjectName(QStringLiteral("transfer-save"));
-    save_->setAccessibleName(tr("Save the transfer function as a preset"));
-    save_->setToolTip(tr("Keep this transfer function as a preset of your own"));
+    describe(*reset_, "transfer-reset", tr("Reset the transfer function"),
+             tr("Back to the preset as it was chosen; can be undone"));
+    describe(*save_, "transfer-save", tr("Save the transfer function as a preset"),
+             tr("Keep this transfer function as a preset of your own"));
 }
 
 void TransferFunctionEditor::listen() {

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "viewer/keys/focus_order.h"
+#include "viewer/menus/controls.h"
 
 namespace macula::viewer {
 
@@ -201,10 +202,8 @@ void VulkanWindow::keyReleaseEvent(QKeyEvent* event) {
 WindowContainer::WindowContainer(QWindow& window, QWidget& parent)
     : parent_(parent), widget_(QWidget::createWindowContainer(&window, &parent)) {
     widget_->setFocusPolicy(Qt::StrongFocus);
-    widget_->setObjectName(QStringLiteral("volume"));
-    widget_->setAccessibleName(tr("The volume in 3D"));
-    widget_->setToolTip(
-        tr("Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm"));
+    describe(*widget_, "volume", tr("The volume in 3D"),
+             tr("Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm"));
     widget_->setMinimumSize(kSmallestPicture);
     QSizePolicy policy = widget_->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
