@@ -21,7 +21,6 @@
 #include "xr/frame_statistics.h"
 #include "xr/governor.h"
 #include "xr/hands.h"
-#include "xr/quad_layers.h"
 #include "xr/room_controls.h"
 #include "xr/room_view.h"
 #include "xr/session.h"

@@ -1,4 +1,5 @@
-// The pictures that the headset shows, of both eyes or of both insets, and their depths.
+// The layers that the headset shows: pictures of both eyes or of both insets, their depths, and flat
+// pictures.
 #pragma once
 
 #include <array>
@@ -13,6 +14,7 @@
 #include "pipeline/hybrid/frame/eye_depths.h"
 #include "xr/eyes.h"
 #include "xr/lent_images.h"
+#include "xr/room_controls.h"
 #include "xr/session.h"
 #include "xr/visibility_mask.h"
 
@@ -69,6 +71,29 @@ class DepthLayer {
 
     SwapchainPair pair_;
     std::array<XrCompositionLayerDepthInfoKHR, SwapchainPair::kViews> told_{};
+};
+
+// Flat pictures in the room, which the headset's software composes at its own rate (XrCompositionLayerQuad):
+// letters stay sharp, however coarse the anatomy is. Must not outlive its session. Used by one thread at a
+// time, the one that uses the device.
+class QuadLayers {
+  public:
+    // The layers of the floating pictures, in the stage. Uploads a picture when it is first shown, and when
+    // it has changed.
+    Result<std::vector<XrCompositionLayerQuad>> show(const Session& session, const RoomControls& controls,
+                                                     std::span<const Floating> floating);
+
+  private:
+    struct Sent {
+        std::optional<LentImages> images;
+        std::optional<gpu::Image> picture;
+        std::uint64_t number = 0;  // number of the last uploaded picture
+    };
+
+    static Result<void> make(const Session& session, Sent& sent, const glm::ivec2& sizePx);
+    static Result<void> send(Sent& sent, const PanelPicture& picture);
+
+    std::array<Sent, kRoomPictures> sent_;
 };
 
 }  // namespace macula::xr

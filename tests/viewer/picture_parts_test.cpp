@@ -4,7 +4,6 @@
 #include <QKeyEvent>
 
 #include "viewer/slice_volume.h"
-#include "viewer/viewport/camera_keys.h"
 #include "viewer/viewport/picture_camera.h"
 #include "viewer/viewport/picture_hand.h"
 

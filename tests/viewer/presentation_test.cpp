@@ -1,5 +1,4 @@
 // Presentation states in the window: written and read beside it, and whose they are to be.
-#include "viewer/output/presentation_files.h"
 
 #include "base/sha256.h"
 #include "scene/choice/catalogue.h"

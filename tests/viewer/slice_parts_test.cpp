@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "viewer/language/harmless_text.h"
+#include "viewer/overlay/cube_and_scale.h"
 #include "viewer/overlay/measurement_handles.h"
-#include "viewer/overlay/scale_bar.h"
 #include "viewer/overlay/slice_steps.h"
 #include "viewer/overlay/slice_texts.h"
 #include "viewer/slice_volume.h"

@@ -13,8 +13,7 @@
 
 #include "viewer/driven/driven_hand.h"
 #include "viewer/driven/driven_steps.h"
-#include "viewer/driven/opening_times.h"
-#include "viewer/driven/orbit_gauge.h"
+#include "viewer/driven/gauges.h"
 #include "viewer/driven/session_steps.h"
 
 namespace macula::viewer {

@@ -9,7 +9,6 @@
 #include "viewer/context/window_context.h"
 #include "viewer/jobs/background_job.h"
 #include "viewer/lights/lights_editing.h"
-#include "viewer/lights/lights_tool.h"
 
 class QComboBox;
 class QDockWidget;

@@ -14,7 +14,6 @@
 #include "viewer/presets/preset_list_model.h"
 #include "viewer/presets/preset_naming.h"
 #include "viewer/presets/preset_pictures.h"
-#include "viewer/presets/preset_rows.h"
 
 class QMenu;
 class QVBoxLayout;

@@ -16,9 +16,9 @@
 #include "scene/state/carried_view.h"
 #include "scene/transfer/same_transfer.h"
 #include "viewer/language/harmless_text.h"
-#include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
 #include "viewer/second/second_volume_loader.h"
+#include "viewer/status/status_texts.h"
 #include "viewer/status/status_widgets.h"
 
 namespace macula::viewer {
@@ -238,9 +238,7 @@ void SecondVolumeBar::fillPresets(const scene::SecondVolumeState& state) {
         listed_ = std::move(wanted);
         presets_->clear();
         presets_->addItem(tr("As over slices"));
-        for (const auto& preset : listed_)
-            presets_->addItem(
-                harmless(titleInWindowsLanguage(preset->title.empty() ? preset->name : preset->title)));
+        for (const auto& preset : listed_) presets_->addItem(harmless(titleOr(preset->title, preset->name)));
     }
     const auto at = state.preset ? std::ranges::find_if(listed_, isOurs) : listed_.end();
     presets_->setCurrentIndex(at == listed_.end() ? 0 : int(at - listed_.begin()) + 1);

@@ -7,7 +7,6 @@
 #include <cstddef>
 
 #include "viewer/editor/study_editor.h"
-#include "viewer/slices/own_window_list.h"
 #include "viewer/slices/pane_content.h"
 #include "viewer/slices/pane_measurements.h"
 #include "viewer/slices/pane_picture.h"

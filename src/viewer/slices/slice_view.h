@@ -12,7 +12,6 @@
 #include "slices/slice_plane.h"
 #include "viewer/editor/study_editor.h"
 #include "viewer/keys/slice_tool.h"
-#include "viewer/slices/own_window_list.h"
 #include "viewer/slices/pane_clip.h"
 #include "viewer/slices/pane_content.h"
 #include "viewer/slices/pane_measurements.h"

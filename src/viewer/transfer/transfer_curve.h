@@ -12,7 +12,6 @@
 #include "scene/transfer/value_axis.h"
 #include "viewer/transfer/transfer_edits.h"
 #include "viewer/transfer/transfer_hand.h"
-#include "viewer/transfer/transfer_painting.h"
 #include "viewer/transfer/transfer_plot.h"
 
 namespace macula::viewer {

@@ -9,16 +9,9 @@
 #include "scene/transfer/edited_transfer.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
+#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
-
-namespace {
-
-QString titleOf(const TransferFunction& function) {
-    return titleInWindowsLanguage(function.title.empty() ? function.name : function.title);
-}
-
-}  // namespace
 
 TransferFunctionEditor::TransferFunctionEditor(StudyEditor& session, QWidget* parent)
     : QWidget(parent),
@@ -276,9 +269,9 @@ void TransferFunctionEditor::showFields() {
 
 void TransferFunctionEditor::showLine() {
     if (!chosen_) return line_->setText(tr("Open a study to edit its transfer function."));
-    const QString chosen = titleOf(*chosen_->function);
+    const QString chosen = titleOr(chosen_->function->title, chosen_->function->name);
     QStringList sentences;
-    sentences << (isCopy_ ? tr("%1: your copy of %2.").arg(titleOf(own_), chosen)
+    sentences << (isCopy_ ? tr("%1: your copy of %2.").arg(titleOr(own_.title, own_.name), chosen)
                           : tr("%1, as it was chosen. The first change makes a copy.").arg(chosen));
     if (!trouble_.isEmpty()) {
         sentences << trouble_;

@@ -14,7 +14,6 @@
 #include "scene/camera/orbit_camera.h"
 #include "viewer/overlay/cube_and_scale.h"
 #include "viewer/overlay/picture_tool.h"
-#include "viewer/viewport/camera_keys.h"
 #include "viewer/viewport/picture_camera.h"
 #include "viewer/viewport/picture_hand.h"
 #include "viewer/viewport/picture_overlay.h"
