@@ -10,7 +10,6 @@
 #include "viewer/editor/study_editor.h"
 #include "viewer/menus/choice_menu.h"
 
-class QAction;
 class QMenu;
 
 namespace macula::viewer {

@@ -147,11 +147,6 @@ void PresetGallery::makeList() {
     connect(list_, &QWidget::customContextMenuRequested, this, &PresetGallery::showMenu);
 }
 
-void PresetGallery::focusFilter() {
-    filter_->setFocus(Qt::ShortcutFocusReason);
-    filter_->selectAll();
-}
-
 void PresetGallery::onStudyShown() {
     pictures_.begin(session_.study().volume);
     model_->forgetPictures();

@@ -33,7 +33,6 @@ class PresetGallery : public QWidget {
 
     PresetListModel& model() const { return *model_; }
     bool isDrawing() const { return pictures_.isDrawing(); }
-    void focusFilter();
 
     void askToSaveCurve() { naming_.askToSaveCurve(); }
     void askToSaveSeen() { naming_.askToSaveSeen(); }

@@ -3,32 +3,20 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <array>
 #include <utility>
 
 namespace macula::viewer {
 
 namespace {
 
+// Of each FolderKind, as settings keep them.
+constexpr std::array kNames{"studies", "pictures", "movies",       "models",
+                            "views",   "presets",  "measurements", "presentations"};
+static_assert(kNames.size() == std::size_t(FolderKind::presentations) + 1);
+
 QString nameOf(FolderKind kind) {
-    switch (kind) {
-        case FolderKind::studies:
-            return QStringLiteral("studies");
-        case FolderKind::pictures:
-            return QStringLiteral("pictures");
-        case FolderKind::movies:
-            return QStringLiteral("movies");
-        case FolderKind::models:
-            return QStringLiteral("models");
-        case FolderKind::views:
-            return QStringLiteral("views");
-        case FolderKind::presets:
-            return QStringLiteral("presets");
-        case FolderKind::measurements:
-            return QStringLiteral("measurements");
-        case FolderKind::presentations:
-            break;
-    }
-    return QStringLiteral("presentations");
+    return QString::fromLatin1(kNames.at(std::size_t(kind)));
 }
 
 QString ownFolder(FolderKind kind) {
