@@ -16,13 +16,11 @@
 
 #include "base/result.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
-#include "xr/depth_layer.h"
 #include "xr/eye_copy.h"
 #include "xr/eye_masks.h"
 #include "xr/frame_statistics.h"
 #include "xr/governor.h"
 #include "xr/hands.h"
-#include "xr/quad_layers.h"
 #include "xr/room_controls.h"
 #include "xr/room_view.h"
 #include "xr/session.h"

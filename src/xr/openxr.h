@@ -1,5 +1,5 @@
-// OpenXR 1.0 with Vulkan. The loader resolves functions at run time (loader.h), so the program starts without
-// it.
+// OpenXR 1.0 with Vulkan. The loader resolves functions at run time (runtime.h), so the program starts
+// without it.
 #pragma once
 
 #include <vulkan/vulkan_core.h>

@@ -2,13 +2,25 @@
 // library.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace macula::xr {
+
+// From the top; the bit of value 16 is the leftmost of five dots.
+using LetterRows = std::array<std::uint8_t, 7>;
+
+// The glyph of a character; a box if there is none.
+const LetterRows& lettersOf(char32_t sign);
+
+// The characters of UTF-8 text. A sharp s becomes two; a sequence of more than two bytes becomes one without
+// a glyph.
+std::u32string signsOf(std::string_view text);
 
 // 8 bits each, encoded for display, with straight alpha: 255 is opaque.
 using PanelColour = glm::u8vec4;

@@ -1,5 +1,7 @@
 #include "xr/room_state.h"
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 #include "base/check.h"
@@ -13,30 +15,21 @@ bool isEqual(const std::shared_ptr<const Value>& a, const std::shared_ptr<const 
     return a == b || (a && b && *a == *b);
 }
 
+struct Cost {
+    double foveaShare;
+    std::uint32_t mostSamples;
+};
+constexpr std::array kCosts{Cost{0.5, 4}, Cost{1.0, 16}, Cost{2.0, 64}};  // by RoomQuality
+static_assert(kCosts.size() == std::size_t(RoomQuality::fine) + 1);
+
 }  // namespace
 
 double foveaShareOf(RoomQuality quality) {
-    switch (quality) {
-        case RoomQuality::fast:
-            return 0.5;
-        case RoomQuality::balanced:
-            return 1.0;
-        case RoomQuality::fine:
-            return 2.0;
-    }
-    return 1.0;
+    return kCosts.at(std::size_t(quality)).foveaShare;
 }
 
 std::uint32_t mostSamplesOf(RoomQuality quality) {
-    switch (quality) {
-        case RoomQuality::fast:
-            return 4;
-        case RoomQuality::balanced:
-            return 16;
-        case RoomQuality::fine:
-            return 64;
-    }
-    return 16;
+    return kCosts.at(std::size_t(quality)).mostSamples;
 }
 
 bool RoomState::operator==(const RoomState& b) const {

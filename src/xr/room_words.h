@@ -13,7 +13,7 @@
 namespace macula::xr {
 
 // %1 is replaced by an argument. A button of half the panel's width has room for 15 letters; the glyphs are
-// those of panel_letters.h.
+// those of panel_picture.h.
 struct RoomWords {
     std::string shift = "Shift";
     std::string knifeOn = "Knife: on";

@@ -13,7 +13,7 @@
 #include "pictures/state_request.h"
 #include "scene/choice/catalogue.h"
 #include "xr/frame_statistics.h"
-#include "xr/room_host.h"
+#include "xr/room_choice.h"
 #include "xr/room_view.h"
 #include "xr/runtime.h"
 

@@ -17,8 +17,7 @@ class BackgroundJobTest : public testing::Test {
   protected:
     BackgroundJobTest()
         : application_(argc_, argv_),
-          job_(&home_, {.progressed = [](const ProgressUpdate&) {},
-                        .ended = [this](const Result<int>& outcome) { outcome_ = outcome; }}) {}
+          job_(&home_, {.ended = [this](const Result<int>& outcome) { outcome_ = outcome; }}) {}
 
     void expectNoMemory() const {
         ASSERT_TRUE(outcome_ && !*outcome_);
@@ -82,8 +81,7 @@ TEST_F(BackgroundJobTest, MayBeDroppedWhenItCouldNotBeBegun) {
     const test::NoThreads none;
     {
         QObject home;
-        BackgroundJob<int> job(
-            &home, {.progressed = [](const ProgressUpdate&) {}, .ended = [](const Result<int>&) { FAIL(); }});
+        BackgroundJob<int> job(&home, {.ended = [](const Result<int>&) { FAIL(); }});
         job.start([](Progress&) -> Result<int> { return 1; });
     }
     QCoreApplication::processEvents();

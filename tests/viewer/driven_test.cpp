@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include "support.h"
-#include "viewer/driven/cold_files.h"
 #include "viewer/driven/workday_script.h"
 #include "viewer/offscreen.h"
 

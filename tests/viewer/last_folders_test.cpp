@@ -1,5 +1,5 @@
 // Where file dialogs begin, and what of it is kept.
-#include "viewer/settings/last_folders.h"
+#include "viewer/settings/file_dialogs.h"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 
 #include "base/phantom.h"
 #include "scene/choice/lights_choice.h"
-#include "viewer/lights/lights_tool.h"
+#include "viewer/lights/lights_editing.h"
 
 namespace macula::viewer {
 namespace {

@@ -12,10 +12,9 @@
 
 #include "scene/camera/orbit_camera.h"
 #include "viewer/offscreen.h"
-#include "viewer/output/model_export.h"
-#include "viewer/output/movie_export.h"
+#include "viewer/output/models_controller.h"
 #include "viewer/output/movie_panel.h"
-#include "viewer/output/movie_stamps.h"
+#include "viewer/output/movies_controller.h"
 #include "viewer/output/picture_overlays.h"
 #include "viewer/output/video_encoder.h"
 

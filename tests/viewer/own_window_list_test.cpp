@@ -1,5 +1,5 @@
 // Windows of one's own between two runs, and where they cannot be kept.
-#include "viewer/slices/own_window_list.h"
+#include "viewer/slices/slice_windowing.h"
 
 #include <gtest/gtest.h>
 

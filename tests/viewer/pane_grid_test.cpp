@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "viewer/offscreen.h"
-#include "viewer/panes/pane_frame.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {

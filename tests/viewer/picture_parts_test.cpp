@@ -4,9 +4,8 @@
 #include <QKeyEvent>
 
 #include "viewer/slice_volume.h"
-#include "viewer/viewport/camera_keys.h"
 #include "viewer/viewport/picture_camera.h"
-#include "viewer/viewport/picture_tools.h"
+#include "viewer/viewport/picture_hand.h"
 
 namespace macula::viewer {
 namespace {

@@ -1,12 +1,11 @@
 // Presentation states in the window: written and read beside it, and whose they are to be.
-#include "viewer/output/presentation_files.h"
 
 #include "base/sha256.h"
 #include "scene/choice/catalogue.h"
 #include "scene/transfer/same_transfer.h"
 #include "support.h"
 #include "viewer/offscreen.h"
-#include "viewer/output/presentation_dialog.h"
+#include "viewer/output/presentations_controller.h"
 
 namespace macula::viewer {
 namespace {

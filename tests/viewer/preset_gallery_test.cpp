@@ -23,7 +23,7 @@
 #include "viewer/presets/preset_box.h"
 #include "viewer/presets/preset_comparison.h"
 #include "viewer/presets/preset_library.h"
-#include "viewer/presets/preset_name_dialog.h"
+#include "viewer/presets/preset_naming.h"
 
 namespace macula::viewer {
 namespace {

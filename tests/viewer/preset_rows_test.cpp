@@ -6,7 +6,7 @@
 
 #include "scene/choice/catalogue.h"
 #include "viewer/offscreen.h"
-#include "viewer/presets/preset_rows.h"
+#include "viewer/presets/preset_list_model.h"
 
 namespace macula::viewer {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "viewer/offscreen.h"
-#include "viewer/quality/converge_now.h"
+#include "viewer/quality/quality_controller.h"
 
 namespace macula::viewer {
 namespace {

@@ -11,7 +11,7 @@
 #include "scene/drawing/drawing_of.h"
 #include "scene/drawing/projection_windows.h"
 #include "viewer/output/picture_dialog.h"
-#include "viewer/output/picture_export.h"
+#include "viewer/output/pictures_controller.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {

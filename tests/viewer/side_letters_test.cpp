@@ -1,5 +1,5 @@
 // Letters at the edges of a 3D picture, and how little of it they cover.
-#include "viewer/overlay/side_letters.h"
+#include "viewer/overlay/painted_text.h"
 
 #include <QImage>
 #include <QPainter>

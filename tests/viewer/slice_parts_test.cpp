@@ -6,15 +6,14 @@
 #include <limits>
 
 #include "viewer/language/harmless_text.h"
+#include "viewer/overlay/cube_and_scale.h"
 #include "viewer/overlay/measurement_handles.h"
-#include "viewer/overlay/scale_bar.h"
 #include "viewer/overlay/slice_steps.h"
 #include "viewer/overlay/slice_texts.h"
 #include "viewer/slice_volume.h"
 #include "viewer/slices/clip_on_slice.h"
-#include "viewer/slices/measurement_drawing.h"
-#include "viewer/slices/measurement_texts.h"
-#include "viewer/slices/pane_view.h"
+#include "viewer/slices/pane_content.h"
+#include "viewer/slices/pane_measurements.h"
 
 namespace macula::viewer {
 namespace {

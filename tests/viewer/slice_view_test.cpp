@@ -9,7 +9,7 @@
 
 #include "scene/drawing/projection_windows.h"
 #include "viewer/slice_view_fixture.h"
-#include "viewer/slices/label_editor.h"
+#include "viewer/slices/slice_popups.h"
 
 namespace macula::viewer {
 namespace {

@@ -1,5 +1,5 @@
 // Both pairs of curves of a preset in the window: what is edited is the pair that is chosen, and no other.
-#include "viewer/transfer/steep_choice.h"
+#include "viewer/transfer/matter_fields.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -12,7 +12,7 @@
 #include "dicom/synthetic.h"
 #include "scene/drawing/drawing_of.h"
 #include "viewer/browser/study_browser.h"
-#include "viewer/output/picture_export.h"
+#include "viewer/output/pictures_controller.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {

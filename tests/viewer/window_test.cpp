@@ -17,7 +17,7 @@
 #include "base/paths.h"
 #include "base/phantom.h"
 #include "support.h"
-#include "viewer/quality/converge_now.h"
+#include "viewer/quality/quality_controller.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/run_command.h"
-#include "xr/loader.h"
 #include "xr/runtime.h"
 
 namespace macula::xr {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "image/image_file.h"
-#include "xr/interaction_profiles.h"
+#include "xr/hands.h"
 #include "xr/scripted_room.h"
 #include "xr/wrist_panel.h"
 

@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "xr/panel_letters.h"
+#include "xr/panel_picture.h"
 
 namespace macula::xr {
 namespace {

@@ -1,11 +1,14 @@
 // The study browser, the list of the open folder's volumes, and the menu of what was opened before.
 #pragma once
 
+#include <QComboBox>
 #include <QObject>
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "base/text.h"
 #include "study/open/found_volumes.h"
 #include "viewer/context/window_context.h"
 
@@ -22,7 +25,26 @@ namespace macula::viewer {
 class OpeningController;
 class RecentMenu;
 class StudyBrowser;
-class VolumeChoice;
+
+// Lists "1 of 3" and a name for each volume. Shows that of the open one: a choice changes it only once the
+// other volume is open.
+class VolumeChoice : public QComboBox {
+    Q_OBJECT
+
+  public:
+    explicit VolumeChoice(QWidget* parent = nullptr);
+
+    void setVolumes(const std::vector<Text>& titles, std::size_t shown);
+
+  Q_SIGNALS:
+    void chosen(std::size_t index);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    int shown_ = -1;
+};
 
 // Lives on the UI thread.
 class BrowserController : public QObject {

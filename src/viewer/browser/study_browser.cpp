@@ -10,6 +10,7 @@
 
 #include "study/list/search_text.h"
 #include "viewer/browser/study_row_delegate.h"
+#include "viewer/menus/controls.h"
 
 namespace macula::viewer {
 
@@ -40,8 +41,7 @@ StudyBrowser::StudyBrowser(QWidget* parent)
       reading_(new QLabel(tr("The folder is still being read. What is in it can be opened then."))),
       elsewhere_(new QLabel(tr("Nothing of this folder is open."))),
       model_(new StudyTreeModel(this)),
-      pictures_(this, {.progressed = [](const ProgressUpdate&) {},
-                       .ended = [this](const Result<study::Thumbnail>& made) { takePicture(made); }}) {
+      pictures_(this, {.ended = [this](const Result<study::Thumbnail>& made) { takePicture(made); }}) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(search_);
@@ -56,9 +56,7 @@ StudyBrowser::StudyBrowser(QWidget* parent)
     reading_->setWordWrap(true);
     elsewhere_->setObjectName(QStringLiteral("elsewhere"));
     elsewhere_->setWordWrap(true);
-    nothing_->setObjectName(QStringLiteral("nothing"));
-    nothing_->setTextFormat(Qt::PlainText);
-    nothing_->setWordWrap(true);
+    makePlain(*nothing_, "nothing");
     nothing_->setAlignment(Qt::AlignCenter);
     picturesAreDue_.setSingleShot(true);
     connect(&picturesAreDue_, &QTimer::timeout, this, &StudyBrowser::makeNextPicture);
@@ -78,9 +76,8 @@ void StudyBrowser::makeSearch() {
 }
 
 void StudyBrowser::makeTree() {
-    tree_->setObjectName(QStringLiteral("studies"));
-    tree_->setAccessibleName(tr("Studies, series and volumes of the folder"));
-    tree_->setToolTip(
+    describe(
+        *tree_, "studies", tr("Studies, series and volumes of the folder"),
         tr("What is in the folder; sizes of voxels are in mm. One click selects; a double click or Enter "
            "opens, be it a volume or a view of one that was kept. The files are only read, and stay where "
            "they are."));

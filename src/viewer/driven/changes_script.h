@@ -13,7 +13,7 @@
 #include <random>
 #include <string>
 
-#include "viewer/driven/ui_heartbeat.h"
+#include "viewer/driven/gauges.h"
 
 namespace macula::viewer {
 

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "viewer/driven/ui_heartbeat.h"
+#include "viewer/driven/gauges.h"
 
 namespace macula::viewer {
 

@@ -11,8 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "viewer/driven/opening_times.h"
-#include "viewer/driven/ui_heartbeat.h"
+#include "viewer/driven/gauges.h"
 
 namespace macula::viewer {
 

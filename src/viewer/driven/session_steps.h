@@ -5,7 +5,7 @@
 
 #include "viewer/driven/driven_hand.h"
 #include "viewer/driven/driven_steps.h"
-#include "viewer/driven/orbit_gauge.h"
+#include "viewer/driven/gauges.h"
 
 namespace macula::viewer {
 

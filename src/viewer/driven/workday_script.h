@@ -7,16 +7,28 @@
 #include <QJsonObject>
 #include <QObject>
 #include <QStringList>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 
-#include "viewer/driven/cold_files.h"
 #include "viewer/driven/driven_hand.h"
 #include "viewer/driven/driven_steps.h"
-#include "viewer/driven/opening_times.h"
-#include "viewer/driven/orbit_gauge.h"
+#include "viewer/driven/gauges.h"
 #include "viewer/driven/session_steps.h"
 
 namespace macula::viewer {
+
+struct ColdFiles {
+    std::size_t files = 0;
+    std::uint64_t bytes = 0;
+    // Bytes still cached after posix_fadvise(DONTNEED): pages that another program has mapped or not written
+    // yet. The disc's own cache is unknown. A file whose state is unknown counts in full.
+    std::uint64_t bytesStillCached = 0;
+};
+
+// Drops a file, or all files below a folder. Does not follow links, needs only read rights, and leaves out
+// unreadable files.
+ColdFiles dropFromCache(const std::filesystem::path& path);
 
 struct WorkdayScriptOptions {
     study::StudySource study;

@@ -80,4 +80,12 @@ class StudyEditor : public QObject {
     StateHistory history_;
 };
 
+// Calls `show` at once, and again for each other state or study as long as `shown` lives.
+template <class Show>
+void followState(StudyEditor& session, QObject* shown, Show show) {
+    QObject::connect(&session, &StudyEditor::changed, shown, show);
+    QObject::connect(&session, &StudyEditor::studyShown, shown, show);
+    show();
+}
+
 }  // namespace macula::viewer

@@ -13,6 +13,7 @@
 #include "viewer/headset/headset_mirror.h"
 #include "viewer/headset/headset_show.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/status/notifications.h"
 #include "viewer/volume/shown_volume.h"
 
@@ -61,8 +62,8 @@ void HeadsetController::setDock(QDockWidget& dock) {
 
 void HeadsetController::addAction(QMenu& view) {
     QAction* action = view.addAction(tr("Show in &Headset"), this, &HeadsetController::begin);
-    action->setObjectName(QStringLiteral("show-in-headset"));
-    action->setToolTip(tr("This study in a headset (OpenXR), to be held, turned and cut by hand"));
+    describe(*action, "show-in-headset",
+             tr("This study in a headset (OpenXR), to be held, turned and cut by hand"));
 }
 
 void HeadsetController::begin() {

@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "viewer/menus/controls.h"
+
 namespace macula::viewer {
 
 // As large as fits, with the aspect that it has in the headset.
@@ -47,12 +49,8 @@ HeadsetMirror::HeadsetMirror(QWidget* parent)
       button_(new QPushButton(this)) {
     picture_->setObjectName(QStringLiteral("headset-picture"));
     picture_->setAccessibleName(tr("What the left eye sees in the headset"));
-    namesText_->setObjectName(QStringLiteral("headset-patient"));
-    namesText_->setTextFormat(Qt::PlainText);
-    namesText_->setWordWrap(true);
-    note_->setObjectName(QStringLiteral("headset-note"));
-    note_->setTextFormat(Qt::PlainText);
-    note_->setWordWrap(true);
+    makePlain(*namesText_, "headset-patient");
+    makePlain(*note_, "headset-note");
     names_->setObjectName(QStringLiteral("headset-names"));
     names_->setToolTip(tr("Whose study is in the headset, above the mirror; off at each start"));
     button_->setObjectName(QStringLiteral("headset-button"));

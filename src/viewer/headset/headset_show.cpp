@@ -72,8 +72,7 @@ Result<Text> showIn(HeadsetShowRequest request, xr::RoomWords words, const Told&
 
 HeadsetShow::HeadsetShow(QObject* parent)
     : QObject(parent),
-      job_(this, {.progressed = [](const ProgressUpdate&) {},
-                  .ended =
+      job_(this, {.ended =
                       [this](const Result<Text>& outcome) {
                           if (!outcome) Q_EMIT failed(outcome.error());
                           Q_EMIT ended(outcome ? inWindowsLanguage(*outcome) : QString());

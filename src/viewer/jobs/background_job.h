@@ -24,7 +24,7 @@ class BackgroundJob {
   public:
     using Work = std::function<Result<Value>(Progress&)>;
     struct Listener {
-        std::function<void(const ProgressUpdate&)> progressed;
+        std::function<void(const ProgressUpdate&)> progressed = [](const ProgressUpdate&) {};
         std::function<void(const Result<Value>&)> ended;
     };
 

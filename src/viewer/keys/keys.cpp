@@ -1,6 +1,13 @@
 #include "viewer/keys/keys.h"
 
+#include <QAbstractItemView>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
 #include <QKeyEvent>
+#include <QKeySequence>
+#include <QMainWindow>
+#include <QToolBar>
 #include <algorithm>
 
 #include "base/check.h"
@@ -94,6 +101,24 @@ std::optional<ViewDirection> viewDirectionOf(KeyAction action) {
         default:
             return std::nullopt;
     }
+}
+
+QAction* actionFor(const QKeyEvent& keys, const QMainWindow& window, const QToolBar& tools) {
+    const QKeySequence pressed(keys.keyCombination());
+    for (QAction* action : window.findChildren<QAction*>()) {
+        const bool isHidden = !tools.isVisible() && tools.actions().contains(action);
+        if (!action->shortcut().isEmpty() && action->shortcut() == pressed && action->isEnabled() &&
+            !isHidden)
+            return action;
+    }
+    return nullptr;
+}
+
+bool isForList(const QKeyEvent& key) {
+    const QWidget* focus = QApplication::focusWidget();
+    const bool isList = qobject_cast<const QComboBox*>(focus) != nullptr ||
+                        qobject_cast<const QAbstractItemView*>(focus) != nullptr;
+    return isList && key.modifiers() == Qt::NoModifier && key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z;
 }
 
 }  // namespace macula::viewer

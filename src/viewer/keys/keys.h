@@ -13,6 +13,9 @@
 #include "scene/state/study_state.h"
 
 class QKeyEvent;
+class QAction;
+class QMainWindow;
+class QToolBar;
 
 namespace macula::viewer {
 
@@ -191,5 +194,13 @@ QString chosenFor(const KeyRow& row);
 // The action of a key that acts on the picture only. Ignores modifiers.
 std::optional<KeyAction> actionOf(const QKeyEvent& event);
 std::optional<ViewDirection> viewDirectionOf(KeyAction action);
+
+// The enabled action of the window with these keys; null: none. Actions of `tools` count only while that is
+// visible. Keys pressed in the native window do not pass through the widgets' shortcuts on every platform.
+QAction* actionFor(const QKeyEvent& keys, const QMainWindow& window, const QToolBar& tools);
+
+// The letters of the slice tools are shortcuts of the window, but a list jumps to the entry that begins with
+// a letter. Returns whether a list has the focus and should get this key.
+bool isForList(const QKeyEvent& key);
 
 }  // namespace macula::viewer

@@ -15,6 +15,7 @@
 #include "scene/state/parameters.h"
 #include "viewer/clip/wheel_guard.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/status/say.h"
 #include "viewer/status/status_texts.h"
 #include "viewer/transfer/encoded_colour.h"
@@ -38,13 +39,16 @@ glm::dvec3 linearOf(const QColor& colour) {
     return {decodedSrgb(shown.r), decodedSrgb(shown.g), decodedSrgb(shown.b)};
 }
 
+void put(QDoubleSpinBox& box, double value) {
+    const QSignalBlocker quiet(box);
+    box.setValue(value);
+}
+
 }  // namespace
 
 LightsPanel::LightsPanel(StudyEditor& session, LightsEditing& editing, QWidget* parent)
     : QWidget(parent), session_(session), editing_(editing), trouble_(new QLabel(this)) {
-    trouble_->setObjectName(QStringLiteral("lights-trouble"));
-    trouble_->setTextFormat(Qt::PlainText);
-    trouble_->setWordWrap(true);
+    makePlain(*trouble_, "lights-trouble");
     auto* column = new QVBoxLayout(this);
     column->addWidget(makeRig());
     column->addWidget(makeLight());
@@ -62,12 +66,10 @@ LightsPanel::~LightsPanel() {
     for (QDoubleSpinBox* box : findChildren<QDoubleSpinBox*>()) box->disconnect(this);
 }
 
-QDoubleSpinBox* LightsPanel::makeNumber(const QString& name, const QString& title, const QString& suffix,
+QDoubleSpinBox* LightsPanel::makeNumber(const char* name, const QString& title, const QString& suffix,
                                         const QString& does) {
     auto* box = new QDoubleSpinBox(this);
-    box->setObjectName(name);
-    box->setAccessibleName(title);
-    box->setToolTip(does);
+    describe(*box, name, title, does);
     box->setSuffix(suffix);
     box->setDecimals(suffix.isEmpty() ? 2 : 1);
     box->setKeyboardTracking(false);  // a half-typed number changes nothing
@@ -79,9 +81,7 @@ QDoubleSpinBox* LightsPanel::makeNumber(const QString& name, const QString& titl
 QWidget* LightsPanel::makeRig() {
     auto* part = new QWidget(this);
     rigs_ = new QComboBox(part);
-    rigs_->setObjectName(QStringLiteral("lights-rig"));
-    rigs_->setAccessibleName(tr("Rig of lights"));
-    rigs_->setToolTip(tr("Where the light comes from"));
+    describe(*rigs_, "lights-rig", tr("Rig of lights"), tr("Where the light comes from"));
     rigs_->setPlaceholderText(tr("Own"));
     for (const auto& rig : session_.catalogue().lights) rigs_->addItem(titleOr(rig->title, rig->name));
     connect(rigs_, &QComboBox::activated, this, [this](int index) {
@@ -89,13 +89,11 @@ QWidget* LightsPanel::makeRig() {
         editing_.use(session_.catalogue().lights.at(std::size_t(index)));
     });
     auto* open = new QPushButton(tr("Open…"), part);
-    open->setObjectName(QStringLiteral("lights-open"));
-    open->setAccessibleName(tr("Open lights of a file"));
-    open->setToolTip(tr("Lights that were saved here, or a light rig of your own (JSON)"));
+    describe(*open, "lights-open", tr("Open lights of a file"),
+             tr("Lights that were saved here, or a light rig of your own (JSON)"));
     auto* save = new QPushButton(tr("Save…"), part);
-    save->setObjectName(QStringLiteral("lights-save"));
-    save->setAccessibleName(tr("Save the lights to a file"));
-    save->setToolTip(tr("For other studies, and for --lights"));
+    describe(*save, "lights-save", tr("Save the lights to a file"),
+             tr("For other studies, and for --lights"));
     connect(open, &QPushButton::clicked, this, &LightsPanel::openAsked);
     connect(save, &QPushButton::clicked, this, &LightsPanel::saveAsked);
     auto* row = new QHBoxLayout(part);
@@ -110,18 +108,13 @@ QWidget* LightsPanel::makeLight() {
     auto* group = new QGroupBox(tr("One light: drag it in the picture"), this);
     auto* form = new QFormLayout(group);
     lights_ = new QComboBox(group);
-    lights_->setObjectName(QStringLiteral("lights-light"));
-    lights_->setAccessibleName(tr("Which light"));
-    lights_->setToolTip(tr("The light that the numbers below are of"));
+    describe(*lights_, "lights-light", tr("Which light"), tr("The light that the numbers below are of"));
     connect(lights_, &QComboBox::activated, this, [this](int index) { editing_.choose(std::size_t(index)); });
     add_ = new QPushButton(tr("Add"), group);
-    add_->setObjectName(QStringLiteral("lights-add"));
-    add_->setAccessibleName(tr("Add a light"));
-    add_->setToolTip(tr("One more light, from above the viewer's left shoulder"));
+    describe(*add_, "lights-add", tr("Add a light"),
+             tr("One more light, from above the viewer's left shoulder"));
     remove_ = new QPushButton(tr("Remove"), group);
-    remove_->setObjectName(QStringLiteral("lights-remove"));
-    remove_->setAccessibleName(tr("Remove this light"));
-    remove_->setToolTip(tr("Take the chosen light out of the rig"));
+    describe(*remove_, "lights-remove", tr("Remove this light"), tr("Take the chosen light out of the rig"));
     connect(add_, &QPushButton::clicked, this, [this] {
         Q_EMIT lookedAt();
         tryTo(editing_.add());
@@ -133,21 +126,21 @@ QWidget* LightsPanel::makeLight() {
     which->addWidget(remove_);
     form->addRow(which);
 
-    azimuth_ = makeNumber(QStringLiteral("lights-azimuth"), tr("Azimuth"), tr("°"),
+    azimuth_ = makeNumber("lights-azimuth", tr("Azimuth"), tr("°"),
                           tr("In °: 0 is anterior, or the viewer; positive to the patient's left, or to the "
                              "right of the picture"));
     azimuth_->setRange(-180.0, 180.0);
     azimuth_->setWrapping(true);
     azimuth_->setSingleStep(5.0);
-    elevation_ = makeNumber(QStringLiteral("lights-elevation"), tr("Elevation"), tr("°"),
+    elevation_ = makeNumber("lights-elevation", tr("Elevation"), tr("°"),
                             tr("In °: positive is superior, or up in the picture"));
     elevation_->setRange(-90.0, 90.0);
     elevation_->setSingleStep(5.0);
     size_ = makeNumber(
-        QStringLiteral("lights-size"), tr("Radius"), tr("°"),
+        "lights-size", tr("Radius"), tr("°"),
         tr("Of the disc on the sky, in °: smaller is harder, with sharper shadows and highlights"));
     size_->setRange(trace::kLeastLightRadiusDeg, trace::kMostLightRadiusDeg);
-    strength_ = makeNumber(QStringLiteral("lights-strength"), tr("Strength"), {},
+    strength_ = makeNumber("lights-strength", tr("Strength"), {},
                            tr("Radiance of the disc; in the picture Shift and the wheel"));
     strength_->setRange(0.0, trace::kMostRadiance);
     strength_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -161,9 +154,8 @@ QWidget* LightsPanel::makeLight() {
     connectTo(*size_, &Light::angularRadiusDeg);
     connectTo(*strength_, &Light::radiance);
     colour_ = new QPushButton(tr("Colour…"), group);
-    colour_->setObjectName(QStringLiteral("lights-colour"));
-    colour_->setAccessibleName(tr("Colour of this light"));
-    colour_->setToolTip(tr("Choose the colour of this light (sRGB); its strength is a number of its own"));
+    describe(*colour_, "lights-colour", tr("Colour of this light"),
+             tr("Choose the colour of this light (sRGB); its strength is a number of its own"));
     connect(colour_, &QPushButton::clicked, this, &LightsPanel::askColour);
     form->addRow(tr("Azimuth"), azimuth_);
     form->addRow(tr("Elevation"), elevation_);
@@ -185,7 +177,7 @@ QWidget* LightsPanel::makeAll() {
         Q_EMIT lookedAt();
         tryTo(editing_.keepTo(index == 1 ? trace::LightFrame::camera : trace::LightFrame::patient));
     });
-    sky_ = makeNumber(QStringLiteral("lights-sky"), tr("Sky"), {},
+    sky_ = makeNumber("lights-sky", tr("Sky"), {},
                       tr("Light from everywhere: less shows more relief, more shows what lies in shadow"));
     sky_->setRange(0.0, trace::kMostRadiance);
     sky_->setSingleStep(0.05);
@@ -193,7 +185,7 @@ QWidget* LightsPanel::makeAll() {
             [this](double value) { tryTo(editing_.setSky(value)); });
     const auto parameterBox = [this](const char* name, const QString& title, const char* id,
                                      const QString& suffix, const QString& does) {
-        QDoubleSpinBox* box = makeNumber(QString::fromLatin1(name), title, suffix, does);
+        QDoubleSpinBox* box = makeNumber(name, title, suffix, does);
         if (suffix.isEmpty()) {
             box->setDecimals(kGainDecimals);
             box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -211,9 +203,8 @@ QWidget* LightsPanel::makeAll() {
     exposure_ = parameterBox("lights-exposure", tr("Exposure"), "exposure", {},
                              tr("Multiplies the picture before the tone map"));
     meter_ = new QPushButton(tr("Automatic"), group);
-    meter_->setObjectName(QStringLiteral("lights-meter"));
-    meter_->setAccessibleName(tr("Find the exposure"));
-    meter_->setToolTip(tr("Once, for what is seen now, as a camera does; it stays until it is changed"));
+    describe(*meter_, "lights-meter", tr("Find the exposure"),
+             tr("Once, for what is seen now, as a camera does; it stays until it is changed"));
     connect(meter_, &QPushButton::clicked, this, &LightsPanel::meteringAsked);
     auto* exposure = new QHBoxLayout;
     exposure->addWidget(exposure_, 1);
@@ -290,10 +281,6 @@ void LightsPanel::showState() {
     showLight(editing_.light());
     meter_->setEnabled(isUsable && !isMetering_);
     const trace::Settings& settings = session_.state().settings;
-    const auto put = [](QDoubleSpinBox& box, double value) {
-        const QSignalBlocker quiet(box);
-        box.setValue(value);
-    };
     put(*turned_, settings.lightRotationDeg);
     put(*allStrength_, settings.lightStrength);
     put(*exposure_, settings.exposure);
@@ -320,10 +307,6 @@ void LightsPanel::showLight(const trace::SoftLight* light) {
           static_cast<QWidget*>(colour_)})
         part->setEnabled(isThere);
     const trace::SoftLight shown = light != nullptr ? *light : trace::SoftLight{.radiance = 0.0};
-    const auto put = [](QDoubleSpinBox& box, double value) {
-        const QSignalBlocker quiet(box);
-        box.setValue(value);
-    };
     put(*azimuth_, std::remainder(shown.azimuthDeg, 360.0));
     put(*elevation_, shown.elevationDeg);
     put(*size_, shown.angularRadiusDeg);

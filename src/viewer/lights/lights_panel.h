@@ -37,7 +37,7 @@ class LightsPanel : public QWidget {
     QWidget* makeRig();
     QWidget* makeLight();
     QWidget* makeAll();
-    QDoubleSpinBox* makeNumber(const QString& name, const QString& title, const QString& suffix,
+    QDoubleSpinBox* makeNumber(const char* name, const QString& title, const QString& suffix,
                                const QString& does);
     void tryTo(const Result<void>& done);  // shows the error
     void changeLight(const std::function<void(trace::SoftLight&)>& edit);

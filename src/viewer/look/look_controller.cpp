@@ -9,10 +9,11 @@
 #include <array>
 
 #include "scene/drawing/projection_windows.h"
-#include "viewer/editor/follow_state.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/choice_menu.h"
+#include "viewer/menus/controls.h"
 #include "viewer/volume/shown_volume.h"
 
 namespace macula::viewer {
@@ -56,10 +57,9 @@ void LookController::addMenu(QMenuBar& bar) {
 void LookController::addShading() {
     menu_->addSeparator();
     shading_ = menu_->addAction(tr("&Shade Ray Cast"));
-    shading_->setObjectName(QStringLiteral("shade-ray-cast"));
     shading_->setCheckable(true);
     shading_->setShortcut(keyOf(KeyAction::shade));
-    shading_->setToolTip(tr("Light ray casts from the eye, as much as the preset says"));
+    describe(*shading_, "shade-ray-cast", tr("Light ray casts from the eye, as much as the preset says"));
     shading_->setChecked(true);
     connect(shading_, &QAction::triggered, this, [this](bool shaded) {
         context_.session.change(tr("Shading"), [shaded](scene::StudyState& next) {
@@ -102,11 +102,11 @@ void LookController::addFilters() {
 // How the screen shows light brighter than white; projections show values unchanged.
 void LookController::addToneMap() {
     QAction* keepsHue = menu_->addAction(tr("Keep &Hues of Highlights"));
-    keepsHue->setObjectName(QStringLiteral("keep-hues"));
     keepsHue->setCheckable(true);
-    keepsHue->setToolTip(tr(
-        "What is too bright for the screen bleaches in its own hue; without it, contrast is higher. Not of "
-        "projections"));
+    describe(
+        *keepsHue, "keep-hues",
+        tr("What is too bright for the screen bleaches in its own hue; without it, contrast is higher. Not "
+           "of projections"));
     connect(keepsHue, &QAction::triggered, this, [this](bool keeps) {
         context_.session.change(tr("Hues of highlights"), [keeps](scene::StudyState& next) {
             next.settings.toneMap = keeps ? trace::ToneMap::hue : trace::ToneMap::neutral;
@@ -125,9 +125,8 @@ void LookController::addWindow() {
             next.windows.at(std::size_t(next.settings.look)).reset();
         });
     });
-    resetWindow_->setObjectName(QStringLiteral("reset-window"));
     resetWindow_->setShortcut(keyOf(KeyAction::resetWindow));
-    resetWindow_->setToolTip(tr("Of the values: that of the series"));
+    describe(*resetWindow_, "reset-window", tr("Of the values: that of the series"));
     connect(&context_.viewport, &Viewport::windowDragged, this, [this](QPointF byHeights) {
         const auto from = context_.shown.drawing().settings.window;
         if (!from || !context_.session.hasStudy()) return;

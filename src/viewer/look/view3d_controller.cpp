@@ -3,16 +3,20 @@
 #include "viewer/look/view3d_controller.h"
 
 #include <QAction>
+#include <QColorDialog>
 #include <QMainWindow>
 #include <QMenu>
 #include <QStatusBar>
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <utility>
 
 #include "scene/camera/view_directions.h"
-#include "viewer/editor/follow_state.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
-#include "viewer/look/background_menu.h"
+#include "viewer/menus/controls.h"
 #include "viewer/settings/key_book.h"
 #include "viewer/status/study_notes.h"
 #include "viewer/status/visibility_note.h"
@@ -23,6 +27,11 @@ namespace macula::viewer {
 
 namespace {
 
+// In the order of the entries.
+constexpr std::array<std::optional<scene::BackgroundColour>, 4> kOffered{
+    std::nullopt, scene::kBlackBackground, scene::BackgroundColour{128, 128, 128},
+    scene::BackgroundColour{255, 255, 255}};
+
 QString withCapital(const std::string& name) {
     QString title = titleInWindowsLanguage(name);
     if (!title.isEmpty()) title[0] = title[0].toUpper();
@@ -30,6 +39,51 @@ QString withCapital(const std::string& name) {
 }
 
 }  // namespace
+
+BackgroundMenu::BackgroundMenu(StudyEditor& session, QWidget* parent)
+    : ChoiceMenu(tr("Back&ground"), parent), session_(session) {
+    setObjectName(QStringLiteral("background-menu"));
+    addChoice(tr("&Nearly Black"), QStringLiteral("background-usual"))
+        ->setToolTip(tr("As when nobody has chosen; saved pictures are black then"));
+    addChoice(tr("&Black"), QStringLiteral("background-black"));
+    addChoice(tr("&Grey"), QStringLiteral("background-grey"));
+    addChoice(tr("&White"), QStringLiteral("background-white"));
+    addSeparator();
+    QAction* other = addAction(tr("&Other Colour…"), this, &BackgroundMenu::askForColour);
+    describe(*other, "background-other",
+             tr("Of what lies behind the patient in the 3D picture, and in pictures saved of it"));
+    connect(this, &ChoiceMenu::changed, this, &BackgroundMenu::onChosen);
+    connect(&session_, &StudyEditor::changed, this, &BackgroundMenu::showChosen);
+    connect(&session_, &StudyEditor::studyShown, this, &BackgroundMenu::showChosen);
+    showChosen();
+}
+
+void BackgroundMenu::onChosen(int index) {
+    use(kOffered.at(std::size_t(index)));
+}
+
+void BackgroundMenu::askForColour() {
+    const scene::BackgroundColour now = session_.state().background.value_or(scene::kBlackBackground);
+    auto* dialog = new QColorDialog(QColor(now.r, now.g, now.b), parentWidget());
+    dialog->setObjectName(QStringLiteral("background-colour-dialog"));
+    dialog->setWindowTitle(tr("Colour of the background"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
+        if (!colour.isValid()) return;
+        use(scene::BackgroundColour{std::uint8_t(colour.red()), std::uint8_t(colour.green()),
+                                    std::uint8_t(colour.blue())});
+    });
+    dialog->open();
+}
+
+void BackgroundMenu::use(std::optional<scene::BackgroundColour> colour) {
+    session_.change(tr("Background"), [&](scene::StudyState& next) { next.background = colour; });
+}
+
+void BackgroundMenu::showChosen() {
+    const auto* const at = std::ranges::find(kOffered, session_.state().background);
+    choose(at == kOffered.end() ? -1 : int(at - kOffered.begin()));
+}
 
 View3dController::View3dController(const WindowContext& context, const TransferFunctionEditor& transfer)
     : QObject(&context.window), context_(context) {
@@ -65,9 +119,8 @@ void View3dController::addCamera(QMenu& view) {
 void View3dController::addMarks(QMenu& view) {
     const auto add = [&](const QString& title, KeyAction key, const char* name, const QString& about) {
         QAction* action = view.addAction(title + QLatin1Char('\t') + keyOf(key).toString());
-        action->setObjectName(QLatin1String(name));
         action->setCheckable(true);
-        action->setToolTip(about);
+        describe(*action, name, about);
         return action;
     };
     QAction* marks =

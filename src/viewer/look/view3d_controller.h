@@ -3,15 +3,35 @@
 
 #include <QObject>
 #include <QString>
+#include <optional>
 
+#include "scene/lights/background_colour.h"
 #include "viewer/context/window_context.h"
+#include "viewer/editor/study_editor.h"
+#include "viewer/menus/choice_menu.h"
 
-class QAction;
 class QMenu;
 
 namespace macula::viewer {
 
 class TransferFunctionEditor;
+
+// Edits the session's background, which can be undone: nearly black (the default), black, grey, white, or a
+// picked colour. Lives on the UI thread; the session outlives it.
+class BackgroundMenu : public ChoiceMenu {
+    Q_OBJECT
+
+  public:
+    BackgroundMenu(StudyEditor& session, QWidget* parent);
+
+  private:
+    void onChosen(int index);
+    void askForColour();
+    void use(std::optional<scene::BackgroundColour> colour);
+    void showChosen();
+
+    StudyEditor& session_;
+};
 
 // Keys of its actions are handled by the viewport, so that they do nothing while a list has the focus. Lives
 // on the UI thread.

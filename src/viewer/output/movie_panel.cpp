@@ -12,6 +12,7 @@
 #include "pipeline/trace/settings.h"
 #include "scene/choice/quality_choice.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 
 namespace macula::viewer {
 
@@ -66,9 +67,8 @@ MoviePanel::MoviePanel(std::function<std::optional<Camera>()> camera, QWidget* p
 
 void MoviePanel::addChoices() {
     kinds_ = new QComboBox(this);
-    kinds_->setObjectName(QStringLiteral("movie-kind"));
-    kinds_->setAccessibleName(tr("How the camera goes"));
-    kinds_->setToolTip(tr("Around the patient from here, or along views that are added"));
+    describe(*kinds_, "movie-kind", tr("How the camera goes"),
+             tr("Around the patient from here, or along views that are added"));
     kinds_->addItems({tr("Turntable"), tr("Along views")});
     degrees_ =
         number<QDoubleSpinBox>(this, tr("Degrees around the patient"), -3600.0, 3600.0, 360.0, tr("°"));
@@ -119,9 +119,8 @@ void MoviePanel::addChoices() {
 
 void MoviePanel::addViews() {
     list_ = new QListWidget(this);
-    list_->setObjectName(QStringLiteral("movie-views"));
-    list_->setAccessibleName(tr("Views of the way"));
-    list_->setToolTip(tr("The camera goes smoothly from each to the next"));
+    describe(*list_, "movie-views", tr("Views of the way"),
+             tr("The camera goes smoothly from each to the next"));
     auto* add =
         button(this, tr("&Add View"), "movie-add", tr("What is looked at now, 2 s after the view before"));
     remove_ = button(this, tr("&Remove"), "movie-remove", tr("Leave out the view that is chosen"));

@@ -4,13 +4,15 @@
 
 #include <QMainWindow>
 #include <QMenu>
+#include <new>
 #include <optional>
 #include <utility>
 
 #include "study/open/found_volumes.h"
 #include "viewer/keys/keys.h"
+#include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/output/picture_dialog.h"
-#include "viewer/output/picture_export.h"
 #include "viewer/output/picture_overlays.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/settings/file_dialogs.h"
@@ -33,6 +35,44 @@ std::optional<dicom::SecondaryCapture::Source> imageOf(const study::OpenedStudy&
 
 }  // namespace
 
+PictureExport::PictureExport(std::string preferredDevice, QObject* parent)
+    : QObject(parent),
+      preferredDevice_(std::move(preferredDevice)),
+      job_(this, {.progressed =
+                      [this](const ProgressUpdate& update) {
+                          Q_EMIT progressed(inWindowsLanguage(update.stage), update.fraction);
+                      },
+                  .ended = [this](const auto& outcome) { onEnded(outcome); }}) {}
+
+void PictureExport::start(pictures::ViewPicture picture) {
+    path_ = QString::fromStdString(picture.output.string());
+    using Written = Result<std::vector<Text>>;
+    job_.start([picture = std::move(picture), device = preferredDevice_](Progress& progress) -> Written {
+        try {
+            return pictures::writeViewPicture(picture, device, progress);
+        } catch (const std::bad_alloc&) {
+            return Error{ErrorCode::outOfMemory,
+                         Text("There is not enough memory for this picture."),
+                         {},
+                         Text("Choose a smaller size, or close other programs.")};
+        }
+    });
+    Q_EMIT began();
+}
+
+void PictureExport::cancel() {
+    if (job_.cancel()) Q_EMIT ended();
+}
+
+void PictureExport::onEnded(const Result<std::vector<Text>>& outcome) {
+    Q_EMIT ended();
+    if (!outcome) {
+        if (outcome.error().code != ErrorCode::cancelled) Q_EMIT failed(outcome.error());
+        return;
+    }
+    Q_EMIT written(path_, inWindowsLanguage(*outcome));
+}
+
 PicturesController::PicturesController(const WindowContext& context, const PaneGrid& panes,
                                        const SettingsController& settings)
     : QObject(&context.window),
@@ -50,9 +90,8 @@ PicturesController::PicturesController(const WindowContext& context, const PaneG
 
 void PicturesController::addActions(QMenu& file) {
     QAction* save = file.addAction(tr("Save &Picture…"), this, &PicturesController::askHowToSave);
-    save->setObjectName(QStringLiteral("save-picture"));
     save->setShortcut(keyOf(KeyAction::savePicture));
-    save->setToolTip(tr("Draw what is seen in 3D at any size and quality, without names"));
+    describe(*save, "save-picture", tr("Draw what is seen in 3D at any size and quality, without names"));
 }
 
 QString PicturesController::unfinished() const {

@@ -2,15 +2,21 @@
 
 #include "viewer/output/presentations_controller.h"
 
+#include <QDialogButtonBox>
+#include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <exception>
+#include <new>
 #include <utility>
 #include <vector>
 
 #include "viewer/browser/study_browser.h"
 #include "viewer/keys/keys.h"
-#include "viewer/output/presentation_dialog.h"
-#include "viewer/output/presentation_files.h"
+#include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status/notifications.h"
@@ -18,6 +24,132 @@
 #include "viewer/volume/state_controller.h"
 
 namespace macula::viewer {
+
+namespace {
+
+Error tooLarge() {
+    return {ErrorCode::outOfMemory,
+            Text("There is not enough memory for the presentation state."),
+            {},
+            Text("Close other programs.")};
+}
+
+// Hides the message of a library or file system, which may contain a path.
+Error notWritten() {
+    return {ErrorCode::outputNotWritable,
+            Text("The presentation state could not be written."),
+            {},
+            Text("Choose another folder, and check free space and permissions.")};
+}
+
+Error notRead() {
+    return {ErrorCode::inputNotUsable,
+            Text("The presentation state could not be read."),
+            {},
+            Text("The file may be damaged; choose another one.")};
+}
+
+}  // namespace
+
+PresentationFiles::PresentationFiles(QObject* parent)
+    : QObject(parent),
+      saving_(this, {.ended =
+                         [this](const auto& leftOut) {
+                             if (leftOut) {
+                                 Q_EMIT saved(path_, inWindowsLanguage(*leftOut));
+                             } else {
+                                 Q_EMIT failed(leftOut.error());
+                             }
+                         }}),
+      opening_(this, {.ended =
+                          [this](const auto& presented) {
+                              if (presented) {
+                                  Q_EMIT opened(presented->state, inWindowsLanguage(presented->notes));
+                              } else {
+                                  Q_EMIT failed(presented.error());
+                              }
+                          }}),
+      openingOnSlices_(this, {.ended = [this](const auto& shown) {
+                           if (shown) {
+                               Q_EMIT openedOnSlices(*shown, inWindowsLanguage(shown->notes));
+                           } else {
+                               Q_EMIT failed(shown.error());
+                           }
+                       }}) {}
+
+void PresentationFiles::save(const std::filesystem::path& path, scene::PresentationRequest request) {
+    path_ = QString::fromStdString(path.string());
+    saving_.start([path, request = std::move(request)](Progress&) -> Result<std::vector<Text>> {
+        try {
+            return scene::writePresentation(path, request);
+        } catch (const std::bad_alloc&) {
+            return tooLarge();
+        } catch (const std::exception&) {
+            return notWritten();
+        }
+    });
+}
+
+void PresentationFiles::open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
+                             std::string seriesDigest, std::vector<dicom::ReferencedFrames> images,
+                             scene::StudyState usual, double aspectWidthOverHeight) {
+    openingOnSlices_.cancel();
+    opening_.start([path, volume = std::move(volume), digest = std::move(seriesDigest),
+                    images = std::move(images), usual = std::move(usual),
+                    aspectWidthOverHeight](Progress&) -> Result<scene::PresentedState> {
+        try {
+            MACULA_TRY(scene::PresentedState presented,
+                       scene::openPresentation(path, *volume, digest, images, usual));
+            scene::widenFor(presented, aspectWidthOverHeight);
+            return presented;
+        } catch (const std::bad_alloc&) {
+            return tooLarge();
+        } catch (const std::exception&) {
+            return notRead();
+        }
+    });
+}
+
+void PresentationFiles::openOnSlices(const std::filesystem::path& path, study::OpenedStudy study,
+                                     scene::SliceState usual) {
+    opening_.cancel();
+    openingOnSlices_.start([path, study = std::move(study),
+                            usual = std::move(usual)](Progress&) -> Result<scene::SoftcopyOnSlices> {
+        try {
+            return scene::openSoftcopy(path, study, usual);
+        } catch (const std::bad_alloc&) {
+            return tooLarge();
+        } catch (const std::exception&) {
+            return notRead();
+        }
+    });
+}
+
+void PresentationFiles::cancelOpening() {
+    opening_.cancel();
+    openingOnSlices_.cancel();
+}
+
+PresentationDialog::PresentationDialog(QWidget* parent)
+    : QDialog(parent), deidentified_(new QCheckBox(tr("&Without patient and study"), this)) {
+    setWindowTitle(tr("Save Presentation State"));
+    auto* text = new QLabel(
+        tr("A DICOM object without pixels, for the archive: camera, colours, clip and shading of the 3D "
+           "view. Macula draws the same picture of it; other programs draw what they can."),
+        this);
+    text->setWordWrap(true);
+    describe(*deidentified_, "without-patient", tr("Without patient and study"),
+             tr("Nothing of the patient is written, and all UIDs are other ones. It can be opened where the "
+                "series itself is."));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("&Choose File…"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(text);
+    column->addWidget(deidentified_);
+    column->addWidget(buttons);
+}
 
 PresentationsController::PresentationsController(const WindowContext& context, const Uses& uses)
     : QObject(&context.window), context_(context), uses_(uses), files_(new PresentationFiles(this)) {
@@ -44,13 +176,12 @@ const study::OpenedStudy& PresentationsController::study() const {
 void PresentationsController::addActions(QMenu& file) {
     QAction* open =
         file.addAction(tr("Open Presen&tation State…"), this, &PresentationsController::askForOne);
-    open->setObjectName(QStringLiteral("open-presentation"));
-    open->setToolTip(tr("Show this series as a DICOM presentation state says"));
+    describe(*open, "open-presentation", tr("Show this series as a DICOM presentation state says"));
     QAction* save =
         file.addAction(tr("Save Presentation State…"), this, &PresentationsController::askHowToSave);
-    save->setObjectName(QStringLiteral("save-presentation"));
     save->setShortcut(keyOf(KeyAction::savePresentation));
-    save->setToolTip(tr("The 3D view as a DICOM object, for the archive and other programs"));
+    describe(*save, "save-presentation",
+             tr("The 3D view as a DICOM object, for the archive and other programs"));
 }
 
 QString PresentationsController::unfinished() const {

@@ -3,15 +3,26 @@
 
 #include <QPointF>
 #include <QSize>
+#include <QString>
 #include <memory>
 #include <optional>
 
 #include "base/camera.h"
 #include "base/frames.h"
 #include "live/frame/picture_text.h"
-#include "viewer/overlay/scale_bar.h"
 
 namespace macula::viewer {
+
+struct ScaleBar {
+    double lengthMm = 0.0;  // 1, 2 or 5 times a power of ten
+    double lengthPx = 0.0;
+    QString text;  // "5 cm", "2 mm", "0.5 mm"; "≈ 5 cm" for an estimate
+    bool isCalibrated = true;
+};
+
+// The longest bar of at most `mostPx`. Nothing unless `mmPerPx` is a positive number. `isCalibrated`:
+// Provenance of what the picture shows.
+std::optional<ScaleBar> scaleBar(double mmPerPx, double mostPx, bool isCalibrated);
 
 // The picture that the marks describe.
 struct MarkedPicture {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "viewer/overlay/scale_bar.h"
+#include "viewer/overlay/cube_and_scale.h"
 #include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {

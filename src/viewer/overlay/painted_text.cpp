@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "viewer/language/harmless_text.h"
 #include "viewer/overlay/haloed_drawing.h"
@@ -57,6 +58,21 @@ std::vector<PlacedText> place(const LinesOver& lines, const QSize& size) {
     return placed;
 }
 
+// The texts on a transparent ground of that size in device pixels, whose upper left corner is at `corner`.
+QImage painted(std::span<const PlacedText> texts, const QPoint& corner, const QSize& pixels,
+               double pixelRatio) {
+    QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(pixelRatio);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const PlacedText& text : texts) {
+        painter.setFont(text.font);
+        drawHaloedText(painter, text.at - corner, text.text, text.ink);
+    }
+    return image;
+}
+
 }  // namespace
 
 std::shared_ptr<const live::PictureText> paintText(const LinesOver& lines, QSize pixels, double pixelRatio) {
@@ -66,20 +82,30 @@ std::shared_ptr<const live::PictureText> paintText(const LinesOver& lines, QSize
     QRectF all;
     for (const PlacedText& text : placed) all |= text.box();
     const QSize needed = (QSizeF(all.right() + kHaloPx, all.bottom() + kHaloPx) * pixelRatio).toSize();
-    QImage image(needed.boundedTo(pixels), QImage::Format_ARGB32_Premultiplied);
-    image.setDevicePixelRatio(pixelRatio);
-    image.fill(Qt::transparent);
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    for (const PlacedText& text : placed) {
-        painter.setFont(text.font);
-        drawHaloedText(painter, text.at, text.text, text.ink);
-    }
-    painter.end();
     MarkAtlas atlas(nullptr, QSize(0, 0));  // over pictures of any size
-    atlas.placeShape(image, {0, 0}, kClosePx);
+    atlas.placeShape(painted(placed, {0, 0}, needed.boundedTo(pixels), pixelRatio), {0, 0}, kClosePx);
     auto text = atlas.take();
     return text->boxes.empty() ? nullptr : text;
+}
+
+std::shared_ptr<const live::PictureText> withSideLetters(
+    const std::shared_ptr<const live::PictureText>& others, const scene::EdgeLetters& sides, QSize pixels,
+    double pixelRatio) {
+    if (pixels.isEmpty() || !(pixelRatio > 0.0) || !std::isfinite(pixelRatio)) return others;
+    const SideLetters letters = placeSides(sides, (QSizeF(pixels) / pixelRatio).toSize(),
+                                           QGuiApplication::font(), fontScaleOverPictures());
+    MarkAtlas atlas(others, pixels);
+    bool isAny = false;
+    for (const auto* letter : {&letters.left, &letters.right, &letters.top, &letters.bottom}) {
+        if (!*letter || (*letter)->text.isEmpty()) continue;
+        const QRect around = (*letter)->box().adjusted(-kHaloPx, -kHaloPx, kHaloPx, kHaloPx).toAlignedRect();
+        atlas.placeShape(
+            painted(std::span(&**letter, 1), around.topLeft(), (QSizeF(around.size()) * pixelRatio).toSize(),
+                    pixelRatio),
+            {int(std::lround(around.x() * pixelRatio)), int(std::lround(around.y() * pixelRatio))}, kClosePx);
+        isAny = true;
+    }
+    return isAny ? atlas.take() : others;
 }
 
 }  // namespace macula::viewer

@@ -1,6 +1,7 @@
 #include "viewer/panes/pane_grid.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <QWindow>
@@ -8,7 +9,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "viewer/panes/pane_frame.h"
+#include "viewer/theme/theme.h"
 
 namespace macula::viewer {
 
@@ -58,6 +59,8 @@ bool isInside(const QWindow* window, const QWindow* top) {
     while (at != nullptr && at != top) at = at->parent();
     return at == top;
 }
+
+constexpr int kEdgePx = 2;
 
 }  // namespace
 
@@ -197,6 +200,27 @@ void PaneGrid::updateActive() {
     active_ = now;
     for (const Pane pane : kPanes) frame(pane).setActive(pane == active_);
     Q_EMIT activePaneChanged();
+}
+
+PaneFrame::PaneFrame(QWidget* content, QWidget* parent) : QWidget(parent), content_(content) {
+    MACULA_CHECK(content != nullptr);
+    auto* box = new QVBoxLayout(this);
+    box->setContentsMargins(kEdgePx, kEdgePx, kEdgePx, kEdgePx);
+    box->addWidget(content);
+}
+
+void PaneFrame::setActive(bool active) {
+    if (active == isActive_) return;
+    isActive_ = active;
+    update();
+}
+
+void PaneFrame::paintEvent(QPaintEvent*) {
+    if (!isActive_) return;
+    QPainter painter(this);
+    QRegion edge(rect());
+    edge -= rect().adjusted(kEdgePx, kEdgePx, -kEdgePx, -kEdgePx);
+    for (const QRect& side : edge) painter.fillRect(side, QColor(themeColours().accent));
 }
 
 }  // namespace macula::viewer

@@ -11,8 +11,8 @@
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/second/slice_pair.h"
-#include "viewer/slices/own_window_list.h"
 #include "viewer/slices/slice_view.h"
+#include "viewer/slices/slice_windowing.h"
 #include "viewer/status/notifications.h"
 
 namespace macula::viewer {

@@ -13,6 +13,7 @@
 
 #include "viewer/editor/study_editor.h"
 #include "viewer/keys/slice_tool_keys.h"
+#include "viewer/menus/controls.h"
 #include "viewer/theme/drawn_icon.h"
 
 namespace macula::viewer {
@@ -79,8 +80,7 @@ ToolBox::ToolBox(StudyEditor& session, QWidget* parent)
 
 QAction* ToolBox::add(Glyph glyph, const char* name, const QString& title, const QString& tip) {
     QAction* action = addAction(drawnIcon(glyph), title);
-    action->setObjectName(QLatin1String(name));
-    action->setToolTip(tip);
+    describe(*action, name, tip);
     action->setCheckable(true);
     // Otherwise Tab would skip the buttons of a tool bar.
     if (QWidget* button = widgetForAction(action)) button->setFocusPolicy(Qt::TabFocus);

@@ -4,29 +4,34 @@
 
 #include <QMainWindow>
 
+#include "scene/drawing/first_matter.h"
 #include "viewer/clip/scissor_tool.h"
-#include "viewer/pick/anatomy_pick.h"
 #include "viewer/volume/shown_volume.h"
 
 namespace macula::viewer {
 
 PickController::PickController(const WindowContext& context, const ScissorTool& scissors)
-    : QObject(&context.window), context_(context), pick_(new AnatomyPick(this)) {
+    : QObject(&context.window),
+      context_(context),
+      pick_(this, {.ended = [this](const Result<std::optional<glm::dvec3>>& outcome) {
+                if (outcome && *outcome) show(**outcome);
+            }}) {
     connect(&context_.viewport, &Viewport::doubleClicked, this, [this, &scissors](QPointF place) {
-        const auto& volume = context_.session.study().volume;
-        if (volume && !scissors.isOut())
-            pick_->start(volume, context_.shown.drawing(), toCamera(context_.viewport.camera()),
-                         {place.x(), place.y()}, context_.viewport.aspect());
-    });
-    connect(pick_, &AnatomyPick::found, this, [this](const glm::dvec3& mm) {
-        context_.viewport.centreOn(mm);
-        context_.session.change(tr("Cross-hair"),
-                                [&](scene::StudyState& next) { next.slices.crosshairMm = mm; });
+        if (context_.session.study().volume && !scissors.isOut()) start({place.x(), place.y()});
     });
 }
 
-void PickController::cancel() {
-    pick_->cancel();
+void PickController::start(const glm::dvec2& place) {
+    pick_.start([volume = context_.session.study().volume, drawing = context_.shown.drawing(),
+                 camera = toCamera(context_.viewport.camera()), place,
+                 aspect = context_.viewport.aspect()](Progress&) -> Result<std::optional<glm::dvec3>> {
+        return scene::firstMatterMm(*volume, drawing, camera, place, aspect);
+    });
+}
+
+void PickController::show(const glm::dvec3& mm) {
+    context_.viewport.centreOn(mm);
+    context_.session.change(tr("Cross-hair"), [&](scene::StudyState& next) { next.slices.crosshairMm = mm; });
 }
 
 }  // namespace macula::viewer

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <QObject>
+#include <glm/glm.hpp>
+#include <optional>
 
 #include "viewer/context/window_context.h"
+#include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
 
-class AnatomyPick;
 class ScissorTool;
 
-// Lives on the UI thread.
+// Searches in the background, one place at a time; a new search replaces the one before. Lives on the UI
+// thread.
 class PickController : public QObject {
     Q_OBJECT
 
@@ -18,11 +21,14 @@ class PickController : public QObject {
     // `scissors` outlives it, and takes clicks while the scissors are out.
     PickController(const WindowContext& context, const ScissorTool& scissors);
 
-    void cancel();
+    void cancel() { pick_.cancel(); }
 
   private:
+    void start(const glm::dvec2& place);
+    void show(const glm::dvec3& mm);
+
     WindowContext context_;
-    AnatomyPick* pick_;
+    BackgroundJob<std::optional<glm::dvec3>> pick_;
 };
 
 }  // namespace macula::viewer

@@ -14,6 +14,7 @@
 #include "viewer/jobs/background_job.h"
 #include "viewer/jobs/post.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/status/status_widgets.h"
 
 namespace macula::viewer {
@@ -176,9 +177,7 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
     slider_->setRange(0, kSteps);
     slider_->setValue(kSteps / 2);
     secondVolume_->setToolTip(tr("Each picture as a whole, instead of one line between them"));
-    trouble_->setObjectName(QStringLiteral("comparison-trouble"));
-    trouble_->setTextFormat(Qt::PlainText);
-    trouble_->setWordWrap(true);
+    makePlain(*trouble_, "comparison-trouble");
     trouble_->hide();
     auto* titles = new QHBoxLayout;
     titles->addWidget(makeTitle(first.title, Qt::AlignLeft), 1);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/presets/preset_delegate.h"
 
 namespace macula::viewer {
@@ -40,16 +41,11 @@ PresetGallery::PresetGallery(StudyEditor& session, PresetLibrary& library, State
     column->setContentsMargins(0, 0, 0, 0);
     makeBar(*column);
     makeList();
-    nothing_->setObjectName(QStringLiteral("preset-nothing"));
-    nothing_->setTextFormat(Qt::PlainText);
-    nothing_->setWordWrap(true);
+    makePlain(*nothing_, "preset-nothing");
     nothing_->setAlignment(Qt::AlignCenter);
-    note_->setObjectName(QStringLiteral("preset-note"));
-    note_->setTextFormat(Qt::PlainText);
-    note_->setWordWrap(true);
-    undo_->setObjectName(QStringLiteral("preset-undo"));
-    undo_->setAccessibleName(tr("Put the deleted preset back"));
-    undo_->setToolTip(tr("The preset that was deleted last comes back as it was"));
+    makePlain(*note_, "preset-note");
+    describe(*undo_, "preset-undo", tr("Put the deleted preset back"),
+             tr("The preset that was deleted last comes back as it was"));
     auto* below = new QHBoxLayout;
     below->setContentsMargins(4, 0, 4, 4);
     below->addWidget(note_, 1);
@@ -108,11 +104,9 @@ void PresetGallery::makeBar(QVBoxLayout& column) {
     auto* menu = new QMenu(keep);
     menu->setToolTipsVisible(true);
     QAction* curve = menu->addAction(tr("Keep the &Curve…"), this, &PresetGallery::askToSaveCurve);
-    curve->setObjectName(QStringLiteral("keep-curve"));
-    curve->setToolTip(tr("The transfer function that is shown"));
+    describe(*curve, "keep-curve", tr("The transfer function that is shown"));
     QAction* seen = menu->addAction(tr("Keep All That Is &Seen…"), this, &PresetGallery::askToSaveSeen);
-    seen->setObjectName(QStringLiteral("keep-seen"));
-    seen->setToolTip(tr("Curve, look, lights, window, clip and camera, for other studies too"));
+    describe(*seen, "keep-seen", tr("Curve, look, lights, window, clip and camera, for other studies too"));
     menu->addSeparator();
     menu->addAction(tr("&Import…"), this, &PresetGallery::importAsked)
         ->setToolTip(tr("Of Macula, 3D Slicer, ParaView, VolView, MITK, Horos or OsiriX"));
@@ -125,11 +119,9 @@ void PresetGallery::makeBar(QVBoxLayout& column) {
 }
 
 void PresetGallery::makeList() {
-    list_->setObjectName(QStringLiteral("presets"));
-    list_->setAccessibleName(tr("Presets"));
-    list_->setToolTip(
-        tr("Each preset as it shows this volume, from anterior and coarse. A double click or "
-           "Enter uses it."));
+    describe(*list_, "presets", tr("Presets"),
+             tr("Each preset as it shows this volume, from anterior and coarse. A double click or "
+                "Enter uses it."));
     list_->setModel(model_);
     list_->setItemDelegate(new PresetDelegate(list_));
     list_->setFlow(QListView::LeftToRight);
@@ -153,11 +145,6 @@ void PresetGallery::makeList() {
         if (index.data(PresetListModel::isHeadingRole).toBool()) activate(index);
     });
     connect(list_, &QWidget::customContextMenuRequested, this, &PresetGallery::showMenu);
-}
-
-void PresetGallery::focusFilter() {
-    filter_->setFocus(Qt::ShortcutFocusReason);
-    filter_->selectAll();
 }
 
 void PresetGallery::onStudyShown() {

@@ -14,7 +14,6 @@
 #include "viewer/presets/preset_list_model.h"
 #include "viewer/presets/preset_naming.h"
 #include "viewer/presets/preset_pictures.h"
-#include "viewer/presets/preset_rows.h"
 
 class QMenu;
 class QVBoxLayout;
@@ -34,7 +33,6 @@ class PresetGallery : public QWidget {
 
     PresetListModel& model() const { return *model_; }
     bool isDrawing() const { return pictures_.isDrawing(); }
-    void focusFilter();
 
     void askToSaveCurve() { naming_.askToSaveCurve(); }
     void askToSaveSeen() { naming_.askToSaveSeen(); }

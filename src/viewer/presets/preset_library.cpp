@@ -36,8 +36,7 @@ PresetLibrary::PresetLibrary(StudyEditor& session, const std::shared_ptr<live::S
       shelf_({session.builtInPresets().begin(), session.builtInPresets().end()}),
       keeper_(keeper),
       isKept_(keeper != nullptr),
-      import_(this, {.progressed = [](const ProgressUpdate&) {},
-                     .ended = [this](const Result<presets::ImportedPresets>& read) { onImported(read); }}) {
+      import_(this, {.ended = [this](const Result<presets::ImportedPresets>& read) { onImported(read); }}) {
     mailbox_->library = this;
     // Connected before all that show presets, which ask what fits the new study.
     connect(&session_, &StudyEditor::studyShown, this, [this] {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/editor/study_editor.h"
 #include "viewer/presets/preset_library.h"
 
 namespace macula::viewer {
@@ -25,6 +26,30 @@ struct PresetRow {
     PresetGroup group = PresetGroup::others;
     std::optional<LibraryPreset> preset;  // nothing: the heading of the group
     std::size_t count = 0;                // for a heading: how many presets the group has
+};
+
+// The rows of the gallery, without folded groups and presets that the filter rejects. Needs no window. Looks
+// for the words of the filter in title, name and kind of image.
+class PresetRows {
+  public:
+    PresetRows(const StudyEditor& session, const PresetLibrary& library);  // both outlive this
+
+    void setFilter(const QString& text);
+    // Folds or expands a group. Does nothing and returns false during a filter, which expands all groups.
+    bool toggle(PresetGroup group);
+
+    std::set<PresetGroup> expanded() const;
+    std::vector<PresetRow> rows() const;  // without empty groups
+    std::set<live::PresetRef> favourites() const;
+
+  private:
+    std::vector<LibraryPreset> presetsOf(PresetGroup group) const;
+    bool isFound(const LibraryPreset& preset) const;
+
+    const StudyEditor& session_;
+    const PresetLibrary& library_;
+    std::vector<std::string> words_;  // the words of the filter
+    std::set<PresetGroup> folded_{PresetGroup::others};
 };
 
 class PresetListModel : public QAbstractListModel {

@@ -1,12 +1,48 @@
 #include "viewer/presets/preset_naming.h"
 
+#include <QDialogButtonBox>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <utility>
 
-#include "viewer/presets/preset_name_dialog.h"
+#include "viewer/menus/controls.h"
 #include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
+
+PresetNameDialog::PresetNameDialog(const QString& title, const QString& what, const QString& proposed,
+                                   WhyRefused whyRefused, QWidget* parent)
+    : QDialog(parent), whyRefused_(std::move(whyRefused)), name_(new QLineEdit), trouble_(new QLabel) {
+    setWindowTitle(title);
+    auto* about = new QLabel(what);
+    about->setTextFormat(Qt::PlainText);
+    about->setWordWrap(true);
+    describe(*name_, "preset-name", tr("Name of the preset"),
+             tr("For all studies, so without anything of a patient"));
+    name_->setText(proposed);
+    name_->selectAll();
+    makePlain(*trouble_, "preset-name-trouble");
+    // So that the buttons do not move while a person types.
+    trouble_->setMinimumHeight(2 * trouble_->fontMetrics().lineSpacing());
+    trouble_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    ok_ = buttons->button(QDialogButtonBox::Ok);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(about);
+    column->addWidget(name_);
+    column->addWidget(trouble_);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(name_, &QLineEdit::textChanged, this, &PresetNameDialog::check);
+    check();
+}
+
+void PresetNameDialog::check() {
+    const QString why = whyRefused_(name_->text());
+    trouble_->setText(why);
+    ok_->setEnabled(why.isEmpty());
+}
 
 PresetNaming::PresetNaming(QWidget& widget, const StudyEditor& session, PresetLibrary& library,
                            StateNow stateNow)

@@ -1,7 +1,11 @@
 // Asks for the names under which presets are kept, copied and renamed.
 #pragma once
 
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
 #include <QObject>
+#include <QPushButton>
 #include <QString>
 #include <functional>
 
@@ -12,6 +16,29 @@
 class QWidget;
 
 namespace macula::viewer {
+
+// Asks for the name of a preset. Accepts only an allowed name, and says why another is refused. Open it with
+// open(), which does not block.
+class PresetNameDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    // Returns an empty text for an allowed name.
+    using WhyRefused = std::function<QString(const QString&)>;
+
+    PresetNameDialog(const QString& title, const QString& what, const QString& proposed,
+                     WhyRefused whyRefused, QWidget* parent = nullptr);
+
+    QString name() const { return name_->text(); }
+
+  private:
+    void check();
+
+    WhyRefused whyRefused_;
+    QLineEdit* name_;
+    QLabel* trouble_;
+    QPushButton* ok_ = nullptr;
+};
 
 // Saves what was shown when the dialog opened, even if something else is shown once a name is chosen. Dialogs
 // do not block.

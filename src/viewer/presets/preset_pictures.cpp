@@ -16,8 +16,7 @@ QImage asImage(const pictures::PresetThumbnail& thumbnail) {
 }  // namespace
 
 PresetPictures::PresetPictures()
-    : job_(this, {.progressed = [](const ProgressUpdate&) {},
-                  .ended = [this](const Result<Drawn>& drawn) { take(drawn); }}) {}
+    : job_(this, {.ended = [this](const Result<Drawn>& drawn) { take(drawn); }}) {}
 
 void PresetPictures::begin(std::shared_ptr<const Volume> volume) {
     job_.cancel();

@@ -17,7 +17,7 @@
 #include "pipeline/volume/window.h"
 #include "scene/drawing/drawing_of.h"
 #include "scene/transfer/same_transfer.h"
-#include "viewer/editor/follow_state.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/presets/preset_box.h"
 #include "viewer/presets/preset_comparison.h"
 #include "viewer/presets/preset_gallery.h"

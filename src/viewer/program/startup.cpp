@@ -7,10 +7,15 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+#ifdef __linux__
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <string_view>
+#endif
 
 #include "base/core_dumps.h"
 #include "base/exit_codes.h"
-#include "viewer/program/display_check.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {
@@ -25,13 +30,77 @@ void returnFreedMemory() {
 #endif
 }
 
+// Without a display Qt aborts; the caller can print a message instead. Needs no QApplication.
+//
+// Keep it until the QApplication exists: a virtual display (Xvfb without -noreset) resets when its last
+// client leaves, and is unavailable for the moment in which Qt would connect.
+class DisplayCheck {
+  public:
+    DisplayCheck();
+    ~DisplayCheck();
+    DisplayCheck(const DisplayCheck&) = delete;
+    DisplayCheck& operator=(const DisplayCheck&) = delete;
+
+    bool found() const { return found_; }
+
+  private:
+    void connectToX();
+
+    bool found_ = true;
+    void* library_ = nullptr;     // libxcb
+    void* connection_ = nullptr;  // xcb_connection_t
+};
+
+#ifdef __linux__
+
+std::string_view variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
+}
+
+DisplayCheck::DisplayCheck() {
+    const std::string_view platform = variable("QT_QPA_PLATFORM");
+    if (platform.starts_with("xcb")) {
+        connectToX();
+    } else if (platform.empty() && variable("WAYLAND_DISPLAY").empty()) {
+        found_ = !variable("DISPLAY").empty();
+        if (found_) connectToX();
+    }
+}
+
+// DISPLAY outlives its server in a terminal that stays open, or after a connection broke. Loads the library
+// by name, because Qt ships it without its headers. If it is missing, Qt reports the missing display.
+void DisplayCheck::connectToX() {
+    library_ = dlopen("libxcb.so.1", RTLD_NOW | RTLD_LOCAL);
+    if (library_ == nullptr) return;
+    const auto connect = reinterpret_cast<void* (*)(const char*, int*)>(dlsym(library_, "xcb_connect"));
+    const auto hasError = reinterpret_cast<int (*)(void*)>(dlsym(library_, "xcb_connection_has_error"));
+    if (connect == nullptr || hasError == nullptr) return;
+    connection_ = connect(nullptr, nullptr);  // never null
+    found_ = hasError(connection_) == 0;
+}
+
+DisplayCheck::~DisplayCheck() {
+    if (library_ == nullptr) return;
+    const auto disconnect = reinterpret_cast<void (*)(void*)>(dlsym(library_, "xcb_disconnect"));
+    if (connection_ != nullptr && disconnect != nullptr) disconnect(connection_);
+    dlclose(library_);
+}
+
+#else
+
+DisplayCheck::DisplayCheck() = default;
+DisplayCheck::~DisplayCheck() = default;
+
+#endif
+
 }  // namespace
 
 QStringList startProgram(const char* name, const char* version, int argc, char** argv) {
     switchCoreDumpsOff();
     returnFreedMemory();
-    // The loader of headsets is not to write to the terminal (xr/loader.cpp); later, other threads would read
-    // the environment meanwhile.
+    // The loader of headsets is not to write to the terminal (xr/runtime.cpp); later, other threads would
+    // read the environment meanwhile.
     qputenv("XR_LOADER_DEBUG", qgetenv("XR_LOADER_DEBUG").isEmpty() ? "none" : qgetenv("XR_LOADER_DEBUG"));
     QCoreApplication::setApplicationName(QLatin1String(name));
     QCoreApplication::setApplicationVersion(QLatin1String(version));

@@ -16,8 +16,9 @@
 #include "scene/state/carried_view.h"
 #include "scene/transfer/same_transfer.h"
 #include "viewer/language/harmless_text.h"
-#include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/second/second_volume_loader.h"
+#include "viewer/status/status_texts.h"
 #include "viewer/status/status_widgets.h"
 
 namespace macula::viewer {
@@ -79,8 +80,7 @@ SecondVolumeBar::SecondVolumeBar(StudyEditor& session, SecondVolumeLoader& besid
     addIn3d();
     addWidget(tag_);
     QAction* close = addAction(tr("Close"), &secondVolume_, &SecondVolumeLoader::close);
-    close->setObjectName(QStringLiteral("close-beside"));
-    close->setToolTip(tr("Close the second volume; the study stays"));
+    describe(*close, "close-beside", tr("Close the second volume; the study stays"));
     for (QComboBox* list : {views_, links_, colours_, presets_})
         connect(list, &QComboBox::activated, this, &SecondVolumeBar::listLeft);
     connect(&session_, &StudyEditor::changed, this, &SecondVolumeBar::showState);
@@ -92,11 +92,9 @@ SecondVolumeBar::SecondVolumeBar(StudyEditor& session, SecondVolumeLoader& besid
 
 void SecondVolumeBar::addViews() {
     views_ = new QComboBox(this);
-    views_->setObjectName(QStringLiteral("beside-view"));
-    views_->setAccessibleName(tr("How the second volume is shown"));
-    views_->setToolTip(
-        tr("The second volume beside the study, in its place, or over it. J puts it in the place "
-           "of the study, and back"));
+    describe(*views_, "beside-view", tr("How the second volume is shown"),
+             tr("The second volume beside the study, in its place, or over it. J puts it in the place "
+                "of the study, and back"));
     for (const ViewRow& row : kViews) views_->addItem(tr(row.title));
     connect(views_, &QComboBox::activated, this,
             [this](int index) { secondVolume_.setView(kViews.at(std::size_t(index)).view); });
@@ -105,11 +103,9 @@ void SecondVolumeBar::addViews() {
 
 void SecondVolumeBar::addLinks() {
     links_ = new QComboBox(this);
-    links_->setObjectName(QStringLiteral("beside-link"));
-    links_->setAccessibleName(tr("How the second volume is linked"));
-    links_->setToolTip(tr(
-        "What takes a place in the study to the same place in the second volume. By hand, the wheel over the "
-        "second volume moves it alone"));
+    describe(*links_, "beside-link", tr("How the second volume is linked"),
+             tr("What takes a place in the study to the same place in the second volume. By hand, the wheel "
+                "over the second volume moves it alone"));
     links_->addItems({tr("By hand"), tr("Same frame of reference"), tr("Registered")});
     connect(links_, &QComboBox::activated, this, [this](int index) {
         switch (scene::kSecondVolumeLinks.at(std::size_t(index))) {
@@ -130,9 +126,8 @@ void SecondVolumeBar::addLinks() {
 
 void SecondVolumeBar::addColours() {
     colours_ = new QComboBox(this);
-    colours_->setObjectName(QStringLiteral("beside-colours"));
-    colours_->setAccessibleName(tr("Colours of the second volume"));
-    colours_->setToolTip(tr("Colours of the second volume where it lies over the study"));
+    describe(*colours_, "beside-colours", tr("Colours of the second volume"),
+             tr("Colours of the second volume where it lies over the study"));
     for (const ColourRow& row : kColours) colours_->addItem(tr(row.title));
     connect(colours_, &QComboBox::activated, this, [this](int index) {
         if (secondVolume_.state() == nullptr) return;
@@ -181,10 +176,8 @@ void SecondVolumeBar::addWindow() {
 
 void SecondVolumeBar::addLinkedWindow() {
     oneWindow_ = new QCheckBox(tr("One window"), this);
-    oneWindow_->setObjectName(QStringLiteral("beside-one-window"));
-    oneWindow_->setAccessibleName(tr("One window for the study and the second volume"));
-    oneWindow_->setToolTip(
-        tr("Slices of both through one window, as phases are compared. Both have to have one unit"));
+    describe(*oneWindow_, "beside-one-window", tr("One window for the study and the second volume"),
+             tr("Slices of both through one window, as phases are compared. Both have to have one unit"));
     connect(oneWindow_, &QCheckBox::clicked, this, [this](bool on) {
         if (secondVolume_.state() == nullptr) return;
         session_.change(tr("Window of the second volume"), [&](scene::StudyState& next) {
@@ -206,9 +199,8 @@ DisplayWindow SecondVolumeBar::secondWindow() const {
 
 void SecondVolumeBar::addIn3d() {
     in3d_ = new QCheckBox(tr("In 3D too"), this);
-    in3d_->setObjectName(QStringLiteral("beside-in3d"));
-    in3d_->setAccessibleName(tr("The second volume in the 3D picture"));
-    in3d_->setToolTip(
+    describe(
+        *in3d_, "beside-in3d", tr("The second volume in the 3D picture"),
         tr("The second volume in one 3D picture with the study. It has to be of the same patient, and linked "
            "by more than hand; projections show the study alone"));
     connect(in3d_, &QCheckBox::clicked, this, [this](bool on) {
@@ -219,9 +211,8 @@ void SecondVolumeBar::addIn3d() {
     });
     addWidget(in3d_);
     presets_ = new QComboBox(this);
-    presets_->setObjectName(QStringLiteral("beside-preset"));
-    presets_->setAccessibleName(tr("Preset of the second volume in 3D"));
-    presets_->setToolTip(
+    describe(
+        *presets_, "beside-preset", tr("Preset of the second volume in 3D"),
         tr("What the second volume is drawn with in 3D: window, colours and opacity from here, or a preset"));
     presets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     constexpr int kLetters = 14;
@@ -247,9 +238,7 @@ void SecondVolumeBar::fillPresets(const scene::SecondVolumeState& state) {
         listed_ = std::move(wanted);
         presets_->clear();
         presets_->addItem(tr("As over slices"));
-        for (const auto& preset : listed_)
-            presets_->addItem(
-                harmless(titleInWindowsLanguage(preset->title.empty() ? preset->name : preset->title)));
+        for (const auto& preset : listed_) presets_->addItem(harmless(titleOr(preset->title, preset->name)));
     }
     const auto at = state.preset ? std::ranges::find_if(listed_, isOurs) : listed_.end();
     presets_->setCurrentIndex(at == listed_.end() ? 0 : int(at - listed_.begin()) + 1);

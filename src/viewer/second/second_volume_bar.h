@@ -7,7 +7,6 @@
 
 #include "scene/second/second_volume_state.h"
 
-class QAction;
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;

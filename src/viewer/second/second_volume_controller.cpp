@@ -2,16 +2,22 @@
 
 #include "viewer/second/second_volume_controller.h"
 
+#include <QCoreApplication>
 #include <QMainWindow>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QStatusBar>
+#include <array>
+#include <functional>
+#include <utility>
 
 #include "registration/rigid_registration.h"
 #include "viewer/browser/browser_controller.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
-#include "viewer/second/patient_question.h"
+#include "viewer/menus/controls.h"
 #include "viewer/second/second_volume_bar.h"
 #include "viewer/second/second_volume_loader.h"
 #include "viewer/second/slice_pair.h"
@@ -24,6 +30,55 @@
 #include "viewer/volume/shown_volume.h"
 
 namespace macula::viewer {
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(PatientQuestion)
+
+  public:
+    // The attributes that study::whatDiffers may return.
+    static constexpr std::array kAttributes{
+        QT_TRANSLATE_NOOP("PatientQuestion", "ID"), QT_TRANSLATE_NOOP("PatientQuestion", "name"),
+        QT_TRANSLATE_NOOP("PatientQuestion", "date of birth"), QT_TRANSLATE_NOOP("PatientQuestion", "sex")};
+};
+
+QString inWords(const QStringList& attributes) {
+    QStringList all;
+    for (const char* attribute : Words::kAttributes) {
+        if (attributes.contains(QLatin1String(attribute))) all << Words::tr(attribute);
+    }
+    return all.join(QStringLiteral(", "));
+}
+
+// Returns at once; later calls `open` if the person agrees, else `leave`. `differs` names attributes, without
+// values: "ID". Enter and Esc decline.
+void askAboutPatient(QWidget* parent, const QStringList& differs, std::function<void()> open,
+                     std::function<void()> leave) {
+    auto* box =
+        new QMessageBox(QMessageBox::Warning, Words::tr("Another patient?"),
+                        Words::tr("The second volume is of another patient than the study. What differs: %1.")
+                            .arg(inWords(differs)),
+                        QMessageBox::Cancel, parent);
+    box->setObjectName(QStringLiteral("patient-question"));
+    box->setInformativeText(Words::tr(
+        "Open it only if you know that both are of one patient, or mean to compare two patients. Pictures of "
+        "it will say so."));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton* yes = box->addButton(Words::tr("&Open All the Same"), QMessageBox::AcceptRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    QObject::connect(box, &QMessageBox::finished, box,
+                     [box, yes, open = std::move(open), leave = std::move(leave)] {
+                         if (box->clickedButton() == yes) {
+                             open();
+                         } else {
+                             leave();
+                         }
+                     });
+    box->open();  // exec() would run a second event loop
+}
+
+}  // namespace
 
 SecondVolumeController::SecondVolumeController(const WindowContext& context, BrowserController& browser,
                                                const std::array<SlicePair*, 3>& pairs)
@@ -140,8 +195,7 @@ void SecondVolumeController::addFileActions(QMenu& file) {
     file.addAction(tr("Open File Besi&de…"), this, [this] { askFor(QFileDialog::ExistingFile); })
         ->setToolTip(tr("The series of an image, or a NIfTI, NRRD or MetaImage file, beside this study"));
     QAction* close = file.addAction(tr("&Close Second Volume"), this, [this] { loader_->close(); });
-    close->setObjectName(QStringLiteral("close-second"));
-    close->setToolTip(tr("The study stays open"));
+    describe(*close, "close-second", tr("The study stays open"));
     actions_ << close;
 }
 

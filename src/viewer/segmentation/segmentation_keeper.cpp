@@ -19,23 +19,20 @@ using scene::SegmentationSettings;
 SegmentationKeeper::SegmentationKeeper(StudyEditor& session, QObject* parent)
     : QObject(parent),
       session_(session),
-      finding_(this, {.progressed = [](const ProgressUpdate&) {},
-                      .ended = [this](const Result<Found>& outcome) { onFound(outcome); }}),
+      finding_(this, {.ended = [this](const Result<Found>& outcome) { onFound(outcome); }}),
       loading_(this, {.progressed =
                           [this](const ProgressUpdate& update) {
                               Q_EMIT progressed(inWindowsLanguage(update.stage), update.fraction);
                           },
                       .ended = [this](const Result<Loaded>& outcome) { onLoaded(outcome); }}),
-      masking_(this, {.progressed = [](const ProgressUpdate&) {},
-                      .ended =
-                          [this](const Result<std::optional<Mask>>& outcome) {
-                              if (!outcome) {
-                                  Q_EMIT refused(outcome.error());
-                                  return;
-                              }
-                              made_ = making_;
-                              Q_EMIT maskMade(*outcome);
-                          }}) {
+      masking_(this, {.ended = [this](const Result<std::optional<Mask>>& outcome) {
+                   if (!outcome) {
+                       Q_EMIT refused(outcome.error());
+                       return;
+                   }
+                   made_ = making_;
+                   Q_EMIT maskMade(*outcome);
+               }}) {
     connect(this, &SegmentationKeeper::refused, this, &SegmentationKeeper::onRefused);
     connect(&session_, &StudyEditor::studyShown, this, &SegmentationKeeper::onStudyShown);
     connect(&session_, &StudyEditor::changed, this, &SegmentationKeeper::onChanged);

@@ -18,6 +18,7 @@
 #include "viewer/clip/wheel_guard.h"
 #include "viewer/language/harmless_text.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {
@@ -89,9 +90,7 @@ SegmentationPanel::SegmentationPanel(StudyEditor& session, SegmentationKeeper& k
     : QWidget(parent), session_(session), keeper_(keeper), edits_(session, keeper) {
     makeTree();
     notes_ = new QLabel(this);
-    notes_->setObjectName(QStringLiteral("segments-notes"));
-    notes_->setTextFormat(Qt::PlainText);
-    notes_->setWordWrap(true);
+    makePlain(*notes_, "segments-notes");
     auto* column = new QVBoxLayout(this);
     column->addWidget(tree_, 1);
     column->addWidget(makeControls());
@@ -105,9 +104,8 @@ SegmentationPanel::SegmentationPanel(StudyEditor& session, SegmentationKeeper& k
 
 void SegmentationPanel::makeTree() {
     tree_ = new QTreeWidget(this);
-    tree_->setObjectName(QStringLiteral("segments"));
-    tree_->setAccessibleName(tr("Segmentations"));
-    tree_->setToolTip(tr("Segmentations of the folder; a check mark shows them on slices"));
+    describe(*tree_, "segments", tr("Segmentations"),
+             tr("Segmentations of the folder; a check mark shows them on slices"));
     tree_->setHeaderLabels({tr("Segment"), tr("ml"), tr("3D")});
     tree_->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
     tree_->header()->setSectionResizeMode(kMl, QHeaderView::ResizeToContents);
@@ -123,9 +121,7 @@ QWidget* SegmentationPanel::makeControls() {
     auto* controls = new QWidget(this);
     const auto button = [controls](const QString& text, const char* name, const QString& what) {
         auto* made = new QPushButton(text, controls);
-        made->setObjectName(QString::fromLatin1(name));
-        made->setAccessibleName(what);
-        made->setToolTip(what);
+        describe(*made, name, what, what);
         return made;
     };
     colour_ = button(tr("Colour…"), "segment-colour",

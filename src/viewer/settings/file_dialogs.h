@@ -5,11 +5,39 @@
 #include <QMap>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <functional>
-
-#include "viewer/settings/last_folders.h"
+#include <utility>
 
 namespace macula::viewer {
+
+// The kind of files of a dialog.
+enum class FolderKind { studies, pictures, movies, models, views, presets, measurements, presentations };
+
+// Remembers the last folder of each kind. The folder of a study may be named after its patient, so its parent
+// folder is kept between runs instead.
+class LastFolders {
+  public:
+    // `kept`: toKeep() of an earlier run. Unknown kinds stay as they are.
+    explicit LastFolders(QMap<QString, QString> kept = {}) : kept_(std::move(kept)) {}
+
+    // The start folder: the last one of its kind that still exists, else a standard folder such as Pictures.
+    // Never the working directory.
+    QString of(FolderKind kind) const;
+    // Records the folder in which a dialog ended.
+    void use(FolderKind kind, const QString& folder);
+    // Records the folder or file from which a study was opened.
+    void sawStudy(const QString& path);
+
+    const QMap<QString, QString>& toKeep() const { return kept_; }
+
+  private:
+    QString beside(const QString& folder) const;  // the nearest folder outside all studies
+
+    QMap<FolderKind, QString> used_;  // in this run
+    QMap<QString, QString> kept_;
+    QStringList studies_;  // folders of studies
+};
 
 // The window outlives it. Lives on the UI thread.
 class FileDialogs : public QObject {
@@ -29,7 +57,6 @@ class FileDialogs : public QObject {
 
     // Opens the dialog and returns at once; `then` gets the file or folder that was chosen.
     void ask(QFileDialog* dialog, FolderKind kind, std::function<void(const QString&)> then);
-    QString folderOf(FolderKind kind) const { return folders_.of(kind); }
     void sawStudy(const QString& path);
 
   Q_SIGNALS:

@@ -6,6 +6,8 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "viewer/menus/controls.h"
+
 namespace macula::viewer {
 
 namespace {
@@ -31,15 +33,12 @@ KeysPage::KeysPage(QList<KeyEntry> entries, QMap<QString, QString> own, QWidget*
     search_->setPlaceholderText(tr("Search"));
     search_->setToolTip(tr("Words of an action, or a key such as F3"));
     search_->setClearButtonEnabled(true);
-    key_->setObjectName(QStringLiteral("keys-key"));
-    key_->setAccessibleName(tr("New key of the selected action"));
-    key_->setToolTip(tr("Press the new key of the selected action, with Ctrl, Shift or Alt where wanted"));
+    describe(*key_, "keys-key", tr("New key of the selected action"),
+             tr("Press the new key of the selected action, with Ctrl, Shift or Alt where wanted"));
     none_->setToolTip(tr("The selected action has no key"));
     usual_->setToolTip(tr("The selected action has the key again that it came with"));
     allUsual_->setToolTip(tr("All actions have the keys again that they came with"));
-    trouble_->setObjectName(QStringLiteral("keys-trouble"));
-    trouble_->setTextFormat(Qt::PlainText);
-    trouble_->setWordWrap(true);
+    makePlain(*trouble_, "keys-trouble");
     makeList();
 
     auto* row = new QHBoxLayout;
@@ -74,9 +73,8 @@ KeysPage::KeysPage(QList<KeyEntry> entries, QMap<QString, QString> own, QWidget*
 }
 
 void KeysPage::makeList() {
-    list_->setObjectName(QStringLiteral("keys-list"));
-    list_->setAccessibleName(tr("Actions and their keys"));
-    list_->setToolTip(tr("What the window can do, and the key for it; those you have changed are bold"));
+    describe(*list_, "keys-list", tr("Actions and their keys"),
+             tr("What the window can do, and the key for it; those you have changed are bold"));
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->setColumnCount(2);

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <utility>
 
+#include "viewer/menus/controls.h"
 #include "viewer/settings/key_book.h"
 #include "viewer/settings/settings_dialog.h"
 #include "viewer/status/notifications.h"
@@ -22,8 +23,7 @@ SettingsController::SettingsController(QMainWindow& window, Notifications& notif
 
 QAction* SettingsController::addAction(QMenu& edit) {
     QAction* settings = edit.addAction(tr("&Settings…"), this, &SettingsController::ask);
-    settings->setObjectName(QStringLiteral("settings"));
-    settings->setToolTip(tr("Language, look, keys, and what is kept"));
+    describe(*settings, "settings", tr("Language, look, keys, and what is kept"));
     return settings;
 }
 

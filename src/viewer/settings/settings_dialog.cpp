@@ -15,6 +15,7 @@
 #include "scene/choice/quality_choice.h"
 #include "session/store.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {
@@ -29,12 +30,6 @@ QLabel* remark(const QString& text, QWidget* parent) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
     return label;
-}
-
-void name(QWidget& control, const char* objectName, const QString& title, const QString& tip) {
-    control.setObjectName(QLatin1String(objectName));
-    control.setAccessibleName(title);
-    control.setToolTip(tip);
 }
 
 }  // namespace
@@ -77,24 +72,24 @@ SettingsDialog::SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isK
 
 QWidget* SettingsDialog::makeLook() {
     auto* page = new QWidget(this);
-    name(*languages_, "settings-language", tr("Language"),
-         tr("Of the window, and how numbers are written; from the next start on"));
+    describe(*languages_, "settings-language", tr("Language"),
+             tr("Of the window, and how numbers are written; from the next start on"));
     languages_->addItem(tr("As the desktop"), QString());
     for (const LanguageRow& row : kLanguages)
         languages_->addItem(QString::fromUtf8(row.title), QString::fromLatin1(row.code));
     languages_->setCurrentIndex(
         languages_->findData(before_.language ? codeOf(*before_.language) : QString()));
-    name(*highContrast_, "settings-high-contrast", tr("High contrast"),
-         tr("Instead of the dark window; at once"));
+    describe(*highContrast_, "settings-high-contrast", tr("High contrast"),
+             tr("Instead of the dark window; at once"));
     highContrast_->setChecked(before_.highContrast);
-    name(*fontScale_, "settings-font-scale", tr("Size of letters, times that of the desktop"),
-         tr("Times the size of the desktop's letters, 0.8 to 2; at once"));
+    describe(*fontScale_, "settings-font-scale", tr("Size of letters, times that of the desktop"),
+             tr("Times the size of the desktop's letters, 0.8 to 2; at once"));
     fontScale_->setRange(kSmallestFontScale, kLargestFontScale);
     fontScale_->setSingleStep(kFontStep);
     fontScale_->setPrefix(QStringLiteral("× "));
     fontScale_->setValue(before_.fontScale);
-    name(*showsNames_, "settings-names", tr("Patient and study over pictures"),
-         tr("When the window opens; N hides and shows them at any time"));
+    describe(*showsNames_, "settings-names", tr("Patient and study over pictures"),
+             tr("When the window opens; N hides and shows them at any time"));
     showsNames_->setChecked(before_.showsNames);
     auto* form = new QFormLayout(page);
     form->addRow(tr("&Language"), languages_);
@@ -106,8 +101,8 @@ QWidget* SettingsDialog::makeLook() {
 
 QWidget* SettingsDialog::makePictures() {
     auto* page = new QWidget(this);
-    name(*qualities_, "settings-quality", tr("Quality of saved pictures"),
-         tr("What Save Picture begins with: more samples per pixel take more time"));
+    describe(*qualities_, "settings-quality", tr("Quality of saved pictures"),
+             tr("What Save Picture begins with: more samples per pixel take more time"));
     if (const auto all = scene::builtInQualities()) {
         for (const trace::Quality& quality : *all)
             qualities_->addItem(tr("%1: %n samples", nullptr, int(quality.samplesPerPixel))
@@ -115,8 +110,8 @@ QWidget* SettingsDialog::makePictures() {
                                 QString::fromStdString(quality.name));
     }
     qualities_->setCurrentIndex(qualities_->findData(before_.quality));
-    name(*deidentifies_, "settings-deidentify", tr("DICOM pictures without patient and study"),
-         tr("What Save Picture begins with: nothing of the patient is written, and all UIDs are new"));
+    describe(*deidentifies_, "settings-deidentify", tr("DICOM pictures without patient and study"),
+             tr("What Save Picture begins with: nothing of the patient is written, and all UIDs are new"));
     deidentifies_->setChecked(before_.deidentifies);
     auto* form = new QFormLayout(page);
     form->addRow(tr("&Quality"), qualities_);
@@ -126,26 +121,28 @@ QWidget* SettingsDialog::makePictures() {
 
 QWidget* SettingsDialog::makeSessions() {
     auto* page = new QWidget(this);
-    name(*folder_, "settings-folder", tr("Folder of stored sessions"),
-         tr("Where previews, and how studies were left, are kept; empty: the usual folder. From the next "
-            "start on; what is in the old folder stays there."));
+    describe(*folder_, "settings-folder", tr("Folder of stored sessions"),
+             tr("Where previews, and how studies were left, are kept; empty: the usual folder. From the next "
+                "start on; what is in the old folder stays there."));
     folder_->setPlaceholderText(QString::fromStdString(session::defaultFolder().string()));
     folder_->setClearButtonEnabled(true);
     auto* browse = new QPushButton(tr("&Choose…"), page);
-    name(*browse, "settings-browse", tr("Choose the folder of stored sessions"),
-         tr("Choose a folder; it must be empty, or one that Macula made"));
+    describe(*browse, "settings-browse", tr("Choose the folder of stored sessions"),
+             tr("Choose a folder; it must be empty, or one that Macula made"));
     connect(browse, &QPushButton::clicked, this, &SettingsDialog::askForFolder);
-    name(*keepDays_, "settings-keep-days", tr("Days that studies are kept"),
-         tr("What was not opened for so many days is deleted at the start, 1 to %1 days; nothing is deleted "
-            "with 0")
-             .arg(kMostKeptDays));
+    describe(
+        *keepDays_, "settings-keep-days", tr("Days that studies are kept"),
+        tr("What was not opened for so many days is deleted at the start, 1 to %1 days; nothing is deleted "
+           "with 0")
+            .arg(kMostKeptDays));
     keepDays_->setRange(0, kMostKeptDays);
     keepDays_->setSpecialValueText(tr("for ever"));
     keepDays_->setSuffix(tr(" days"));
     keepDays_->setValue(before_.keepDays.value_or(0));
-    name(*modelCap_, "settings-model-cap", tr("Room for stored previews in MB"),
-         tr("Of all stored previews together, in MB; above it those that were not used for longest go. From "
-            "the next start on."));
+    describe(
+        *modelCap_, "settings-model-cap", tr("Room for stored previews in MB"),
+        tr("Of all stored previews together, in MB; above it those that were not used for longest go. From "
+           "the next start on."));
     modelCap_->setRange(kLeastModelCapMb, kMostModelCapMb);
     modelCap_->setSingleStep(kCapStepMb);
     modelCap_->setSuffix(tr(" MB"));

@@ -6,6 +6,7 @@
 #include "scene/slices/measurements_file.h"
 #include "viewer/editor/study_editor.h"
 #include "viewer/keys/keys.h"
+#include "viewer/menus/controls.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/status/notifications.h"
 
@@ -16,9 +17,9 @@ MeasurementsController::MeasurementsController(const WindowContext& context)
 
 void MeasurementsController::addFileActions(QMenu& file) {
     QAction* save = file.addAction(tr("Save &Measurements…"), this, &MeasurementsController::askWhereToSave);
-    save->setObjectName(QStringLiteral("save-measurements"));
     save->setShortcut(keyOf(KeyAction::saveMeasurements));
-    save->setToolTip(tr("As a table (CSV) or JSON, in mm, degrees and the unit of the study"));
+    describe(*save, "save-measurements",
+             tr("As a table (CSV) or JSON, in mm, degrees and the unit of the study"));
 }
 
 void MeasurementsController::addEditActions(QMenu& edit) {

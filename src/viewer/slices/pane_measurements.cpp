@@ -1,20 +1,90 @@
 #include "viewer/slices/pane_measurements.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
 
+#include "base/check.h"
+#include "slices/interpolated.h"
+#include "viewer/language/harmless_text.h"
+#include "viewer/language/window_language.h"
 #include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {
 
 namespace {
 
+// No image was taken there: values come from neighbouring images, and a person saw the ends in interpolated
+// slices.
+QString interpolated(const QString& text, const slices::Measurement& measurement, double share) {
+    if (!std::holds_alternative<slices::Ellipse>(measurement.shape))
+        return QCoreApplication::translate("Slices", "%1, ends in interpolated slices").arg(text);
+    constexpr double kPercent = 100.0;
+    const int percent = std::max(1, int(std::lround(kPercent * share)));
+    return QCoreApplication::translate("Slices", "%1, %2 % interpolated").arg(text).arg(percent);
+}
+
 constexpr double kHitPx = 8.0;       // logical, as below
 constexpr double kOnePointPx = 3.0;  // nearer points are one
 constexpr double kSamePlaneMm = 1e-6;
 
 }  // namespace
+
+MeasurementDrawing::MeasurementDrawing(SliceTool tool, const slices::SlicePlane& plane,
+                                       const glm::dvec3& firstMm, double leastMm)
+    : tool_(tool), plane_(plane), leastMm_(leastMm), pointsMm_{firstMm}, pointerMm_(firstMm) {
+    MACULA_CHECK(measures(tool));
+}
+
+void MeasurementDrawing::press(const glm::dvec3& mm) {
+    pointerMm_ = mm;
+    if (!isComplete() && isNew(mm)) pointsMm_.push_back(mm);
+}
+
+void MeasurementDrawing::release(const glm::dvec3& mm) {
+    pointerMm_ = mm;
+    if (pointsMm_.size() == 1 && isNew(mm)) pointsMm_.push_back(mm);
+}
+
+std::optional<slices::Measurement> MeasurementDrawing::soFar() const {
+    const glm::dvec3 last = isComplete() ? pointsMm_.back() : pointerMm_;
+    const auto measured = [this](auto shape) {
+        return slices::Measurement{.shape = std::move(shape), .normal = plane_.normal()};
+    };
+    if (!isComplete() && !isNew(last)) return std::nullopt;
+    if (tool_ == SliceTool::ellipse) return ellipse(last);
+    if (tool_ == SliceTool::angle && pointsMm_.size() > 1)
+        return measured(slices::Angle{.pointsMm = {pointsMm_[0], pointsMm_[1], last}});
+    return measured(slices::Distance{.endsMm = {pointsMm_[0], last}});
+}
+
+// The ellipse in the rectangle between two opposite corners.
+std::optional<slices::Measurement> MeasurementDrawing::ellipse(const glm::dvec3& to) const {
+    const glm::dvec3 diagonal = to - pointsMm_.front();
+    slices::Ellipse ellipse{.plane = plane_,
+                            .radiiMm = 0.5 * glm::abs(glm::dvec2(glm::dot(diagonal, plane_.right),
+                                                                 glm::dot(diagonal, plane_.down)))};
+    ellipse.plane.centreMm = pointsMm_.front() + 0.5 * diagonal;
+    if (!(ellipse.radiiMm.x > 0.0) || !(ellipse.radiiMm.y > 0.0)) return std::nullopt;
+    return slices::Measurement{.shape = ellipse, .normal = plane_.normal()};
+}
+
+QString MeasurementTexts::of(const slices::Measurement& measurement, const Volume& volume) {
+    const auto found = std::ranges::find(known_, measurement, &Known::measurement);
+    if (found != known_.end()) return found->text;
+    constexpr std::size_t kMost = 2048;  // more than a state has; each step of a drag adds one
+    if (known_.size() == kMost) known_.erase(known_.begin());
+    QString text = withLocalNumbers(QString::fromStdString(slices::textOf(measurement, volume)));
+    if (!volume.provenance().isCalibrated && slices::hasSize(measurement)) text = notCalibrated(text);
+    if (const double share = slices::interpolatedShare(measurement, volume); share > 0.0)
+        text = interpolated(text, measurement, share);
+    if (!measurement.label.empty())
+        text = harmless(QString::fromStdString(measurement.label)) + QStringLiteral(": ") + text;
+    known_.push_back({measurement, text});
+    return text;
+}
 
 PaneMeasurements::PaneMeasurements(StudyEditor& session, const PaneContent& content)
     : session_(session), content_(content) {}

@@ -8,7 +8,6 @@
 
 #include "scene/presentation/softcopy_on_slices.h"
 #include "viewer/slices/pane_content.h"
-#include "viewer/slices/pane_view.h"
 
 namespace macula::viewer {
 

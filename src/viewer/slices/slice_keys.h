@@ -9,7 +9,6 @@
 #include "viewer/editor/study_editor.h"
 #include "viewer/slices/pane_measurements.h"
 #include "viewer/slices/pane_zoom.h"
-#include "viewer/slices/slice_cine.h"
 #include "viewer/slices/slice_hand.h"
 #include "viewer/slices/slice_popups.h"
 #include "viewer/slices/slice_travel.h"

@@ -1,6 +1,7 @@
 // The popups of a pane of slices: its context menu, and the editor of a measurement's label.
 #pragma once
 
+#include <QLineEdit>
 #include <QObject>
 #include <QPointF>
 #include <cstddef>
@@ -16,6 +17,29 @@
 class QWidget;
 
 namespace macula::viewer {
+
+// A line edit that deletes itself: Enter or loss of focus accepts the text, Esc keeps the old one. Cuts the
+// text to scene::kLongestLabelBytes of UTF-8.
+class LabelEditor : public QLineEdit {
+    Q_OBJECT
+
+  public:
+    // Within `pane`, as near to `place` as it fits; takes the keyboard focus.
+    LabelEditor(QWidget* pane, QPoint place, const QString& text);
+
+  Q_SIGNALS:
+    void accepted(const QString& text);  // at most once; differs from the old text
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+  private:
+    void finish(bool isAccepted);
+
+    QString before_;
+    bool isDone_ = false;
+};
 
 // Both refer to the picture on screen; without one, nothing opens. Lives on the UI thread.
 class SlicePopups : public QObject {

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "base/camera.h"
 
 namespace macula::viewer {
 
 namespace {
+
+constexpr int kCineMs = 100;
 
 constexpr int kPauseMs = 600;
 
@@ -30,6 +33,36 @@ glm::dvec3 placeBesideNoVolume(const Volume& volume, const slices::SlicePlane& p
 }
 
 }  // namespace
+
+SliceCine::SliceCine(StudyEditor& session, const PaneContent& content, std::function<bool()> isSeen)
+    : session_(session), content_(content), isSeen_(std::move(isSeen)) {
+    timer_.setInterval(kCineMs);
+    connect(&timer_, &QTimer::timeout, this, &SliceCine::step);
+}
+
+void SliceCine::start() {
+    if (isOn() || !content_.hasStudy()) return;
+    timer_.start();
+    Q_EMIT changed(true);
+}
+
+void SliceCine::stop() {
+    if (!isOn()) return;
+    timer_.stop();
+    if (session_.undoText() == tr("Cine"))
+        session_.endDrag();  // a person may be dragging something else by now
+    Q_EMIT changed(false);
+}
+
+void SliceCine::step() {
+    const int last = content_.steps().count() - 1;
+    if (!isSeen_() || last < 1) return;
+    const int now = content_.slice();
+    if (now == 0) goesBack_ = false;
+    if (now == last) goesBack_ = true;
+    const glm::dvec3 to = content_.crosshairOn(goesBack_ ? now - 1 : now + 1);
+    session_.drag(tr("Cine"), [&](scene::StudyState& next) { next.slices.crosshairMm = to; });
+}
 
 SliceTravel::SliceTravel(StudyEditor& session, const PaneContent& content, const PaneZoom& zoom)
     : session_(session), content_(content), zoom_(zoom) {

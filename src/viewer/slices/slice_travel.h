@@ -1,8 +1,9 @@
-// Moves a pane of slices through the volume: slice by slice, or with the cross-hair to a point.
+// Moves a pane of slices through the volume: slice by slice, in a cine, or with the cross-hair to a point.
 #pragma once
 
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <glm/glm.hpp>
 
 #include "viewer/editor/study_editor.h"
@@ -11,6 +12,32 @@
 #include "viewer/slices/slice_sampler.h"
 
 namespace macula::viewer {
+
+// Steps through the slices back and forth. A run is one undo step.
+class SliceCine : public QObject {
+    Q_OBJECT
+
+  public:
+    // `isSeen`: whether the current slice is on screen. Cine waits for it, so a slow machine shows all
+    // slices, more slowly.
+    SliceCine(StudyEditor& session, const PaneContent& content, std::function<bool()> isSeen);
+
+    bool isOn() const { return timer_.isActive(); }
+    void start();  // needs a study
+    void stop();
+
+  Q_SIGNALS:
+    void changed(bool on);
+
+  private:
+    void step();
+
+    StudyEditor& session_;
+    const PaneContent& content_;
+    std::function<bool()> isSeen_;
+    QTimer timer_;
+    bool goesBack_ = false;
+};
 
 // Proposes changes of the session's cross-hair, or of the position of a second volume that is not linked.
 // Steps in quick succession are one undo step.

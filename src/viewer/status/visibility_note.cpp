@@ -7,6 +7,7 @@
 #include "pipeline/trace/look.h"
 #include "scene/drawing/projection_windows.h"
 #include "viewer/language/window_language.h"
+#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
 
@@ -40,10 +41,6 @@ bool isFor(const TransferFunction& preset, const Volume& volume) {
            (made.empty() || std::find(made.begin(), made.end(), volume.modality()) != made.end());
 }
 
-QString title(const TransferFunction& preset) {
-    return titleInWindowsLanguage(preset.title.empty() ? preset.name : preset.title);
-}
-
 QString valuesText(const ValueRange& values, const Volume& volume) {
     return Words::tr("its values are %1 to %2 %3")
         .arg(values.low, 0, 'g', 6)
@@ -72,10 +69,12 @@ QString visibilityNote(const scene::Drawing& drawing, const Volume& volume,
         return drawing.settings.window ? windowNote(*drawing.settings.window, *values, volume) : QString();
     if (!drawing.transferFunction || showsAnyOf(*drawing.transferFunction, *values)) return {};
     QString note = Words::tr("Nothing of this volume can be seen with the preset %1: %2.")
-                       .arg(title(*drawing.transferFunction), valuesText(*values, volume));
+                       .arg(titleOr(drawing.transferFunction->title, drawing.transferFunction->name),
+                            valuesText(*values, volume));
     QStringList others;
     for (const auto& preset : catalogue.presets) {
-        if (isFor(*preset, volume) && showsAnyOf(*preset, *values)) others << title(*preset);
+        if (isFor(*preset, volume) && showsAnyOf(*preset, *values))
+            others << titleOr(preset->title, preset->name);
     }
     const QString more = others.size() > kMostNamed ? QStringLiteral("…") : QString();
     if (!others.isEmpty())

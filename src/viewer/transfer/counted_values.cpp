@@ -24,8 +24,7 @@ ValueRange foregroundOf(std::shared_ptr<const Volume> volume) {
 }  // namespace
 
 CountedValues::CountedValues()
-    : job_(this, {.progressed = [](const ProgressUpdate&) {},
-                  .ended = [this](const Result<SeenResult>& outcome) { take(outcome); }}) {}
+    : job_(this, {.ended = [this](const Result<SeenResult>& outcome) { take(outcome); }}) {}
 
 void CountedValues::begin(std::shared_ptr<const Volume> volume) {
     job_.cancel();

@@ -1,7 +1,9 @@
-// Number fields for how the matter of a preset scatters light.
+// How the matter of a preset scatters light, in numbers, and which of its two pairs of curves is edited.
 #pragma once
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QPushButton>
 #include <QString>
 #include <QWidget>
 #include <string_view>
@@ -12,6 +14,29 @@
 #include "scene/transfer/value_axis.h"
 
 namespace macula::viewer {
+
+// Chooses the curves for flat or for steep matter. Without curves for steep matter the choice is disabled.
+// Emits edits, and shows only what it is given.
+class SteepChoice : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit SteepChoice(QWidget* parent = nullptr);
+
+    // Without curves for steep matter it chooses the flat ones, and does not emit `chosen`.
+    void showCurves(bool hasSteep);
+    bool isSteep() const { return which_->currentIndex() == 1; }
+    void chooseSteep() { which_->setCurrentIndex(1); }
+
+  Q_SIGNALS:
+    void chosen();                   // a person chose the other pair
+    void steepWanted(bool isThere);  // add or remove curves for steep matter
+
+  private:
+    QComboBox* which_;
+    QPushButton* steep_;
+    bool hasSteep_ = false;
+};
 
 // One row for each of scene::matterParameters(). Emits edits, and shows only what it is given.
 class MatterFields : public QWidget {

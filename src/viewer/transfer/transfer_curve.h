@@ -10,11 +10,8 @@
 #include "pipeline/volume/transfer_function.h"
 #include "scene/transfer/histogram.h"
 #include "scene/transfer/value_axis.h"
-#include "viewer/transfer/point_id.h"
 #include "viewer/transfer/transfer_edits.h"
 #include "viewer/transfer/transfer_hand.h"
-#include "viewer/transfer/transfer_keys.h"
-#include "viewer/transfer/transfer_painting.h"
 #include "viewer/transfer/transfer_plot.h"
 
 namespace macula::viewer {

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "scene/transfer/edited_transfer.h"
-#include "viewer/transfer/point_id.h"
 #include "viewer/transfer/transfer_plot.h"
 
 namespace macula::viewer {

@@ -8,16 +8,10 @@
 
 #include "scene/transfer/edited_transfer.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
+#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
-
-namespace {
-
-QString titleOf(const TransferFunction& function) {
-    return titleInWindowsLanguage(function.title.empty() ? function.name : function.title);
-}
-
-}  // namespace
 
 TransferFunctionEditor::TransferFunctionEditor(StudyEditor& session, QWidget* parent)
     : QWidget(parent),
@@ -31,9 +25,7 @@ TransferFunctionEditor::TransferFunctionEditor(StudyEditor& session, QWidget* pa
       showsMatter_(new QPushButton(tr("Matter"), this)),
       reset_(new QPushButton(tr("Reset"), this)),
       save_(new QPushButton(tr("Save as…"), this)) {
-    line_->setObjectName(QStringLiteral("transfer-line"));
-    line_->setTextFormat(Qt::PlainText);
-    line_->setWordWrap(true);
+    makePlain(*line_, "transfer-line");
     line_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     // Room for two lines, so that the curve does not move during the first drag, which makes the text longer.
     line_->setMinimumHeight(2 * line_->fontMetrics().lineSpacing());
@@ -66,12 +58,10 @@ void TransferFunctionEditor::makeButtons() {
     showsMatter_->setCheckable(true);
     showsMatter_->setAccessibleName(tr("Show how matter scatters light"));
     showsMatter_->setToolTip(tr("How matter scatters light: its surface, and anisotropy"));
-    reset_->setObjectName(QStringLiteral("transfer-reset"));
-    reset_->setAccessibleName(tr("Reset the transfer function"));
-    reset_->setToolTip(tr("Back to the preset as it was chosen; can be undone"));
-    save_->setObjectName(QStringLiteral("transfer-save"));
-    save_->setAccessibleName(tr("Save the transfer function as a preset"));
-    save_->setToolTip(tr("Keep this transfer function as a preset of your own"));
+    describe(*reset_, "transfer-reset", tr("Reset the transfer function"),
+             tr("Back to the preset as it was chosen; can be undone"));
+    describe(*save_, "transfer-save", tr("Save the transfer function as a preset"),
+             tr("Keep this transfer function as a preset of your own"));
 }
 
 void TransferFunctionEditor::listen() {
@@ -279,9 +269,9 @@ void TransferFunctionEditor::showFields() {
 
 void TransferFunctionEditor::showLine() {
     if (!chosen_) return line_->setText(tr("Open a study to edit its transfer function."));
-    const QString chosen = titleOf(*chosen_->function);
+    const QString chosen = titleOr(chosen_->function->title, chosen_->function->name);
     QStringList sentences;
-    sentences << (isCopy_ ? tr("%1: your copy of %2.").arg(titleOf(own_), chosen)
+    sentences << (isCopy_ ? tr("%1: your copy of %2.").arg(titleOr(own_.title, own_.name), chosen)
                           : tr("%1, as it was chosen. The first change makes a copy.").arg(chosen));
     if (!trouble_.isEmpty()) {
         sentences << trouble_;

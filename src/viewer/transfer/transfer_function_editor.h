@@ -13,7 +13,6 @@
 #include "viewer/transfer/matter_fields.h"
 #include "viewer/transfer/point_fields.h"
 #include "viewer/transfer/preset_copies.h"
-#include "viewer/transfer/steep_choice.h"
 #include "viewer/transfer/transfer_curve.h"
 
 namespace macula::viewer {

@@ -1,8 +1,16 @@
 #include "viewer/transfer/transfer_plot.h"
 
+#include <QImage>
 #include <QLineF>
+#include <QLocale>
+#include <QPainterPath>
+#include <QPolygonF>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
+
+#include "viewer/transfer/encoded_colour.h"
 
 namespace macula::viewer {
 
@@ -17,6 +25,16 @@ constexpr double kHitPx = 8.0;
 
 constexpr double kKeysPerTick = 50.0;
 constexpr double kRare = 0.001;  // share of the values at either end that the axis leaves out
+
+constexpr double kHandlePx = 4.0;  // radius; the selected one is larger
+constexpr double kSelectedHandlePx = 6.0;
+constexpr double kTickPx = 4.0;
+constexpr float kHistogramAlpha = 0.25F;
+
+QString numberText(double value, double step) {
+    // Otherwise a rounded zero could read -1e-17.
+    return QLocale().toString(std::abs(value) < 1e-6 * step ? 0.0 : value, 'g', 7);
+}
 
 }  // namespace
 
@@ -120,6 +138,150 @@ void TransferPlot::takeLength() {
 
 double TransferPlot::keyStep() const {
     return axis_.tickStep(kTicksApartPx) / kKeysPerTick;
+}
+
+void TransferPainting::paint(QPainter& painter, const Look& look, const std::optional<PointId>& selected) {
+    if (background_.isNull() || background_.devicePixelRatio() != look.pixelRatio)
+        background_ = paintedBackground(look);
+    painter.drawPixmap(0, 0, background_);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (plot_.hasFunction()) {
+        paintStrip(painter, look);
+        paintCurve(painter, look);
+        paintPoints(painter, look, selected);
+    }
+    if (!look.hasFocus) return;
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(look.palette.color(QPalette::Highlight), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRect(QPoint(0, 0), look.size).adjusted(0, 0, -1, -1));
+}
+
+QPixmap TransferPainting::paintedBackground(const Look& look) const {
+    const double ratio = look.pixelRatio;
+    QPixmap pixmap((QSizeF(look.size) * ratio).toSize().expandedTo(QSize(1, 1)));
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(look.palette.color(QPalette::Window));
+    QPainter painter(&pixmap);
+    painter.setFont(look.font);
+    painter.fillRect(plot_.layout().plot, look.palette.color(QPalette::Base));
+    if (plot_.histogram()) paintHistogram(painter, look);
+    if (plot_.hasFunction()) paintScales(painter, look);
+    return pixmap;
+}
+
+void TransferPainting::paintHistogram(QPainter& painter, const Look& look) const {
+    const QRectF plot = plot_.layout().plot;
+    const auto columns = std::size_t(std::max(1.0, plot.width()));
+    const std::vector<double> heights = scene::logHeights(*plot_.histogram(), plot_.axis().shown, columns);
+    QPainterPath path(plot.bottomLeft());
+    const double columnPx = plot.width() / double(columns);
+    for (std::size_t i = 0; i < columns; ++i) {
+        const double top = plot.bottom() - heights[i] * plot.height();
+        path.lineTo(plot.left() + columnPx * double(i), top);
+        path.lineTo(plot.left() + columnPx * double(i + 1), top);
+    }
+    path.lineTo(plot.bottomRight());
+    QColor fill = look.palette.color(QPalette::Text);
+    fill.setAlphaF(kHistogramAlpha);
+    painter.fillPath(path, fill);
+}
+
+void TransferPainting::paintScales(QPainter& painter, const Look& look) const {
+    const QRectF plot = plot_.layout().plot;
+    const QRectF axis = plot_.layout().axis;
+    const QColor ink = look.palette.color(QPalette::Text);
+    painter.setPen(QPen(look.palette.color(QPalette::Mid), 1.0));
+    painter.drawRect(plot);
+    painter.drawLine(QPointF(plot.left(), plot.center().y()), QPointF(plot.right(), plot.center().y()));
+    painter.setPen(ink);
+    for (const double opacity : {0.0, 0.5, 1.0}) {
+        const double y = plot.bottom() - opacity * plot.height();
+        const double half = 0.5 * look.metrics.height();
+        const double top = std::clamp(y - half, 0.0, plot.bottom() - half);
+        painter.drawText(QRectF(0.0, top, plot.left() - kTickPx, 2.0 * half),
+                         Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(opacity, 'g', 2));
+    }
+    const double unitPx =
+        plot_.unit().isEmpty() ? 0.0 : look.metrics.horizontalAdvance(plot_.unit()) + 2.0 * kTickPx;
+    const QRectF unitRect(axis.right() - unitPx, axis.top(), unitPx, axis.height());
+    painter.drawText(unitRect, Qt::AlignRight | Qt::AlignBottom, plot_.unit());
+    const double step = plot_.axis().tickStep(TransferPlot::kTicksApartPx);
+    for (const double value : plot_.axis().ticks(TransferPlot::kTicksApartPx)) {
+        const double x = plot.left() + plot_.axis().pxOf(value);
+        painter.drawLine(QPointF(x, axis.top()), QPointF(x, axis.top() + kTickPx));
+        const QString text = numberText(value, step);
+        const double half = 0.5 * look.metrics.horizontalAdvance(text);
+        // Leaves out a number that would overlap the unit or leave the picture; its tick stays.
+        if (x - half < 0.0 || x + half > unitRect.left()) continue;
+        painter.drawText(QRectF(x - half, axis.top() + kTickPx, 2.0 * half + 1.0, axis.height() - kTickPx),
+                         Qt::AlignLeft | Qt::AlignBottom, text);
+    }
+}
+
+void TransferPainting::paintStrip(QPainter& painter, const Look& look) const {
+    const QRectF strip = plot_.layout().strip;
+    const int columns = std::max(1, int(std::ceil(strip.width() * look.pixelRatio)));
+    QImage image(columns, 1, QImage::Format_RGB32);
+    for (int i = 0; i < columns; ++i) {
+        const double px = strip.left() + strip.width() * (i + 0.5) / columns;
+        image.setPixel(i, 0, colourOf(colourAt(plot_.function(), plot_.presetValueAt(px))).rgb());
+    }
+    painter.drawImage(strip, image);
+    painter.setPen(QPen(look.palette.color(QPalette::Mid), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(strip);
+}
+
+void TransferPainting::paintCurve(QPainter& painter, const Look& look) const {
+    const QRectF plot = plot_.layout().plot;
+    const auto place = [&](double px, double opacity) {
+        return QPointF(px, plot.bottom() - opacity * plot.height());
+    };
+    // At each pixel, and at each point as well: a peak may be narrower than a pixel.
+    QPolygonF line;
+    std::size_t next = 0;
+    for (int column = 0; column <= int(plot.width()); ++column) {
+        const double px = plot.left() + column;
+        const double value = plot_.presetValueAt(px);
+        for (; next < plot_.function().opacity.size() && plot_.function().opacity[next].value <= value;
+             ++next) {
+            const double at =
+                plot.left() + plot_.axis().pxOf(plot_.map().shownFrom(plot_.function().opacity[next].value));
+            if (at >= plot.left()) line << place(at, plot_.function().opacity[next].opacity);
+        }
+        line << place(px, opacityAt(plot_.function(), value));
+    }
+    painter.setPen(QPen(look.palette.color(QPalette::Text), 1.5));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(line);
+}
+
+void TransferPainting::paintPoints(QPainter& painter, const Look& look,
+                                   const std::optional<PointId>& selected) const {
+    const QColor ink = look.palette.color(QPalette::Text);
+    const QColor chosen = look.palette.color(QPalette::Highlight);
+    QPointF last(-1.0, -1.0);
+    const auto paint = [&](const PointId& point, const QColor& fill) {
+        const QPointF at = plot_.placeOf(point);
+        const bool isChosen = selected == point;
+        const bool isCovered = !isChosen && QLineF(last, at).length() < 1.0;  // as in large tables
+        if (isCovered || !QRectF(QRect(QPoint(0, 0), look.size)).contains(at)) return;
+        last = at;
+        const double radius = isChosen ? kSelectedHandlePx : kHandlePx;
+        painter.setPen(QPen(isChosen ? chosen : ink, isChosen ? 2.0 : 1.0));
+        painter.setBrush(fill);
+        painter.drawEllipse(at, radius, radius);
+    };
+    const QColor paper = look.palette.color(QPalette::Base);
+    for (std::size_t i = 0; i < plot_.function().opacity.size(); ++i)
+        paint({PointId::Curve::opacity, i}, paper);
+    for (std::size_t i = 0; i < plot_.function().colour.size(); ++i)
+        paint({PointId::Curve::colour, i}, colourOf(plot_.function().colour[i].colour));
+    // Paints the selected point last, above all others.
+    if (!selected) return;
+    const bool isColour = selected->curve == PointId::Curve::colour;
+    paint(*selected, isColour ? colourOf(plot_.function().colour[selected->index].colour) : paper);
 }
 
 }  // namespace macula::viewer

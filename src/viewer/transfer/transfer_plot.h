@@ -1,8 +1,12 @@
-// The plot of a transfer function: its points, its axis of values, and where each is on screen.
+// The plot of a transfer function: its points, its axis of values, where each is on screen, and its painting.
 #pragma once
 
+#include <QFont>
 #include <QFontMetrics>
 #include <QObject>
+#include <QPainter>
+#include <QPalette>
+#include <QPixmap>
 #include <QPointF>
 #include <QRectF>
 #include <QSize>
@@ -14,9 +18,17 @@
 #include "pipeline/volume/transfer_function.h"
 #include "scene/transfer/histogram.h"
 #include "scene/transfer/value_axis.h"
-#include "viewer/transfer/point_id.h"
 
 namespace macula::viewer {
+
+// A point of a transfer function.
+struct PointId {
+    enum class Curve { opacity, colour };
+    Curve curve = Curve::opacity;
+    std::size_t index = 0;
+
+    bool operator==(const PointId&) const = default;
+};
 
 // The areas of the plot in a widget, in logical pixels.
 struct TransferLayout {
@@ -78,6 +90,36 @@ class TransferPlot : public QObject {
     std::optional<scene::Histogram> histogram_;
     scene::ValueAxis axis_;
     bool isAxisFitted_ = true;
+};
+
+// Paints the plot. Histogram and scales are painted once, until forget() or another pixel ratio.
+class TransferPainting {
+  public:
+    // How the widget looks.
+    struct Look {
+        QSize size;  // logical pixels
+        double pixelRatio = 1.0;
+        QPalette palette;
+        QFont font;
+        QFontMetrics metrics;
+        bool hasFocus = false;
+    };
+
+    explicit TransferPainting(const TransferPlot& plot) : plot_(plot) {}  // outlives this
+
+    void forget() { background_ = QPixmap(); }
+    void paint(QPainter& painter, const Look& look, const std::optional<PointId>& selected);
+
+  private:
+    QPixmap paintedBackground(const Look& look) const;
+    void paintHistogram(QPainter& painter, const Look& look) const;
+    void paintScales(QPainter& painter, const Look& look) const;
+    void paintStrip(QPainter& painter, const Look& look) const;
+    void paintCurve(QPainter& painter, const Look& look) const;
+    void paintPoints(QPainter& painter, const Look& look, const std::optional<PointId>& selected) const;
+
+    const TransferPlot& plot_;
+    QPixmap background_;  // histogram and scales; null: to be painted
 };
 
 }  // namespace macula::viewer

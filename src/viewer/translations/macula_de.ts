@@ -9689,9 +9689,6 @@
         <source>Only Cinematic and Clear have lights</source>
         <translation>Nur Cinematic und Klar haben eine Beleuchtung</translation>
     </message>
-</context>
-<context>
-    <name>macula::viewer::LightsDesk</name>
     <message>
         <source>Save the lights</source>
         <translation>Lichter speichern</translation>

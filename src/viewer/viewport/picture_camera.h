@@ -1,4 +1,4 @@
-// The camera of the 3D picture, and the side of the study that it was fitted from.
+// The camera of the 3D picture, the side of the study that it was fitted from, and the keys that move it.
 #pragma once
 
 #include <QObject>
@@ -9,6 +9,8 @@
 
 #include "base/volume.h"
 #include "scene/camera/orbit_camera.h"
+
+class QKeyEvent;
 
 namespace macula::viewer {
 
@@ -67,6 +69,22 @@ class PictureCamera : public QObject {
     ViewDirection framedFrom_ = ViewDirection::anterior;
     bool untouched_ = true;                                   // not moved since it was framed
     std::shared_ptr<const std::vector<glm::dvec3>> outline_;  // null until the study's first
+};
+
+class CameraKeys {
+  public:
+    // The camera outlives this. `nudge` is called before a step of a key that may be held down.
+    CameraKeys(PictureCamera& camera, std::function<void()> nudge);
+
+    // Each returns whether it handled the key. roll(): [, ] and Ctrl with arrows. move(): arrows. look():
+    // standard views, fit, parallel, + and -. Call move() and look() only without modifiers other than Shift.
+    bool roll(const QKeyEvent& event);
+    bool move(const QKeyEvent& event);
+    bool look(const QKeyEvent& event);
+
+  private:
+    PictureCamera& camera_;
+    std::function<void()> nudge_;
 };
 
 }  // namespace macula::viewer

@@ -3,17 +3,44 @@
 
 #include "viewer/viewport/vulkan_window.h"  // before Qt, see there
 
+#include <QCursor>
 #include <QObject>
 #include <QPointF>
 #include <QTimer>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
+#include <vector>
 
 #include "viewer/overlay/picture_tool.h"
 #include "viewer/viewport/picture_camera.h"
-#include "viewer/viewport/picture_tools.h"
 
 namespace macula::viewer {
+
+// The tools of the 3D picture, and the one that has taken hold of the drag. Asks the tools in their order;
+// the caller owns them.
+class PictureTools {
+  public:
+    void set(std::vector<PictureTool*> tools);  // null entries are ignored; gives up a hold
+
+    bool isHolding() const { return holder_ != nullptr; }
+    bool changesPicture() const { return holder_->changesPicture(); }  // whether the holding tool does
+    bool wouldHold(const PicturePlace& place) const;                   // by their cursors; no tool takes hold
+    bool press(const PicturePlace& place);                             // returns whether a tool took hold
+    // The next three do nothing without a hold.
+    void move(const PicturePlace& place);
+    void release(const PicturePlace& place);
+    void giveUp();
+
+    // The cursor of the first tool that has one. Later tools do not see the pointer.
+    std::optional<Qt::CursorShape> cursorAt(const PicturePlace& place) const;
+    bool turnWheel(double notches, const PictureGeometry& picture) const;  // returns whether a tool used it
+    std::vector<ToolMark> marks(const PictureGeometry& picture) const;
+
+  private:
+    std::vector<PictureTool*> tools_;
+    PictureTool* holder_ = nullptr;
+};
 
 class PictureHand : public QObject {
     Q_OBJECT

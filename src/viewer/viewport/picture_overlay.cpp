@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "viewer/overlay/side_letters.h"
+#include "viewer/overlay/painted_text.h"
 #include "viewer/status/status_texts.h"
 #include "viewer/theme/theme.h"
 

@@ -14,13 +14,10 @@
 #include "scene/camera/orbit_camera.h"
 #include "viewer/overlay/cube_and_scale.h"
 #include "viewer/overlay/picture_tool.h"
-#include "viewer/viewport/camera_keys.h"
 #include "viewer/viewport/picture_camera.h"
 #include "viewer/viewport/picture_hand.h"
 #include "viewer/viewport/picture_overlay.h"
-#include "viewer/viewport/picture_tools.h"
 #include "viewer/viewport/rest_goal.h"
-#include "viewer/viewport/window_container.h"
 
 namespace macula::viewer {
 

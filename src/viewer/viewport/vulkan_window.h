@@ -4,13 +4,20 @@
 // Before Qt: its own Vulkan header hides the functions that ours in pipeline/gpu need.
 #include <vulkan/vulkan_core.h>
 
+#include <QCoreApplication>
 #include <QPointF>
+#include <QSize>
+#include <QWidget>
 #include <QWindow>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 
+#include "scene/camera/orbit_camera.h"
 #include "viewer/viewport/dropped.h"
+
+class QKeyEvent;
 
 namespace macula::viewer {
 
@@ -91,6 +98,27 @@ class VulkanWindow : public QWindow {
     QPointF pressedAt_;
     bool hasMoved_ = false;       // farther than a click
     bool holdsTransfer_ = false;  // the transfer key is down
+};
+
+// The native window of the 3D picture, as a widget beside others.
+class WindowContainer {
+    Q_DECLARE_TR_FUNCTIONS(WindowContainer)
+
+  public:
+    // Takes the window over, and fills `parent`, which outlives this.
+    WindowContainer(QWindow& window, QWidget& parent);
+
+    QWidget& widget() { return *widget_; }
+    // The size at which the picture is first shown; a person may make it smaller.
+    void setSizeHint(const QSize& devicePixels);
+    // Moves the focus for Tab: no widget that knows the tab order sees the keys of a native window. Returns
+    // whether the key was Tab.
+    bool moveFocus(const QKeyEvent& event);
+    void describeSides(const scene::EdgeLetters& letters);  // for people who cannot see the picture
+
+  private:
+    QWidget& parent_;
+    std::unique_ptr<QWidget> widget_;
 };
 
 }  // namespace macula::viewer

@@ -8,17 +8,14 @@
 namespace macula::viewer {
 
 HiddenVoxels::HiddenVoxels(QObject* parent)
-    : QObject(parent),
-      job_(this, {.progressed = [](const ProgressUpdate&) {},
-                  .ended =
-                      [this](const Result<std::optional<Mask>>& outcome) {
-                          if (outcome) {
-                              mask_ = *outcome;
-                              Q_EMIT changed();
-                          } else {
-                              Q_EMIT failed(outcome.error());
-                          }
-                      }}) {}
+    : QObject(parent), job_(this, {.ended = [this](const Result<std::optional<Mask>>& outcome) {
+                                if (outcome) {
+                                    mask_ = *outcome;
+                                    Q_EMIT changed();
+                                } else {
+                                    Q_EMIT failed(outcome.error());
+                                }
+                            }}) {}
 
 void HiddenVoxels::setVolume(std::shared_ptr<const Volume> volume) {
     job_.cancel();

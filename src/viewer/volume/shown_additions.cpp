@@ -13,12 +13,10 @@ ShownAdditions::ShownAdditions(StudyEditor& session, const SegmentationKeeper& s
     : QObject(parent),
       session_(session),
       segments_(segments),
-      joining_(this, {.progressed = [](const ProgressUpdate&) {},
-                      .ended = [this](const Result<DrawnSecondVolume>& outcome) { onSecond(outcome); }}),
-      colouring_(
-          this,
-          {.progressed = [](const ProgressUpdate&) {},
-           .ended = [this](const Result<std::shared_ptr<const TintBox>>& outcome) { onTintBox(outcome); }}) {
+      joining_(this, {.ended = [this](const Result<DrawnSecondVolume>& outcome) { onSecond(outcome); }}),
+      colouring_(this, {.ended = [this](const Result<std::shared_ptr<const TintBox>>& outcome) {
+                     onTintBox(outcome);
+                 }}) {
     connect(&session_, &StudyEditor::changed, this, &ShownAdditions::update);
     connect(&segments_, &SegmentationKeeper::listChanged, this, &ShownAdditions::update);
 }

@@ -10,6 +10,7 @@
 #include "live/store/study_keeper.h"
 #include "scene/state/carried_view.h"
 #include "study/open/same_place.h"
+#include "viewer/menus/controls.h"
 #include "viewer/status/status_texts.h"
 #include "viewer/status/study_notes.h"
 #include "viewer/volume/shown_volume.h"
@@ -153,9 +154,8 @@ bool StateController::keepNow() {
 
 void StateController::addActions(QMenu& view) {
     QAction* afresh = view.addAction(tr("Show as when first opened"), this, &StateController::showAfresh);
-    afresh->setObjectName(QStringLiteral("show-afresh"));
-    afresh->setToolTip(
-        tr("Preset, lights, clip, look and camera that a study has which nobody has seen yet"));
+    describe(*afresh, "show-afresh",
+             tr("Preset, lights, clip, look and camera that a study has which nobody has seen yet"));
 }
 
 // Keeps measurements, which are a person's work.

@@ -18,9 +18,7 @@
 #include "viewer/jobs/post.h"
 #include "viewer/keys/focus_order.h"
 #include "viewer/keys/keys.h"
-#include "viewer/keys/shortcuts.h"
 #include "viewer/lights/lights_controller.h"
-#include "viewer/lights/lights_desk.h"
 #include "viewer/look/look_controller.h"
 #include "viewer/look/view3d_controller.h"
 #include "viewer/output/models_controller.h"
@@ -121,7 +119,7 @@ void MainWindow::makeStudy() {
     table_->endAt(undo_->redo());
     lights_ = new LightsController(context_);
     clips_ = new ClipsController(context_, panes_->allSlices(), shown_->cutting());
-    viewport_->setTools({&clips_->scissors(), &lights_->desk().tool(), &clips_->handles()});
+    viewport_->setTools({&clips_->scissors(), &lights_->tool(), &clips_->handles()});
     pick_ = new PickController(context_, clips_->scissors());
 
     auto* centre = new QWidget(this);
@@ -156,8 +154,7 @@ void MainWindow::makePanels() {
     QDockWidget* presets = panels_->add(kRight, &presets_->gallery(), tr("Presets"), "presets-panel", key(3));
     QDockWidget* segments = panels_->add(kRight, &segmentations_->panel(), tr("Segmentations"),
                                          "segments-panel", QKeySequence(Qt::Key_F11));
-    QDockWidget* lights =
-        panels_->add(kRight, lights_->desk().column(), tr("Lights"), "lights-panel", key(4));
+    QDockWidget* lights = panels_->add(kRight, lights_->panel(), tr("Lights"), "lights-panel", key(4));
     lights_->setDock(*lights);
     panels_->sharePlace(first, presets);
     panels_->sharePlace(second, segments);

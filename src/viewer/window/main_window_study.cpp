@@ -10,7 +10,7 @@
 #include "viewer/browser/browser_controller.h"
 #include "viewer/clip/clips_controller.h"
 #include "viewer/clip/voxel_cutting.h"
-#include "viewer/keys/shortcuts.h"
+#include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
 #include "viewer/look/view3d_controller.h"
 #include "viewer/pick/pick_controller.h"
