@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "live/device/device_options.h"
+#include "live/device/open_device.h"
 #include "xr/xr_error.h"
 
 namespace macula::xr {

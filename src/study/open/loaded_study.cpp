@@ -11,7 +11,6 @@
 #include "dicom/scan.h"
 #include "formats/volume_file.h"
 #include "study/open/found_volumes.h"
-#include "study/open/volume_key.h"
 
 namespace macula::study {
 
