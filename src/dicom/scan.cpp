@@ -161,11 +161,6 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
     std::move(found.frames.begin(), found.frames.end(), std::back_inserter(place.frames));
 }
 
-void tell(Series& series, Message message) {
-    if (message.severity == Severity::warning) series.assumptions.push_back(message.sentence);
-    series.messages.push_back(std::move(message));
-}
-
 // A series that was split because its images name several patients looks whole in each part.
 void reportSplitSeries(Studies& studies) {
     std::map<std::string, std::vector<Series*>> byUid;

@@ -31,16 +31,6 @@ struct Claim {
     Severity severity = Severity::warning;
 };
 
-void tell(Stack& stack, Message message) {
-    if (message.severity == Severity::warning) stack.assumptions.push_back(message.sentence);
-    stack.messages.push_back(std::move(message));
-}
-
-void tell(Series& series, Message message) {
-    if (message.severity == Severity::warning) series.assumptions.push_back(message.sentence);
-    series.messages.push_back(std::move(message));
-}
-
 bool isOfSingleFrames(const Stack& stack) {
     return std::ranges::none_of(stack.frames, [](const Frame& f) {
         return f.instance->multiFrame || !f.instance->concatenationUid.empty();

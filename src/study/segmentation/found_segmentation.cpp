@@ -31,13 +31,6 @@ std::vector<Candidate> candidatesOf(const dicom::Scan& scan) {
     return all;
 }
 
-// Empty if the images name none, or several: then nothing says that they share one.
-std::string frameOfReferenceOf(const dicom::Stack& stack) {
-    std::set<std::string> uids;
-    for (const dicom::Frame& frame : stack.frames) uids.insert(frame.frameOfReferenceUid);
-    return uids.size() == 1 ? *uids.begin() : std::string();
-}
-
 bool isDrawnOn(const dicom::Segmentation& header, const dicom::Series& series) {
     return std::ranges::find(header.referencedSeriesUids, series.seriesInstanceUid) !=
            header.referencedSeriesUids.end();
