@@ -11,7 +11,6 @@
 #include "c/handles.h"
 #include "c/last_error.h"
 #include "c/pixels.h"
-#include "c/seen_view.h"
 #include "c/sized.h"
 #include "c/told_progress.h"
 #include "c/utf8_text.h"

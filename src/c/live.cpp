@@ -14,7 +14,6 @@
 #include "c/handles.h"
 #include "c/last_error.h"
 #include "c/pixels.h"
-#include "c/seen_view.h"
 #include "c/shared_image.h"
 #include "c/sized.h"
 #include "c/told_progress.h"

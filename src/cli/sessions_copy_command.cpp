@@ -10,7 +10,7 @@
 #include "cli/sessions_options.h"
 #include "cli/shared/interrupt.h"
 #include "cli/shared/report.h"
-#include "live/store/store_copies.h"
+#include "live/store/store_maintenance.h"
 
 namespace macula::cli {
 

@@ -13,7 +13,6 @@
 #include "base/exceptions.h"
 #include "base/log.h"
 #include "base/parallel.h"
-#include "dicom/listed_files.h"
 #include "dicom/read/dictionary.h"
 #include "dicom/read/folder.h"
 #include "dicom/read/placeholder.h"

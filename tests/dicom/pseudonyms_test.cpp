@@ -1,5 +1,5 @@
 // Deidentified objects: whose they are, and whether a face may be seen.
-#include "dicom/write/pseudonyms.h"
+#include "dicom/write/object_owner.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,6 @@
 #include "dicom/pixels/rle.h"
 #include "dicom/read/byte_source.h"
 #include "dicom/read/dataset.h"
-#include "dicom/read/image_size.h"
 #include "dicom/read/outline.h"
 #include "dicom/read/values.h"
 

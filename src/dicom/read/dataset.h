@@ -16,6 +16,9 @@
 
 namespace macula::dicom {
 
+// Rows and Columns are US in the standard; a header may use another VR, with any value.
+inline constexpr int kMostRows = 65535;
+
 enum class FileState {
     complete,
     notDicom,     // by its content, whatever the extension

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "dicom/read/media_directory.h"
 #include "dicom/split/stack_ends.h"
 #include "dicom/split/stack_numbering.h"
 
@@ -352,6 +353,29 @@ std::optional<Message> studyShortfall(const std::vector<Series>& series) {
 
 void reportMissingImages(std::vector<Series>& series, const AbsentImages& absent) {
     StudyImages(series, absent).report();
+}
+
+ListedFiles compareWithDirectories(std::span<const std::filesystem::path> directories,
+                                   std::span<const Examination> found) {
+    ListedFiles result;
+    if (directories.empty()) return result;
+    std::set<std::string_view> uids;
+    for (const Examination& file : found) uids.insert(file.sopInstanceUid);
+    for (const std::filesystem::path& path : directories) {
+        const auto directory = readMediaDirectory(path);
+        if (!directory) {
+            ++result.unreadable;
+            continue;
+        }
+        result.outside += directory->outside;
+        for (const ListedFile& listed : directory->missing) {
+            if (!listed.sopInstanceUid.empty() && uids.contains(listed.sopInstanceUid)) continue;
+            ++result.missing;
+            if (!listed.seriesInstanceUid.empty())
+                result.absent[listed.seriesInstanceUid].push_back(listed.instanceNumber);
+        }
+    }
+    return result;
 }
 
 }  // namespace macula::dicom

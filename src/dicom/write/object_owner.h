@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "dicom/read/patient.h"
 #include "dicom/write/secondary_capture.h"
 
 class DcmDataset;  // of DCMTK
@@ -39,5 +40,19 @@ bool writeNobody(DcmDataset& to);
 // the program writes while it runs (pseudonymOf). If there is no source, or it cannot be read, nothing else
 // has them. The origin gives only the body part; nothing on failure.
 std::optional<Origin> writePseudonym(DcmDataset& to, const std::optional<SecondaryCapture::Source>& source);
+
+// Keeps deidentified objects of one patient and study together, without revealing whose.
+struct Pseudonym {
+    std::string patientId;  // "MACULA-" and 32 hexadecimal digits
+    std::string studyInstanceUid;
+};
+
+// Random, so that nobody can derive it from a known patient; the same for the same patient and study while
+// the program runs, so that an archive keeps their objects together. If neither ID nor name identify a
+// patient, each study gets its own. Thread-safe.
+Pseudonym pseudonymOf(const PatientIdentity& patient, const std::string& studyInstanceUid);
+
+// A pseudonym that nothing else has.
+Pseudonym newPseudonym();
 
 }  // namespace macula::dicom

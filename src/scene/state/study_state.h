@@ -131,4 +131,8 @@ Result<StudyState> readStudyState(const std::filesystem::path& path);
 Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const Volume& volume,
                          const std::string& where);
 
+// The outermost keys that toJson(StudyState) writes where there is something to write. A store that updates
+// an older text removes those of them that the new text lacks: they are no longer set.
+std::vector<std::string> stateKeys();
+
 }  // namespace macula::scene
