@@ -23,7 +23,6 @@
 #include "scene/drawing/drawing_of.h"
 #include "scene/drawing/shown_clip.h"
 #include "study/open/loaded_study.h"
-#include "study/open/read_study.h"
 
 namespace macula::cli {
 

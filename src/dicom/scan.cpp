@@ -141,10 +141,7 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
         }
         return;
     }
-    if (found.kind == Examination::Kind::directory) {
-        ++scan.mediaDirectories;
-        return;
-    }
+    if (found.kind == Examination::Kind::directory) return;
     SeriesInProgress& place = placeOf(studies, file, found);
     place.charsetFallback = place.charsetFallback || found.charsetFallback;
     place.series.scattered = place.series.scattered || found.scattered;

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "dicom/read/placeholder.h"
-#include "dicom/write/visible_face.h"
 
 namespace macula::dicom::test {
 namespace {

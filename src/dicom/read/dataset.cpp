@@ -388,7 +388,6 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
     if (outline.pixels) {
         const PixelDataOutline& pixels = *outline.pixels;
         if (!pixels.whole) read.state = FileState::truncated;
-        if (!pixels.encapsulated) read.nativePixelBytes = pixels.claimed;
         read.pixels = PixelDataExtent{.tag = pixels.tag,
                                       .encapsulated = pixels.encapsulated,
                                       .offset = pixels.offset,

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 #include "dicom/read/patient.h"
@@ -54,5 +55,11 @@ Pseudonym pseudonymOf(const PatientIdentity& patient, const std::string& studyIn
 
 // A pseudonym that nothing else has.
 Pseudonym newPseudonym();
+
+// Whether a patient may be recognised by the face, even without a name: for Recognizable Visual Features
+// (PS3.3 C.7.6.1). False only if Body Part Examined (0018,0015), `bodyPart`, is in the trunk below the chest
+// or in a leg, and the length shown along the patient, `heightMm`, is at most 600 mm. An unknown part or
+// length may include a head.
+bool mayShowFace(std::string_view bodyPart, std::optional<double> heightMm);
 
 }  // namespace macula::dicom

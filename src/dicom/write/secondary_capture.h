@@ -32,7 +32,7 @@ struct SecondaryCapture {
     // features, such as a face, stay.
     bool isDeidentified = false;
     // The length of the patient shown along the body, if known; decides whether the file says that a face may
-    // be visible (visible_face.h).
+    // be visible (object_owner.h).
     std::optional<double> heightMm;
     bool hasBurnedInNames = false;  // the picture shows the patient's name
 };
