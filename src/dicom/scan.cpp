@@ -20,10 +20,9 @@
 #include "dicom/scan_failure.h"
 #include "dicom/scan_glimpse.h"
 #include "dicom/split/copies.h"
-#include "dicom/split/farther_reach.h"
 #include "dicom/split/join.h"
 #include "dicom/split/missing_images.h"
-#include "dicom/split/neighbours.h"
+#include "dicom/split/other_series.h"
 #include "dicom/split/split.h"
 #include "dicom/stack/examination.h"
 
