@@ -13,7 +13,6 @@
 #include "c/pixels.h"
 #include "c/sized.h"
 #include "c/told_progress.h"
-#include "c/utf8_text.h"
 #include "c/view.h"
 #include "pictures/drawn_picture.h"
 #include "pictures/picture_effort.h"

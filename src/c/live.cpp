@@ -17,7 +17,6 @@
 #include "c/shared_image.h"
 #include "c/sized.h"
 #include "c/told_progress.h"
-#include "c/utf8_text.h"
 #include "c/view.h"
 #include "live/frame/fidelity.h"
 #include "live/frame/times_report.h"

@@ -2,7 +2,6 @@
 #include <CLI/App.hpp>
 #include <chrono>
 #include <memory>
-#include <string>
 #include <utility>
 
 #include "base/elapsed.h"

@@ -16,7 +16,6 @@
 #include "dicom/read/dictionary.h"
 #include "dicom/read/folder.h"
 #include "dicom/read/placeholder.h"
-#include "dicom/read/sop_class.h"
 #include "dicom/scan_failure.h"
 #include "dicom/scan_glimpse.h"
 #include "dicom/split/copies.h"

@@ -4,7 +4,6 @@
 #include <array>
 #include <set>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "dicom/read/media_directory.h"

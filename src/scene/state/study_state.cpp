@@ -1,7 +1,6 @@
 #include "scene/state/study_state.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "scene/second/second_curve.h"
 #include "scene/transfer/same_transfer.h"

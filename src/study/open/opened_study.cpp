@@ -4,7 +4,6 @@
 #include <cctype>
 #include <exception>
 #include <map>
-#include <new>
 #include <optional>
 #include <string_view>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "study/segmentation/found_segmentation.h"
 
 #include <algorithm>
-#include <functional>
 #include <set>
 #include <utility>
 
