@@ -1,9 +1,10 @@
-// Parses numbers in text from files, with a decimal point whatever the locale.
+// Text from files, the same whatever the locale: numbers have a decimal point, and only A to Z have a case.
 #pragma once
 
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace macula {
@@ -14,6 +15,13 @@ constexpr std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(kPadding);
     if (begin == std::string_view::npos) return {};
     return text.substr(begin, text.find_last_not_of(kPadding) - begin + 1);
+}
+
+// The text with a to z in place of A to Z.
+inline std::string lowerCase(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
 }
 
 // Parses the whole of `text` as a number; nothing when it has padding or other characters.
