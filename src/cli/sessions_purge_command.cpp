@@ -96,8 +96,7 @@ Result<void> purge(SessionsPurgeOptions& options) {
     if (options.damagedToo) options.request.damaged = session::DamagedFiles::remove;
     if (live::isNothingStored(options.folder)) {
         if (!options.request.study.empty()) return live::nothingStored(options.folder);
-        printNothing(options, session::PurgeReport{});
-        return {};
+        return printNothing(options, session::PurgeReport{});
     }
     MACULA_TRY(session::Store store, openStudyStore(options));
     MACULA_TRY(const live::PurgePlan plan, live::planPurge(store, options.request, nowMs()));
