@@ -1,4 +1,4 @@
-// Text from files, the same whatever the locale: numbers have a decimal point, and only A to Z have a case.
+// Parses text from files: numbers with a decimal point, whatever the locale.
 #pragma once
 
 #include <charconv>
@@ -17,10 +17,9 @@ constexpr std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(kPadding) - begin + 1);
 }
 
-// The text with a to z in place of A to Z.
+// With the letters A to Z in lower case, whatever the locale.
 inline std::string lowerCase(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return text;
 }
 

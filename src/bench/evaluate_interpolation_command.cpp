@@ -9,6 +9,7 @@
 #include "base/progress_bar.h"
 #include "bench/command.h"
 #include "cli/shared/interrupt.h"
+#include "cli/shared/json_text.h"
 #include "cli/shared/number_range.h"
 #include "cli/shared/output_options.h"
 #include "evaluate/interpolation.h"

@@ -11,7 +11,7 @@
 #include "base/sha256.h"
 #include "bench/command.h"
 #include "cli/shared/interrupt.h"
-#include "cli/shared/output_options.h"
+#include "cli/shared/json_text.h"
 #include "dicom/loader.h"
 #include "dicom/scan.h"
 #include "evaluate/baseline.h"

@@ -5,7 +5,7 @@
 
 #include "base/progress_bar.h"
 #include "cli/shared/interrupt.h"
-#include "cli/shared/output_options.h"
+#include "cli/shared/json_text.h"
 #include "cli/shared/report.h"
 #include "evaluate/benchmark_reports.h"
 

@@ -12,7 +12,7 @@
 #include "bench/bench_study_options.h"
 #include "bench/command.h"
 #include "cli/shared/interrupt.h"
-#include "cli/shared/output_options.h"
+#include "cli/shared/json_text.h"
 #include "cli/shared/report.h"
 #include "evaluate/baseline.h"
 #include "evaluate/benchmark_reports.h"

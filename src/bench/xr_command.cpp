@@ -11,8 +11,8 @@
 
 #include "base/progress_bar.h"
 #include "cli/shared/interrupt.h"
+#include "cli/shared/json_text.h"
 #include "cli/shared/number_range.h"
-#include "cli/shared/output_options.h"
 #include "cli/shared/report.h"
 #include "cli/shared/study_options.h"
 #include "scene/choice/typed_values.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
-#include "cli/shared/output_options.h"
+#include "cli/shared/json_text.h"
 #include "pipeline/gpu/device_info.h"
 #include "pipeline/gpu/instance.h"
 

@@ -13,6 +13,7 @@
 #include "cli/command.h"
 #include "cli/presentation_export.h"
 #include "cli/shared/interrupt.h"
+#include "cli/shared/json_text.h"
 #include "cli/shared/output_options.h"
 #include "cli/shared/report.h"
 #include "cli/shared/study_options.h"

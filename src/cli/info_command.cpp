@@ -12,7 +12,7 @@
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/shared/interrupt.h"
-#include "cli/shared/output_options.h"
+#include "cli/shared/json_text.h"
 #include "cli/shared/study_options.h"
 #include "cli/volume_file_info.h"
 #include "dicom/read/sop_class.h"

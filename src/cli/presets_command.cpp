@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
+#include "cli/shared/json_text.h"
 #include "cli/shared/output_options.h"
 #include "cli/shared/report.h"
 #include "pictures/output_files.h"

@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/render_options.h"
 #include "cli/shared/interrupt.h"
+#include "cli/shared/json_text.h"
 #include "cli/shared/output_options.h"
 #include "cli/shared/report.h"
 #include "live/device/open_device.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/shared/output_options.h"
+#include "cli/shared/json_text.h"
 #include "live/store/store_json.h"
 #include "live/store/store_text.h"
 #include "session/store.h"

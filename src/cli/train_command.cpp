@@ -13,6 +13,7 @@
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/shared/interrupt.h"
+#include "cli/shared/json_text.h"
 #include "cli/shared/model_options.h"
 #include "cli/shared/number_range.h"
 #include "cli/shared/output_options.h"

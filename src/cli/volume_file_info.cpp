@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/phantom.h"
-#include "cli/shared/output_options.h"
+#include "cli/shared/json_text.h"
 #include "formats/volume_file.h"
 #include "study/export/grid_json.h"
 
