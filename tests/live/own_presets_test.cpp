@@ -14,7 +14,7 @@
 #include "live/store/stored_presets.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "scene/choice/catalogue.h"
-#include "scene/choice/preset_choice.h"
+#include "scene/choice/preset_kinds.h"
 #include "scene/transfer/own_copy.h"
 #include "session/store.h"
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "presets/catalogue.h"
-#include "presets/default_preset.h"
 #include "presets/preset_file.h"
 #include "scene/choice/nearest_name.h"
 #include "scene/transfer/same_transfer.h"
@@ -59,28 +58,6 @@ std::string publicPresetName(const TransferFunction& preset) {
         return isSame(known, preset);
     });
     return found == all->end() ? "custom" : found->name;
-}
-
-std::string kindOf(const TransferFunction& preset) {
-    std::string kind;
-    for (const std::string& modality : preset.modalities) {
-        const bool isMicro = modality == "CT" && preset.unit == Unit::raw;
-        const bool isDiffusion = modality == "MR" && preset.title.starts_with("DTI-");
-        kind += (kind.empty() ? "" : ", ") + (isMicro       ? std::string("µCT")
-                                              : isDiffusion ? std::string("DTI")
-                                                            : modality);
-    }
-    return kind;
-}
-
-FitsVolume::FitsVolume(const Volume& volume)
-    : unit_(volume.unit()), modality_(volume.modality()), usual_(presets::defaultTransfer(volume)) {}
-
-bool FitsVolume::operator()(const TransferFunction& preset) const {
-    if (preset.name == usual_) return true;
-    if (!suits(preset, unit_)) return false;
-    const auto& made = preset.modalities;
-    return made.empty() || modality_.empty() || std::ranges::find(made, modality_) != made.end();
 }
 
 }  // namespace macula::scene

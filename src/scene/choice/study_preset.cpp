@@ -10,6 +10,7 @@
 #include "presets/catalogue.h"
 #include "presets/default_preset.h"
 #include "scene/choice/preset_choice.h"
+#include "scene/choice/preset_kinds.h"
 
 namespace macula::scene {
 

@@ -13,7 +13,7 @@
 #include "live/store/preset_shelf.h"
 #include "live/store/study_keeper.h"
 #include "presets/imported_preset.h"
-#include "scene/choice/preset_choice.h"
+#include "scene/choice/preset_kinds.h"
 #include "viewer/editor/study_editor.h"
 #include "viewer/jobs/background_job.h"
 

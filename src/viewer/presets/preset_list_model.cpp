@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "scene/choice/preset_choice.h"
+#include "scene/choice/preset_kinds.h"
 #include "viewer/status/status_texts.h"
 
 namespace macula::viewer {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "scene/choice/preset_choice.h"
+#include "scene/choice/preset_kinds.h"
 #include "study/list/search_text.h"
 
 namespace macula::viewer {
