@@ -9,7 +9,6 @@
 #include "c/handles.h"
 #include "c/last_error.h"
 #include "c/pixels.h"
-#include "c/seen_view.h"
 #include "c/sized.h"
 #include "c/told_progress.h"
 #include "c/view.h"

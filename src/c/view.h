@@ -9,9 +9,13 @@
 #include <vector>
 
 #include "base/camera.h"
+#include "base/progress.h"
+#include "base/result.h"
 #include "base/volume.h"
 #include "c/kept_scene.h"
 #include "pictures/state_request.h"
+#include "scene/choice/study_preset.h"
+#include "scene/drawing/shown_clip.h"
 #include "scene/state/study_state.h"
 #include "study/open/loaded_study.h"
 
@@ -23,6 +27,21 @@ inline scene::StudyState usualState() {
     state.settings = {};
     return state;
 }
+
+// Everything that was chosen, as one state, except lights by name. Fails as pictures::stateOf.
+Result<scene::StudyState> stateOf(const macula_view& view);
+// The lights that were chosen by name, otherwise those for the look.
+std::string lightsNamed(const macula_view& view, const scene::StudyState& state);
+
+// What a view shows of its volume.
+struct SeenView {
+    scene::StudyState state;  // with its preset
+    scene::StudyPreset preset;
+    scene::ShownClip shown;
+    std::vector<Text> notes;
+};
+// For a state of stateOf(view), perhaps with other settings.
+Result<SeenView> seenBy(const macula_view& view, scene::StudyState state, Progress& progress);
 
 }  // namespace macula::c
 

@@ -5,7 +5,6 @@
 
 #include "c/handles.h"
 #include "c/last_error.h"
-#include "c/seen_view.h"
 #include "c/view.h"
 #include "scene/choice/lights_choice.h"
 #include "scene/state/study_state.h"

@@ -1,7 +1,9 @@
 // macula hybrid PATH -o FOLDER: the live picture of a camera that moves, frame by frame, without a window.
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "base/progress_bar.h"
 #include "cli/addition_options.h"
@@ -11,12 +13,27 @@
 #include "cli/shared/number_range.h"
 #include "cli/shared/report.h"
 #include "cli/shared/study_options.h"
-#include "cli/store_options.h"
 #include "pictures/recorded_study.h"
+#include "session/store.h"
 
 namespace macula::cli {
 
 namespace {
+
+// --sessions and --no-session. `sessions` is the folder, nothing where none is to be kept.
+void addStoreOptions(CLI::App& command, std::optional<std::filesystem::path>& sessions) {
+    sessions = session::defaultFolder();
+    auto* folder =
+        command
+            .add_option_function<std::filesystem::path>(
+                "--sessions", [&sessions](const std::filesystem::path& given) { sessions = given; },
+                "Where models of earlier runs are, and this one's is kept")
+            ->option_text("FOLDER");
+    command
+        .add_flag_callback(
+            "--no-session", [&sessions] { sessions.reset(); }, "Keep nothing, and begin anew")
+        ->excludes(folder);
+}
 
 struct HybridOptions {
     pictures::RecordingRequest request;

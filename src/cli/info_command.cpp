@@ -168,7 +168,7 @@ void printAsJson(const Error& error, const InfoOptions& options) {
     auto json = toJson(dicom::Scan{}, dicom::ChosenStack{}, study::PatientData::leaveOut);
     json["error"] = {{"sentence", error.message.english()}, {"action", error.hint.english()}};
     if (options.patient && !error.where.empty()) json["error"]["where"] = error.where;
-    fmt::print("{}\n", json.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print("{}\n", jsonText(json));
 }
 
 Result<void> showWhatIsThere(const InfoOptions& options) {

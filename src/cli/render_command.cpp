@@ -2,7 +2,6 @@
 #include <CLI/App.hpp>
 #include <chrono>
 #include <memory>
-#include <string>
 #include <utility>
 
 #include "base/elapsed.h"
@@ -24,7 +23,6 @@
 #include "scene/drawing/drawing_of.h"
 #include "scene/drawing/shown_clip.h"
 #include "study/open/loaded_study.h"
-#include "study/open/read_study.h"
 
 namespace macula::cli {
 

@@ -17,10 +17,8 @@ struct SessionsListOptions : SessionsOptions {
 };
 
 Result<void> listStudies(const SessionsListOptions& options) {
-    if (live::isNothingStored(options.folder)) {
-        printNothing(options, live::StoredStudies{.folder = options.folder});
-        return {};
-    }
+    if (live::isNothingStored(options.folder))
+        return printNothing(options, live::StoredStudies{.folder = options.folder});
     MACULA_TRY(session::Store store, openStudyStore(options));
     MACULA_TRY(const live::StoredStudies stored, live::storedStudies(store));
     print(options, stored);
@@ -38,10 +36,8 @@ Result<void> showStudy(const SessionsListOptions& options) {
 }
 
 Result<void> showAudit(const SessionsListOptions& options) {
-    if (live::isNothingStored(options.folder)) {
-        printNothing(options, session::Listing<session::AuditEntry>{});
-        return {};
-    }
+    if (live::isNothingStored(options.folder))
+        return printNothing(options, session::Listing<session::AuditEntry>{});
     MACULA_TRY(session::Store store, openStudyStore(options));
     MACULA_TRY(const auto trail, store.listAudit(static_cast<std::size_t>(options.last)));
     print(options, trail);

@@ -37,9 +37,12 @@ void print(const SessionsOptions& options, const Report& report) {
 
 // The same where nothing is stored; `report` is that of nothing.
 template <class Report>
-void printNothing(const SessionsOptions& options, const Report& report) {
-    if (options.json) return print(options, report);
-    fmt::print("{}", live::nothingStoredText(options.folder));
+Result<void> printNothing(const SessionsOptions& options, const Report& report) {
+    if (options.json)
+        print(options, report);
+    else
+        fmt::print("{}", live::nothingStoredText(options.folder));
+    return {};
 }
 
 }  // namespace macula::cli

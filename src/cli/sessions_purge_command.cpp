@@ -1,19 +1,64 @@
 // macula sessions purge: deletes a study, or all, or what was not opened for long, so that no file holds it.
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <array>
+#include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <memory>
+#include <string_view>
 
+#include "base/parsing.h"
+#include "base/progress_bar.h"
+#include "base/result.h"
 #include "cli/command.h"
-#include "cli/question.h"
 #include "cli/sessions_options.h"
+#include "cli/shared/interrupt.h"
 #include "cli/shared/report.h"
 #include "live/store/purge_plan.h"
 
 namespace macula::cli {
 
 namespace {
+
+constexpr int kLookMs = 100;  // how long the token is not looked at
+
+// False at the end of the input.
+Result<bool> waitForInput() {
+    for (pollfd input{STDIN_FILENO, POLLIN, 0};;) {
+        if (interruptToken().cancelled()) return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
+        const int ready = poll(&input, 1, kLookMs);
+        if (ready > 0) return (input.revents & POLLIN) != 0;
+        if (ready < 0 && errno != EINTR) return false;
+    }
+}
+
+// Whether somebody can read a question and answer it: standard input and stderr are a terminal.
+bool canAsk() {
+    return isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
+}
+
+// True for "y" and "yes"; false for all else, and for no answer. Fails with cancelled when the program is
+// told to stop meanwhile.
+Result<bool> ask(std::string_view question) {
+    clearProgressBar();
+    std::fputs(fmt::format("{} [y/N] ", question).c_str(), stderr);
+    std::fflush(stderr);
+    const auto isThere = waitForInput();
+    if (!isThere) {
+        std::fputc('\n', stderr);
+        return isThere.error();
+    }
+    std::array<char, 256> line{};
+    const ssize_t count = isThere.value() ? read(STDIN_FILENO, line.data(), line.size()) : 0;
+    const std::string_view answer = trimmed({line.data(), static_cast<std::size_t>(count > 0 ? count : 0)});
+    return answer == "y" || answer == "Y" || answer == "yes" || answer == "Yes" || answer == "YES";
+}
 
 struct SessionsPurgeOptions : SessionsOptions {
     live::PurgeRequest request;
@@ -51,8 +96,7 @@ Result<void> purge(SessionsPurgeOptions& options) {
     if (options.damagedToo) options.request.damaged = session::DamagedFiles::remove;
     if (live::isNothingStored(options.folder)) {
         if (!options.request.study.empty()) return live::nothingStored(options.folder);
-        printNothing(options, session::PurgeReport{});
-        return {};
+        return printNothing(options, session::PurgeReport{});
     }
     MACULA_TRY(session::Store store, openStudyStore(options));
     MACULA_TRY(const live::PurgePlan plan, live::planPurge(store, options.request, nowMs()));

@@ -6,7 +6,6 @@
 #include "cli/shared/json_text.h"
 #include "formats/volume_file.h"
 #include "study/export/grid_json.h"
-#include "study/export/volume_file_json.h"
 
 namespace macula::cli {
 

@@ -10,7 +10,7 @@
 #include "base/exceptions.h"
 #include "dicom/pixels/cell_alignment.h"
 #include "dicom/pixels/frame_decoder.h"
-#include "dicom/read/image_size.h"
+#include "dicom/read/dataset.h"
 
 namespace macula::dicom {
 

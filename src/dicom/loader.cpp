@@ -14,7 +14,7 @@
 #include "dicom/pixels/frame_decoder.h"
 #include "dicom/pixels/image_checks.h"
 #include "dicom/pixels/slice_sources.h"
-#include "dicom/read/image_size.h"
+#include "dicom/read/dataset.h"
 #include "dicom/stack/split_rules.h"
 #include "dicom/stack/value_unit.h"
 

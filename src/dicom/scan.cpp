@@ -13,18 +13,15 @@
 #include "base/exceptions.h"
 #include "base/log.h"
 #include "base/parallel.h"
-#include "dicom/listed_files.h"
 #include "dicom/read/dictionary.h"
 #include "dicom/read/folder.h"
 #include "dicom/read/placeholder.h"
-#include "dicom/read/sop_class.h"
 #include "dicom/scan_failure.h"
 #include "dicom/scan_glimpse.h"
 #include "dicom/split/copies.h"
-#include "dicom/split/farther_reach.h"
 #include "dicom/split/join.h"
 #include "dicom/split/missing_images.h"
-#include "dicom/split/neighbours.h"
+#include "dicom/split/other_series.h"
 #include "dicom/split/split.h"
 #include "dicom/stack/examination.h"
 
@@ -142,10 +139,7 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
         }
         return;
     }
-    if (found.kind == Examination::Kind::directory) {
-        ++scan.mediaDirectories;
-        return;
-    }
+    if (found.kind == Examination::Kind::directory) return;
     SeriesInProgress& place = placeOf(studies, file, found);
     place.charsetFallback = place.charsetFallback || found.charsetFallback;
     place.series.scattered = place.series.scattered || found.scattered;
@@ -159,11 +153,6 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
     }
     place.withoutSopClass += found.frames.front().instance->sopClassUid.empty() ? 1 : 0;
     std::move(found.frames.begin(), found.frames.end(), std::back_inserter(place.frames));
-}
-
-void tell(Series& series, Message message) {
-    if (message.severity == Severity::warning) series.assumptions.push_back(message.sentence);
-    series.messages.push_back(std::move(message));
 }
 
 // A series that was split because its images name several patients looks whole in each part.

@@ -45,7 +45,6 @@ struct Scan {
     std::size_t notDicom = 0;
     std::size_t archives = 0;                 // those of notDicom that are archives, which are not opened
     std::set<std::string_view> archiveKinds;  // their kinds, by archiveKind
-    std::size_t mediaDirectories = 0;         // DICOMDIR
     std::size_t listedFilesMissing = 0;       // according to the media directories
     std::size_t unreadableFolders = 0;
     int patients = 0;          // as patient.h distinguishes them

@@ -16,7 +16,7 @@
 #include "scene/segments/segmentation_settings.h"
 #include "scene/segments/segments_to_draw.h"
 #include "scene/state/study_state.h"
-#include "study/open/read_study.h"
+#include "study/open/loaded_study.h"
 
 namespace macula::pictures {
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "base/check.h"
+#include "base/parsing.h"
 
 namespace macula::pictures {
 
@@ -34,13 +34,11 @@ Result<void> check(const PictureEffects& effects) {
 
 Result<std::optional<double>> parseFocus(const std::string& typed) {
     if (typed == "auto") return std::optional<double>();
-    double mm = 0.0;
-    const char* const end = typed.data() + typed.size();
-    const auto read = std::from_chars(typed.data(), end, mm);
-    if (read.ec != std::errc() || read.ptr != end || !(mm > 0.0 && mm <= trace::kMostFocusMm))
+    const std::optional<double> mm = parseNumber<double>(typed);
+    if (!mm || !(*mm > 0.0 && *mm <= trace::kMostFocusMm))
         return Error{ErrorCode::usage, Text("The distance of what is sharp is not usable."), typed,
                      Text("Give a number above 0, up to {:g} mm, or auto.", trace::kMostFocusMm)};
-    return std::optional(mm);
+    return mm;
 }
 
 Result<double> focusOfMiddle(std::span<const trace::GuidePixel> guides, glm::ivec2 sizePx,

@@ -1,35 +1,25 @@
 #include "pictures/picture_file.h"
 
-#include <algorithm>
 #include <span>
+
+#include "base/parsing.h"
 
 namespace macula::pictures {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::string loweredExtension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return extension;
-}
-
-}  // namespace
-
 Result<void> checkPictureName(const fs::path& path) {
-    if (isExr(path) || loweredExtension(path) == ".png") return {};
+    if (isExr(path) || lowerCase(path.extension().string()) == ".png") return {};
     return Error{ErrorCode::usage, Text("The picture must be a .png or .exr file."), path.string(),
                  Text("Give -o a name with one of these endings.")};
 }
 
 bool isExr(const fs::path& path) {
-    return loweredExtension(path) == ".exr";
+    return lowerCase(path.extension().string()) == ".exr";
 }
 
 bool isDicom(const fs::path& path) {
-    return loweredExtension(path) == ".dcm";
+    return lowerCase(path.extension().string()) == ".dcm";
 }
 
 Result<void> writePicture(const fs::path& path, const DrawnPicture& picture, const glm::ivec2& sizePx,

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <set>
 #include <string_view>
 
+#include "base/parsing.h"
 #include "base/utf8.h"
 
 namespace macula::pictures {
@@ -17,12 +17,6 @@ constexpr std::size_t kMostBytes = 120;
 // Endings of picture files; another ending may be part of a name: "view.2".
 constexpr std::array<std::string_view, 10> kEndings{".png", ".jpg",  ".jpeg", ".tif", ".tiff",
                                                     ".exr", ".webp", ".bmp",  ".dng", ".heic"};
-
-std::string lowered(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-}
 
 bool isSafe(char c) {
     const auto u = static_cast<unsigned char>(c);
@@ -55,7 +49,7 @@ std::string nameOf(const std::string& request) {
     if (isFromRoot(request)) parts.erase(parts.begin(), parts.end() - 1);
     std::string name = fmt::format("{}", fmt::join(parts, "_"));
     for (const std::string_view ending : kEndings) {
-        if (name.size() > ending.size() && lowered(name).ends_with(ending)) {
+        if (name.size() > ending.size() && lowerCase(name).ends_with(ending)) {
             name.resize(name.size() - ending.size());
             break;
         }
@@ -74,7 +68,7 @@ std::vector<std::string> pictureNames(std::span<const std::string> requests) {
         std::string name = nameOf(requests[i]);
         if (name.empty()) name = fmt::format("camera_{:04}", i);
         std::string unique = name;
-        for (int n = 2; !taken.insert(lowered(unique)).second; ++n) unique = fmt::format("{}_{}", name, n);
+        for (int n = 2; !taken.insert(lowerCase(unique)).second; ++n) unique = fmt::format("{}_{}", name, n);
         names.push_back(std::move(unique));
     }
     return names;

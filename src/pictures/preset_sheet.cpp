@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "pictures/public_series.h"
+#include "pictures/render_record.h"
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/volume/window.h"

@@ -10,7 +10,7 @@
 #include "base/atomic_file.h"
 #include "image/image_file.h"
 #include "image/masked_metrics.h"
-#include "live/frame/frame_json.h"
+#include "live/frame/fidelity.h"
 #include "live/frame/times_report.h"
 #include "live/store/study_keeper.h"
 #include "pictures/output_files.h"
@@ -21,7 +21,6 @@
 #include "scene/drawing/projection_windows.h"
 #include "scene/drawing/shown_clip.h"
 #include "study/open/loaded_study.h"
-#include "study/open/read_study.h"
 
 namespace macula::pictures {
 

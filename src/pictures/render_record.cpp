@@ -3,7 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/english.h"
-#include "pictures/public_series.h"
+#include "base/installation_key.h"
+#include "base/log.h"
 #include "scene/camera/camera_file.h"
 #include "scene/camera/usual_view.h"
 #include "scene/camera/view_directions.h"
@@ -169,6 +170,14 @@ Json toJson(const RenderRecord& record) {
         {"deviceMs", record.statistics.deviceMs},
         {"nsPerSample", pixelSamples > 0.0 ? record.statistics.deviceMs * 1e6 / pixelSamples : 0.0},
         {"notes", inEnglish(record.notes)}};
+}
+
+std::string publicSeries(const std::string& seriesDigest) {
+    if (seriesDigest.empty() || seriesDigest == "phantom") return seriesDigest;
+    const auto key = InstallationKey::ofUser();
+    if (key) return key->digestOf(seriesDigest);
+    log::warning("Pictures do not say of which series they are: {}", key.error().message.english());
+    return "unknown";
 }
 
 }  // namespace macula::pictures

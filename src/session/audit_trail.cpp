@@ -1,4 +1,4 @@
-#include "session/audit_trail.h"
+#include "session/store_parts.h"
 
 #include <SQLiteCpp/Column.h>
 

@@ -1,4 +1,4 @@
-#include "session/snapshot.h"
+#include "session/store_parts.h"
 
 #include <SQLiteCpp/Column.h>
 #include <sys/stat.h>
@@ -9,9 +9,7 @@
 
 #include "base/draft.h"
 #include "session/age_clock.h"
-#include "session/audit_trail.h"
 #include "session/migrations.h"
-#include "session/store_state.h"
 #include "session/trouble.h"
 
 namespace macula::session {

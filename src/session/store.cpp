@@ -7,16 +7,9 @@
 #include <string_view>
 
 #include "base/user_folder.h"
-#include "session/audit_trail.h"
 #include "session/damaged_file.h"
 #include "session/migrations.h"
-#include "session/snapshot.h"
-#include "session/store_care.h"
-#include "session/store_documents.h"
-#include "session/store_models.h"
-#include "session/store_purge.h"
-#include "session/store_state.h"
-#include "session/store_studies.h"
+#include "session/store_parts.h"
 #include "session/trouble.h"
 
 namespace macula::session {

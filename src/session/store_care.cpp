@@ -1,12 +1,10 @@
-#include "session/store_care.h"
+#include "session/store_parts.h"
 
 #include <SQLiteCpp/Column.h>
 
 #include <set>
 
 #include "base/draft.h"
-#include "session/store_models.h"
-#include "session/store_state.h"
 #include "session/trouble.h"
 
 namespace macula::session {

@@ -1,4 +1,4 @@
-#include "session/store_documents.h"
+#include "session/store_parts.h"
 
 #include <SQLiteCpp/Column.h>
 
@@ -6,7 +6,6 @@
 #include <array>
 
 #include "session/json_members.h"
-#include "session/store_state.h"
 #include "session/trouble.h"
 
 namespace macula::session {

@@ -1,4 +1,4 @@
-#include "session/store_models.h"
+#include "session/store_parts.h"
 
 #include <SQLiteCpp/Column.h>
 
@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 
 #include "session/age_clock.h"
-#include "session/store_state.h"
 #include "session/trouble.h"
 
 namespace macula::session {

@@ -1,4 +1,4 @@
-#include "session/store_purge.h"
+#include "session/store_parts.h"
 
 #include <SQLiteCpp/Column.h>
 #include <fcntl.h>
@@ -13,7 +13,6 @@
 #include "base/draft.h"
 #include "session/age_clock.h"
 #include "session/model_key.h"
-#include "session/store_state.h"
 #include "session/trouble.h"
 
 namespace macula::session {

@@ -1,4 +1,4 @@
-#include "session/store_studies.h"
+#include "session/store_parts.h"
 
 #include <SQLiteCpp/Column.h>
 
@@ -11,7 +11,6 @@
 
 #include "base/check.h"
 #include "session/age_clock.h"
-#include "session/store_state.h"
 
 namespace macula::session {
 

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "live/device/device_options.h"
+#include "live/device/open_device.h"
 #include "xr/xr_error.h"
 
 namespace macula::xr {

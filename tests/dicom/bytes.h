@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dicom/read/tag.h"
+#include "dicom/read/tags.h"
 
 namespace macula::dicom::test {
 

@@ -1,5 +1,5 @@
 // Deidentified objects: whose they are, and whether a face may be seen.
-#include "dicom/write/pseudonyms.h"
+#include "dicom/write/object_owner.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include <string>
 
 #include "dicom/read/placeholder.h"
-#include "dicom/write/visible_face.h"
 
 namespace macula::dicom::test {
 namespace {

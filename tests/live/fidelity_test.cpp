@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "live/frame/frame_json.h"
+#include <nlohmann/json.hpp>
 
 namespace macula::live {
 namespace {

@@ -11,7 +11,6 @@
 #include "scene/choice/catalogue.h"
 #include "scene/drawing/drawing_of.h"
 #include "scene/state/slices_json.h"
-#include "scene/state/state_keys.h"
 #include "scene/transfer/own_copy.h"
 #include "scene/transfer/same_transfer.h"
 

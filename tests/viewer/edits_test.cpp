@@ -12,7 +12,7 @@
 
 #include "scene/choice/catalogue.h"
 #include "scene/state/parameters.h"
-#include "scene/state/state_keys.h"
+#include "scene/state/study_state.h"
 #include "scene/transfer/same_transfer.h"
 #include "viewer/editor/study_editor.h"
 #include "viewer/offscreen.h"

@@ -4,7 +4,7 @@
 #include <CLI/App.hpp>
 #include <string>
 
-#include "cli/shared/action.h"
+#include "cli/shared/program.h"
 
 namespace macula::cli {
 

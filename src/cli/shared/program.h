@@ -2,11 +2,15 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <functional>
 #include <span>
 
-#include "cli/shared/action.h"
+#include "base/result.h"
 
 namespace macula::cli {
+
+// The work of a verb, which begins when the whole command line is understood.
+using Action = std::function<Result<void>()>;
 
 // A verb that another program has, and what the user does instead.
 struct MovedVerb {

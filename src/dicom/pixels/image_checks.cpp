@@ -18,12 +18,6 @@ std::vector<std::size_t> indicesOf(const std::vector<bool>& usable) {
     return indices;
 }
 
-Text numbersOf(const Stack& stack, const std::vector<std::size_t>& frames) {
-    std::vector<const Frame*> named;
-    for (const std::size_t f : frames) named.push_back(&stack.frames[f]);
-    return describeNumbers(named);
-}
-
 // Bits outside of the stored ones are dropped. In an image that declares fewer bits than most of the stack,
 // or in a few images of many, they belong to values that need them: then the truncated values are false, and
 // the image is left out.
@@ -49,7 +43,7 @@ void leaveOutWhatNeedsMoreBits(const Stack& stack, std::span<const SliceIntensit
     }
     if (!leftOut.empty()) {
         told.push_back(message(key::kBitsExceeded, {{"count", std::int64_t(leftOut.size())},
-                                                    {"numbers", numbersOf(stack, leftOut)}}));
+                                                    {"numbers", describeNumbers(stack, leftOut)}}));
     }
     if (leftOut.size() < beyond.size()) {
         told.push_back(message(key::kBitsDropped, {{"count", std::int64_t(beyond.size() - leftOut.size())},
@@ -75,7 +69,7 @@ Text describe(SliceFault fault) {
 Message oddValues(SliceFault fault, const Stack& stack, const std::vector<std::size_t>& odd,
                   std::size_t total, bool leftOut) {
     const TextArgument count{"count", std::int64_t(odd.size())};
-    const TextArgument numbers{"numbers", numbersOf(stack, odd)};
+    const TextArgument numbers{"numbers", describeNumbers(stack, odd)};
     if (fault == SliceFault::unlike) return message(key::kUnlikeNeighbours, {count, numbers});
     const TextArgument what{"fault", describe(fault)};
     if (leftOut) return message(key::kOddValues, {count, numbers, what});

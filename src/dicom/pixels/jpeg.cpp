@@ -1,4 +1,4 @@
-#include "dicom/pixels/jpeg.h"
+#include "dicom/pixels/decoders.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcpixel.h>

@@ -1,4 +1,4 @@
-#include "dicom/pixels/jpeg2000.h"
+#include "dicom/pixels/decoders.h"
 
 #include <openjpeg.h>
 

@@ -5,13 +5,10 @@
 #include <cstring>
 
 #include "base/check.h"
+#include "dicom/pixels/decoders.h"
 #include "dicom/pixels/frame_index.h"
-#include "dicom/pixels/jpeg.h"
-#include "dicom/pixels/jpeg2000.h"
-#include "dicom/pixels/rle.h"
 #include "dicom/read/byte_source.h"
 #include "dicom/read/dataset.h"
-#include "dicom/read/image_size.h"
 #include "dicom/read/outline.h"
 #include "dicom/read/values.h"
 

@@ -1,4 +1,4 @@
-#include "dicom/pixels/rle.h"
+#include "dicom/pixels/decoders.h"
 
 #include <algorithm>
 #include <cstdint>

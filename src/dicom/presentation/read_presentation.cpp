@@ -10,11 +10,11 @@
 #include "dicom/presentation/palette_tables.h"
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/srgb_profile.h"
-#include "dicom/presentation/stand_in_uid.h"
 #include "dicom/read/dataset.h"
 #include "dicom/read/presentation_tags.h"
 #include "dicom/read/referenced_frames.h"
 #include "dicom/read/sop_class.h"
+#include "dicom/write/uid.h"
 
 namespace macula::dicom {
 

@@ -16,7 +16,6 @@
 #include "base/parsing.h"
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/srgb_profile.h"
-#include "dicom/presentation/stand_in_uid.h"
 #include "dicom/read/presentation_tags.h"
 #include "dicom/read/quiet_toolkit.h"
 #include "dicom/read/sop_class.h"

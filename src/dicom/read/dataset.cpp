@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -388,7 +387,6 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
     if (outline.pixels) {
         const PixelDataOutline& pixels = *outline.pixels;
         if (!pixels.whole) read.state = FileState::truncated;
-        if (!pixels.encapsulated) read.nativePixelBytes = pixels.claimed;
         read.pixels = PixelDataExtent{.tag = pixels.tag,
                                       .encapsulated = pixels.encapsulated,
                                       .offset = pixels.offset,

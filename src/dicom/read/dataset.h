@@ -16,6 +16,9 @@
 
 namespace macula::dicom {
 
+// Rows and Columns are US in the standard; a header may use another VR, with any value.
+inline constexpr int kMostRows = 65535;
+
 enum class FileState {
     complete,
     notDicom,     // by its content, whatever the extension
@@ -116,9 +119,8 @@ struct PixelDataExtent {
 
 struct HeaderFile {
     FileState state = FileState::notDicom;
-    std::optional<Dataset> header;                       // when complete or truncated
-    std::optional<std::uint64_t> nativePixelBytes = {};  // as the pixel data claim, unless encapsulated
-    std::uint64_t strayBytes = 0;                        // bytes after the pixel data that are not elements
+    std::optional<Dataset> header;  // when complete or truncated
+    std::uint64_t strayBytes = 0;   // bytes after the pixel data that are not elements
     std::optional<PixelDataExtent> pixels = {};
     std::string contradictedSyntaxUid = {};  // see Outline
 };

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "dicom/read/tag.h"
+#include "dicom/read/tags.h"
 
 namespace macula::dicom {
 

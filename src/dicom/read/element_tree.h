@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dicom/read/dictionary.h"
-#include "dicom/read/tag.h"
+#include "dicom/read/tags.h"
 
 namespace macula::dicom {
 

@@ -1,7 +1,21 @@
 // The data elements that are read, by their keywords (PS3.6).
 #pragma once
 
-#include "dicom/read/tag.h"
+#include <cstdint>
+
+namespace macula::dicom {
+
+// A tag, as listed in PS3.6.
+struct Tag {
+    std::uint16_t group;
+    std::uint16_t element;
+
+    bool operator==(const Tag&) const = default;
+    std::uint32_t key() const { return std::uint32_t{group} << 16 | element; }
+    bool isPrivate() const { return group % 2 == 1; }
+};
+
+}  // namespace macula::dicom
 
 namespace macula::dicom::tag {
 
@@ -13,7 +27,6 @@ inline constexpr Tag kSopInstanceUid{0x0008, 0x0018};
 inline constexpr Tag kStudyDate{0x0008, 0x0020};
 inline constexpr Tag kSeriesDate{0x0008, 0x0021};
 inline constexpr Tag kAcquisitionDate{0x0008, 0x0022};
-inline constexpr Tag kStudyTime{0x0008, 0x0030};
 inline constexpr Tag kSeriesTime{0x0008, 0x0031};
 inline constexpr Tag kAcquisitionTime{0x0008, 0x0032};
 inline constexpr Tag kModality{0x0008, 0x0060};

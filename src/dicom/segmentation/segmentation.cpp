@@ -8,7 +8,6 @@
 #include "base/exceptions.h"
 #include "base/srgb.h"
 #include "dicom/read/dataset.h"
-#include "dicom/read/image_size.h"
 #include "dicom/read/sop_class.h"
 
 namespace macula::dicom {

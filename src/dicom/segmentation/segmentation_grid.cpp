@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace macula::dicom {
@@ -62,6 +63,22 @@ std::vector<glm::dvec3> likelySliceAxes(const Segmentation& segmentation) {
     return axes;
 }
 
+constexpr double kToleranceVoxels = 0.01;
+constexpr double kFarthest = 1e6;  // voxels: farther is never meant, and sums stay within an int
+
+bool isNear(const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 difference = glm::abs(a - b);
+    return difference.x <= kToleranceVoxels && difference.y <= kToleranceVoxels &&
+           difference.z <= kToleranceVoxels;
+}
+
+// The nearest step of one voxel along one axis.
+std::optional<glm::ivec3> unitStep(const glm::dvec3& step) {
+    const glm::dvec3 rounded = glm::round(step);
+    if (std::abs(rounded.x) + std::abs(rounded.y) + std::abs(rounded.z) != 1.0) return {};
+    return glm::ivec3(rounded);
+}
+
 }  // namespace
 
 std::optional<Placements> placeFrames(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
@@ -108,6 +125,29 @@ std::optional<SegmentationGrid> ownGrid(const Segmentation& segmentation) {
         return SegmentationGrid{worldFromVoxel, high - low + glm::ivec3(1), *std::move(placements)};
     }
     return {};
+}
+
+std::optional<GridPlacement> placeOnGrid(const glm::dmat4& voxelFromWorld, const ImagePlane& plane,
+                                         int columns, int rows) {
+    const glm::dvec3 first = transformPoint(voxelFromWorld, plane.positionMm);
+    const glm::dvec3 column = transformVector(voxelFromWorld, plane.columnSpacingMm * plane.rowDirection);
+    const glm::dvec3 row = transformVector(voxelFromWorld, plane.rowSpacingMm * plane.columnDirection);
+    // This is false for NaN too.
+    const auto isWithin = [](double x) { return std::abs(x) <= kFarthest; };
+    if (!isWithin(first.x) || !isWithin(first.y) || !isWithin(first.z)) return {};
+    const auto columnStep = unitStep(column);
+    const auto rowStep = unitStep(row);
+    if (!columnStep || !rowStep) return {};
+    if (glm::abs(*columnStep) == glm::abs(*rowStep)) return {};
+    const GridPlacement placement{glm::ivec3(glm::round(first)), *columnStep, *rowStep};
+    for (const double c : {0.0, columns - 1.0}) {
+        for (const double r : {0.0, rows - 1.0}) {
+            const glm::dvec3 voxel = glm::dvec3(placement.origin) + c * glm::dvec3(placement.columnStep) +
+                                     r * glm::dvec3(placement.rowStep);
+            if (!isNear(first + c * column + r * row, voxel)) return {};
+        }
+    }
+    return placement;
 }
 
 }  // namespace macula::dicom

@@ -1,4 +1,5 @@
-// Warns of attributes that change along the slices of a stack that stays whole.
+// Warns of attributes that change along the slices of a stack that stays whole, and of slices that were
+// acquired long before or after their neighbours.
 #pragma once
 
 #include "dicom/stack/split_rules.h"
@@ -10,5 +11,9 @@ namespace macula::dicom {
 // stack that is a volume one warning for each attribute of the rules with a `step` that changes along it, and
 // one for a rescale that changes at a few places.
 void tellChanges(Stack& stack, const SplitRules& rules);
+
+// Warns when part of a volume was acquired apart: one to four pauses between neighbours exceed 30 s and 20
+// times the median. Not for PET and NM, whose beds follow each other after minutes.
+void tellAcquiredApart(Stack& stack, const SplitRules& rules);
 
 }  // namespace macula::dicom

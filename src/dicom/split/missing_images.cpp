@@ -4,9 +4,9 @@
 #include <array>
 #include <set>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
+#include "dicom/read/media_directory.h"
 #include "dicom/split/stack_ends.h"
 #include "dicom/split/stack_numbering.h"
 
@@ -30,16 +30,6 @@ struct Claim {
     Text why;
     Severity severity = Severity::warning;
 };
-
-void tell(Stack& stack, Message message) {
-    if (message.severity == Severity::warning) stack.assumptions.push_back(message.sentence);
-    stack.messages.push_back(std::move(message));
-}
-
-void tell(Series& series, Message message) {
-    if (message.severity == Severity::warning) series.assumptions.push_back(message.sentence);
-    series.messages.push_back(std::move(message));
-}
 
 bool isOfSingleFrames(const Stack& stack) {
     return std::ranges::none_of(stack.frames, [](const Frame& f) {
@@ -362,6 +352,29 @@ std::optional<Message> studyShortfall(const std::vector<Series>& series) {
 
 void reportMissingImages(std::vector<Series>& series, const AbsentImages& absent) {
     StudyImages(series, absent).report();
+}
+
+ListedFiles compareWithDirectories(std::span<const std::filesystem::path> directories,
+                                   std::span<const Examination> found) {
+    ListedFiles result;
+    if (directories.empty()) return result;
+    std::set<std::string_view> uids;
+    for (const Examination& file : found) uids.insert(file.sopInstanceUid);
+    for (const std::filesystem::path& path : directories) {
+        const auto directory = readMediaDirectory(path);
+        if (!directory) {
+            ++result.unreadable;
+            continue;
+        }
+        result.outside += directory->outside;
+        for (const ListedFile& listed : directory->missing) {
+            if (!listed.sopInstanceUid.empty() && uids.contains(listed.sopInstanceUid)) continue;
+            ++result.missing;
+            if (!listed.seriesInstanceUid.empty())
+                result.absent[listed.seriesInstanceUid].push_back(listed.instanceNumber);
+        }
+    }
+    return result;
 }
 
 }  // namespace macula::dicom

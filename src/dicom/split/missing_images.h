@@ -2,11 +2,14 @@
 // copy is an even stack, but lacks the anatomy beyond its last slice.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "dicom/stack/examination.h"
 #include "dicom/stack/series.h"
 
 namespace macula::dicom {
@@ -31,5 +34,18 @@ void reportMissingImages(std::vector<Series>& series, const AbsentImages& absent
 
 // A note that the study has more objects (NumberOfStudyRelatedInstances) than were found.
 std::optional<Message> studyShortfall(const std::vector<Series>& series);
+
+// Compares the files that the directories of media (DICOMDIR) list with those found.
+struct ListedFiles {
+    std::size_t missing = 0;     // listed, but not found by name or UID
+    std::size_t outside = 0;     // listed, but outside of the folder of their DICOMDIR
+    std::size_t unreadable = 0;  // directories that cannot be read
+    AbsentImages absent;         // the missing files whose series is known
+};
+
+// A listed file counts as present if a file has its name, or if one of `found` has its SOPInstanceUID, since
+// copies of media give files other names.
+ListedFiles compareWithDirectories(std::span<const std::filesystem::path> directories,
+                                   std::span<const Examination> found);
 
 }  // namespace macula::dicom

@@ -5,13 +5,33 @@
 #include <optional>
 #include <vector>
 
+#include "base/progress.h"
 #include "dicom/split/partition.h"
-#include "dicom/split/split_budget.h"
 #include "dicom/split/stack_maker.h"
 #include "dicom/split/trial.h"
 #include "dicom/stack/stack.h"
 
 namespace macula::dicom {
+
+// How many more ways of splitting may be tried. Thousands of frames that differ in everything must not cost
+// minutes; they end as a question.
+class SplitBudget {
+  public:
+    // Keeps the reference.
+    explicit SplitBudget(const CancelToken& cancel) : cancel_(cancel) {}
+
+    bool isCancelled() const { return cancel_.cancelled(); }
+    // Whether one more way may be tried with this many frames.
+    bool spend(std::size_t frames) {
+        constexpr std::size_t kMostFramesTried = 1'000'000;
+        tried_ += frames;
+        return tried_ <= kMostFramesTried && !isCancelled();
+    }
+
+  private:
+    const CancelToken& cancel_;
+    std::size_t tried_ = 0;
+};
 
 class RunSplitter {
   public:

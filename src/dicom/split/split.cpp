@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "dicom/split/acquisition_time.h"
 #include "dicom/split/changes_along_stack.h"
 #include "dicom/split/hard_split.h"
 #include "dicom/split/partition.h"

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "dicom/stack/odd_images.h"
-
 namespace macula::dicom {
 
 void tellSplit(std::vector<Message>& messages, const std::vector<std::string>& names, std::size_t count) {
@@ -31,12 +29,6 @@ void nameStackPhases(std::vector<Stack>& stacks, bool assumed) {
                 Text("Images at one position were told apart by the order of their numbers."));
         }
     }
-}
-
-Text describedNumbers(const Stack& whole, const std::vector<std::size_t>& frames) {
-    std::vector<const Frame*> named;
-    for (const std::size_t frame : frames) named.push_back(&whole.frames[frame]);
-    return describeNumbers(named);
 }
 
 void tellAll(std::vector<Stack>& stacks, std::vector<Message>& messages, const Message& told) {

@@ -20,7 +20,4 @@ void nameStackPhases(std::vector<Stack>& stacks, bool assumed);
 // Adds the message to each of the stacks too, so that a volume made from one of them has it.
 void tellAll(std::vector<Stack>& stacks, std::vector<Message>& messages, const Message& told);
 
-// The numbers of these frames of the stack, for a message.
-Text describedNumbers(const Stack& whole, const std::vector<std::size_t>& frames);
-
 }  // namespace macula::dicom

@@ -5,6 +5,7 @@
 #include "dicom/split/acquisitions.h"
 #include "dicom/split/frame_order.h"
 #include "dicom/split/split_messages.h"
+#include "dicom/stack/odd_images.h"
 
 namespace macula::dicom {
 
@@ -135,7 +136,7 @@ Splitter::Stacks Splitter::byWays(const Stack& whole, Messages& messages) const 
     if (partition.empty() || partition.size() > whole.frames.size() / 3) return {};
     if (isVolume && 2 * alternations(whole.frames, partition) <= whole.frames.size()) return {};
     if (!interleave(tryOut(whole.frames, partition)) || !isBetter(whole, partition, Grade::gapped)) return {};
-    for (Part& part : partition) part.values = {describedNumbers(whole, part.frames).english()};
+    for (Part& part : partition) part.values = {describeNumbers(whole, part.frames).english()};
     std::vector<Stack> stacks = maker_.stacksOf(whole, partition, {"InstanceNumber"});
     tellAll(stacks, messages, message(key::kSplitByNumber, {{"count", std::int64_t(partition.size())}}));
     return stacks;
@@ -191,7 +192,7 @@ Splitter::Stacks Splitter::asPhases(const Stack& whole, const SplitRules::Phase&
     if (!phases.byNumber.empty()) {
         tellAll(stacks, messages,
                 message(key::kPhasesByNumber,
-                        {{"attribute", name}, {"numbers", describedNumbers(whole, phases.byNumber)}}));
+                        {{"attribute", name}, {"numbers", describeNumbers(whole, phases.byNumber)}}));
     }
     maker_.addUnclear(whole, std::move(phases.unclear), stacks, messages);
     return stacks;

@@ -9,7 +9,6 @@
 #include "dicom/split/partition.h"
 #include "dicom/split/phases.h"
 #include "dicom/split/run_splitter.h"
-#include "dicom/split/split_budget.h"
 #include "dicom/split/stack_maker.h"
 #include "dicom/split/trial.h"
 #include "dicom/stack/stack.h"

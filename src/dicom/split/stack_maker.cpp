@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dicom/split/split_messages.h"
+#include "dicom/stack/odd_images.h"
 
 namespace macula::dicom {
 
@@ -39,7 +40,7 @@ void StackMaker::addUnclear(const Stack& whole, std::vector<std::size_t> frames,
                             std::vector<Message>& messages) const {
     if (frames.empty()) return;
     std::ranges::sort(frames);
-    const Text numbers = describedNumbers(whole, frames);
+    const Text numbers = describeNumbers(whole, frames);
     tellAll(stacks, messages, message(key::kUnclearAcquisition, {{"numbers", numbers}}));
     Stack stack = std::move(stacksOf(whole, {{{"not clear"}, std::move(frames)}}, {"Acquisition"}).front());
     if (stack.canBeVolume()) {

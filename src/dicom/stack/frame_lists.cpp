@@ -1,4 +1,4 @@
-#include "dicom/stack/frame_lists.h"
+#include "dicom/stack/frame_parts.h"
 
 #include <fmt/format.h>
 

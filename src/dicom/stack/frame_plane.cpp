@@ -1,4 +1,4 @@
-#include "dicom/stack/frame_plane.h"
+#include "dicom/stack/frame_parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,7 @@
 
 #include "dicom/read/sop_class.h"
 #include "dicom/read/transfer_syntax.h"
-#include "dicom/stack/frame_lists.h"
-#include "dicom/stack/frame_plane.h"
-#include "dicom/stack/frame_values.h"
+#include "dicom/stack/frame_parts.h"
 #include "dicom/stack/split_rules.h"
 
 namespace macula::dicom {

@@ -337,4 +337,10 @@ Text describeNumbers(const std::vector<const Frame*>& frames) {
     return unnamed ? Text::joined({std::move(said), Text("without a number")}, ", ") : said;
 }
 
+Text describeNumbers(const Stack& stack, const std::vector<std::size_t>& frames) {
+    std::vector<const Frame*> named;
+    for (const std::size_t frame : frames) named.push_back(&stack.frames[frame]);
+    return describeNumbers(named);
+}
+
 }  // namespace macula::dicom

@@ -30,5 +30,7 @@ std::optional<Message> imagesWithoutPosition(const std::vector<Frame>& frames);
 
 // "3, 5-7, 12": InstanceNumbers; for multi-frame files with the frame after a colon.
 Text describeNumbers(const std::vector<const Frame*>& frames);
+// The same for these frames of a stack.
+Text describeNumbers(const Stack& stack, const std::vector<std::size_t>& frames);
 
 }  // namespace macula::dicom

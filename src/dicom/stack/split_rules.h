@@ -16,7 +16,7 @@ struct Attribute {
     // skipped. The offset of the image's time zone is appended (PS3.5 6.2, DT; 0008,0201).
     enum class Kind { text, number, numbers, time, contains };
     // The place of a frame's value: its data set; a list with a value for each frame of the file (PS3.3
-    // C.7.6.6.1.1); the frame's indices by dimension (C.7.6.17). See frame_lists.h.
+    // C.7.6.6.1.1); the frame's indices by dimension (C.7.6.17). See FrameLists.
     enum class Reading { value, list, dimensions };
 
     // A possible place of the attribute. `before` names an element whose text is put in front of the value:

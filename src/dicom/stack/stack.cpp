@@ -23,12 +23,6 @@ bool any(const Stack& stack, Predicate predicate) {
     return std::any_of(stack.frames.begin(), stack.frames.end(), predicate);
 }
 
-void tell(Stack& stack, Message message) {
-    // Warnings are also assumptions, which stay with the volume wherever it goes.
-    if (message.severity == Severity::warning) stack.assumptions.push_back(message.sentence);
-    stack.messages.push_back(std::move(message));
-}
-
 // Whether the image is a mosaic: slices side by side in one image, as in EPI by Siemens.
 bool isMosaic(const Frame& frame) {
     return std::ranges::find(frame.imageType, "MOSAIC") != frame.imageType.end();

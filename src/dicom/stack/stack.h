@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/text.h"
@@ -50,6 +51,14 @@ struct Stack {
     const Message* whyNoVolume() const;
     bool isEven() const;  // a volume in which no slice is interpolated
 };
+
+// Adds a message to a stack or a series. Warnings are also assumptions, which stay with the volume wherever
+// it goes.
+template <class StackOrSeries>
+void tell(StackOrSeries& to, Message message) {
+    if (message.severity == Severity::warning) to.assumptions.push_back(message.sentence);
+    to.messages.push_back(std::move(message));
+}
 
 // Sorts the frames, and fills in everything that follows from them. Keeps labels and existing messages.
 // `modality` is that of the images.

@@ -4,12 +4,16 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <ctime>
+#include <map>
+#include <mutex>
+#include <random>
 #include <utility>
 
+#include "base/sha256.h"
 #include "dicom/read/patient.h"
-#include "dicom/write/pseudonyms.h"
 #include "dicom/write/uid.h"
 
 namespace macula::dicom {
@@ -82,6 +86,47 @@ bool writeWithoutPatient(DcmDataset& to, const char* name, const Pseudonym& pseu
     return ok;
 }
 
+std::string chance128() {
+    std::random_device chance;  // 32 bits a call, from the system
+    std::string digits;
+    for (int i = 0; i < 4; ++i) digits += fmt::format("{:08x}", chance());
+    return digits;
+}
+
+// Keeps digests under a key of this run, so that a memory dump lists no patients.
+class Pseudonyms {
+  public:
+    Pseudonym of(const PatientIdentity& patient, const std::string& study) {
+        // Each with its length, so that no two values can be mistaken for one.
+        std::string who = patient.isOfNobody() ? "study " + study : std::string("patient");
+        if (!patient.isOfNobody())
+            for (const std::string* text : {&patient.id, &patient.name, &patient.birthDate, &patient.sex})
+                who += fmt::format(" {}:{}", text->size(), *text);
+        const std::lock_guard lock(mutex_);
+        Pseudonym found;
+        found.patientId = patients_.try_emplace(digestOf(who), "MACULA-" + chance128()).first->second;
+        found.studyInstanceUid = studies_.try_emplace(digestOf(who + " in " + study), newUid()).first->second;
+        return found;
+    }
+
+  private:
+    std::string digestOf(const std::string& text) const { return sha256Hex(key_ + text); }
+
+    const std::string key_ = chance128();
+    std::mutex mutex_;
+    std::map<std::string, std::string> patients_;
+    std::map<std::string, std::string> studies_;
+};
+
+// From the diaphragm to the feet (PS3.16 L). Without hands and arms, which are held over the head, and
+// without the chest, whose uppermost slices may show the chin.
+constexpr std::array<std::string_view, 26> kBelowTheChest{
+    "ABDOMEN", "ABDOMENPELVIS", "ANKLE",  "BLADDER", "CALF",     "COCCYX", "COLON",    "FOOT",   "HIP",
+    "KIDNEY",  "KNEE",          "LEG",    "LIVER",   "LOWERLEG", "LSPINE", "PANCREAS", "PELVIS", "PROSTATE",
+    "RECTUM",  "SACRUM",        "SPLEEN", "SSPINE",  "THIGH",    "TOE",    "UPPERLEG", "UTERUS"};
+
+constexpr double kHighestMm = 600.0;  // a tall patient from the diaphragm to the thigh
+
 }  // namespace
 
 Now::Now() {
@@ -138,6 +183,25 @@ std::optional<Origin> writePseudonym(DcmDataset& to, const std::optional<Seconda
             .bad())
         return std::nullopt;
     return origin;
+}
+
+Pseudonym pseudonymOf(const PatientIdentity& patient, const std::string& studyInstanceUid) {
+    static Pseudonyms ofThisRun;
+    return ofThisRun.of(patient, studyInstanceUid);
+}
+
+Pseudonym newPseudonym() {
+    return {.patientId = "MACULA-" + chance128(), .studyInstanceUid = newUid()};
+}
+
+bool mayShowFace(std::string_view bodyPart, std::optional<double> heightMm) {
+    std::string part;
+    for (const char c : bodyPart) {
+        if (c >= 'a' && c <= 'z') part += char(c - 'a' + 'A');
+        if (c >= 'A' && c <= 'Z') part += c;
+    }
+    const bool isBelow = std::ranges::find(kBelowTheChest, part) != kBelowTheChest.end();
+    return !isBelow || !heightMm || !(*heightMm > 0.0 && *heightMm <= kHighestMm);
 }
 
 }  // namespace macula::dicom

@@ -12,7 +12,6 @@
 #include "dicom/stack/examination.h"
 #include "dicom/write/object_owner.h"
 #include "dicom/write/uid.h"
-#include "dicom/write/visible_face.h"
 
 namespace macula::dicom {
 

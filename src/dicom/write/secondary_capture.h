@@ -28,11 +28,11 @@ struct SecondaryCapture {
     std::string softwareVersion;
     int seriesNumber = 9000;  // after those of scanners
     // Copies nothing of patient and study, and makes all UIDs new. The source, if there is one, only shows
-    // which objects belong to one patient and one study: they share random IDs (pseudonyms.h). Visible
+    // which objects belong to one patient and one study: they share random IDs (object_owner.h). Visible
     // features, such as a face, stay.
     bool isDeidentified = false;
     // The length of the patient shown along the body, if known; decides whether the file says that a face may
-    // be visible (visible_face.h).
+    // be visible (object_owner.h).
     std::optional<double> heightMm;
     bool hasBurnedInNames = false;  // the picture shows the patient's name
 };

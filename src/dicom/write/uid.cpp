@@ -34,4 +34,19 @@ std::string newUid() {
     return uidFrom(text);
 }
 
+std::string standInUid(const InstallationKey& key, std::string_view uid) {
+    return uidFromSha256(key.digestOf(sha256Hex(uid)));
+}
+
+std::vector<std::string> StandInUids::of(std::string_view uid) const {
+    return ofDigest(sha256Hex(uid));
+}
+
+std::vector<std::string> StandInUids::ofDigest(std::string_view digest) const {
+    std::vector<std::string> uids;
+    if (key_) uids.push_back(uidFromSha256(key_->digestOf(digest)));
+    uids.push_back(uidFromSha256(digest));
+    return uids;
+}
+
 }  // namespace macula::dicom

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <mutex>
 #include <utility>
 
 namespace macula::live {
@@ -11,6 +12,16 @@ namespace macula::live {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct KernelsFolder {
+    std::mutex mutex;
+    std::filesystem::path folder;
+};
+
+KernelsFolder& kernelsFolder() {
+    static KernelsFolder the;
+    return the;
+}
 
 }  // namespace
 
@@ -31,6 +42,21 @@ fs::path usualKernelsFolder() {
 Result<gpu::LastingDevice> openDevice(const std::string& preferred, gpu::LastingDevice::Tell tell) {
     MACULA_TRY(gpu::Instance instance, gpu::Instance::create());
     return gpu::LastingDevice::open(std::move(instance), deviceOptions(preferred), std::move(tell));
+}
+
+void keepKernelsIn(std::filesystem::path folder) {
+    KernelsFolder& the = kernelsFolder();
+    const std::lock_guard lock(the.mutex);
+    the.folder = std::move(folder);
+}
+
+gpu::DeviceOptions deviceOptions(const std::string& preferred) {
+    gpu::DeviceOptions options;
+    options.preferred = preferred;
+    KernelsFolder& the = kernelsFolder();
+    const std::lock_guard lock(the.mutex);
+    options.kernelsFolder = the.folder;
+    return options;
 }
 
 }  // namespace macula::live

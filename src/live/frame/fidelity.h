@@ -1,6 +1,7 @@
-// How close a displayed frame is to a complete traced picture.
+// How close a displayed frame is to a complete traced picture, in words and as JSON.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,10 @@ struct Fidelity {
 };
 
 Fidelity fidelityOf(const FrameShown& frame);
+
+// A displayed frame as JSON, for recordings and measurements. "picture" is nameOf(OnScreen), "tracedShare"
+// the share of traced pixels. "fidelity" is "final" or "preliminary", and "because" gives the reasons. Times
+// in ms. No patient data.
+nlohmann::ordered_json toJson(const FrameShown& frame);
 
 }  // namespace macula::live

@@ -9,14 +9,25 @@
 
 #include "base/camera.h"
 #include "base/volume.h"
-#include "live/frame/live_quality.h"
 #include "live/frame/picture_text.h"
 #include "live/frame/screen.h"
+#include "pipeline/hybrid/frame/fovea_size.h"
 #include "pipeline/trace/path_tracer.h"
 #include "scene/camera/orbit_camera.h"
 #include "scene/drawing/drawing.h"
 
 namespace macula::live {
+
+// How frames in motion are made: the traced fovea over the model. Affects the noise and sharpness of a frame,
+// never the simulated light.
+struct LiveQuality {
+    bool hasFovea = true;  // false: no new fovea is traced; an earlier traced picture is reused
+    hybrid::FoveaOptions fovea{};
+    double foveaMs = hybrid::kFoveaBudgetMs;  // tracing time of a fovea; less makes it smaller or coarser
+    double betweenFramesMs = 12.0;            // the part of foveaMs between two frames
+
+    bool operator==(const LiveQuality&) const = default;
+};
 
 // Noise too low to see: the standard error of the displayed picture (black to white is 1). One step of eight
 // bits.

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/log.h"
-#include "live/device/device_options.h"
+#include "live/device/open_device.h"
 #include "live/frame/frame_renderer.h"
 
 namespace macula::live {

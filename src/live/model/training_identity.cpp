@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "base/fingerprint.h"
 #include "base/sha256.h"
 #include "live/model/scene_digests.h"
+#include "pipeline/splat/files/text_lines.h"
 
 namespace macula::live {
 
@@ -16,13 +16,6 @@ namespace {
 
 constexpr const char* kFirstLine = "macula training of";
 constexpr const char* kAdditions = "additions";  // the last line, if there are any
-
-std::vector<std::string> linesOf(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
 
 // Removes the line of additions and returns it; empty if there is none.
 std::string takeAdditions(std::vector<std::string>& lines) {
@@ -56,8 +49,8 @@ std::string trainingIdentity(const Volume& volume, const TransferFunction& funct
 Result<void> checkTrainingIdentity(const std::string& saved, const std::string& now,
                                    const std::filesystem::path& file) {
     if (saved == now) return {};
-    std::vector<std::string> before = linesOf(saved);
-    std::vector<std::string> after = linesOf(now);
+    std::vector<std::string> before = splat::splitLines(saved);
+    std::vector<std::string> after = splat::splitLines(now);
     const bool hasOtherAdditions = takeAdditions(before) != takeAdditions(after);
     if (before.size() != after.size() || before.front() != after.front())
         return Error{ErrorCode::inputNotUsable,

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "live/frame/live_quality.h"
+#include "live/frame/frame_input.h"
 
 namespace macula::live {
 

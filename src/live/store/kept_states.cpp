@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/sha256.h"
-#include "scene/state/state_keys.h"
 #include "scene/state/state_merge.h"
 #include "scene/state/study_state.h"
 

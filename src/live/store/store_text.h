@@ -8,9 +8,8 @@
 
 #include "base/text.h"
 #include "live/store/purge_plan.h"
+#include "live/store/store_maintenance.h"
 #include "live/store/stored_studies.h"
-#include "live/store/tidied_store.h"
-#include "live/store/verified_store.h"
 #include "session/store.h"
 
 namespace macula::live {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "dicom/presentation/stand_in_uid.h"
+#include "dicom/write/uid.h"
 #include "scene/presentation/cropping_clip.h"
 #include "scene/presentation/palette_of_transfer.h"
 

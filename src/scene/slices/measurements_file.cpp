@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/parsing.h"
 #include "pipeline/volume/json_writer.h"
 #include "scene/state/slices_json.h"
 
@@ -148,14 +148,6 @@ Json jsonOf(const Measurement& measurement, const Measured& of) {
     return json;
 }
 
-std::string loweredExtension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return extension;
-}
-
 }  // namespace
 
 std::string measurementsCsv(std::span<const Measurement> measurements, const Measured& of) {
@@ -175,7 +167,7 @@ std::string measurementsJsonText(std::span<const Measurement> measurements, cons
 
 Result<void> writeMeasurements(const std::filesystem::path& path, std::span<const Measurement> measurements,
                                const Measured& of) {
-    const std::string extension = loweredExtension(path);
+    const std::string extension = lowerCase(path.extension().string());
     if (extension == ".csv") return writeTextAtomically(path, measurementsCsv(measurements, of));
     if (extension == ".json") return writeTextAtomically(path, measurementsJsonText(measurements, of));
     return Error{ErrorCode::usage, Text("Measurements are written to a .csv or .json file."), path.string(),

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "scene/state/state_keys.h"
 #include "scene/state/study_state.h"
 
 namespace macula::scene {

@@ -1,7 +1,6 @@
 #include "scene/state/study_state.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "scene/second/second_curve.h"
 #include "scene/transfer/same_transfer.h"
@@ -51,6 +50,8 @@ Stale staleAfter(const trace::Settings& before, const trace::Settings& after) {
     if (!(withoutParameters(before) == withoutParameters(after))) stale = std::max(stale, Stale::light);
     return stale;
 }
+
+constexpr double kSamePlaceMm = 0.01;
 
 }  // namespace
 
@@ -102,6 +103,23 @@ Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest,
                      Text("Make it anew; or choose the volume that it is of. Without \"grid\" in the file it "
                           "is taken as it is.")};
     return {};
+}
+
+SavedGrid savedGridOf(const Volume& volume) {
+    return {.size = volume.size(), .worldFromVoxel = volume.worldFromVoxel()};
+}
+
+bool liesAt(const Volume& volume, const SavedGrid& grid) {
+    if (volume.size() != grid.size) return false;
+    // Both maps are affine: what agrees at four corners agrees between them.
+    const glm::dvec3 last(grid.size - 1);
+    for (const glm::dvec3& corner :
+         {glm::dvec3(0.0), glm::dvec3(last.x, 0, 0), glm::dvec3(0, last.y, 0), glm::dvec3(0, 0, last.z)}) {
+        const glm::dvec3 apart =
+            transformPoint(volume.worldFromVoxel(), corner) - transformPoint(grid.worldFromVoxel, corner);
+        if (!(glm::length(apart) <= kSamePlaceMm)) return false;
+    }
+    return true;
 }
 
 }  // namespace macula::scene

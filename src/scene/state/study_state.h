@@ -23,11 +23,24 @@
 #include "scene/second/second_volume_state.h"
 #include "scene/segments/segmentation_settings.h"
 #include "scene/state/parameters.h"
-#include "scene/state/saved_grid.h"
 #include "slices/measurement.h"
 #include "slices/sampled_slice.h"
 
 namespace macula::scene {
+
+// The voxel grid that a view was saved with: its camera, clips and measurements refer to these places.
+struct SavedGrid {
+    glm::ivec3 size{0};
+    glm::dmat4 worldFromVoxel{1.0};
+
+    bool operator==(const SavedGrid&) const = default;
+};
+
+SavedGrid savedGridOf(const Volume& volume);
+
+// Whether the volume has the same size, and each voxel lies within 0.01 mm of its place in `grid`. Images
+// that are exported again keep their UIDs, but may have other positions.
+bool liesAt(const Volume& volume, const SavedGrid& grid);
 
 // Which panes a study is shown in.
 enum class Layout { volume, fourPanes, axial, coronal, sagittal };
@@ -117,5 +130,9 @@ Result<StudyState> readStudyState(const std::filesystem::path& path);
 // at other places than the volume's; the error names `where`.
 Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const Volume& volume,
                          const std::string& where);
+
+// The outermost keys that toJson(StudyState) writes where there is something to write. A store that updates
+// an older text removes those of them that the new text lacks: they are no longer set.
+std::vector<std::string> stateKeys();
 
 }  // namespace macula::scene

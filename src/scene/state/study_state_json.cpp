@@ -23,7 +23,6 @@
 #include "scene/state/second_volume_json.h"
 #include "scene/state/segments_json.h"
 #include "scene/state/slices_json.h"
-#include "scene/state/state_keys.h"
 #include "scene/state/study_state.h"
 
 namespace macula::scene {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/english.h"
+
 namespace macula::study {
 
 namespace {
@@ -41,6 +43,19 @@ bool isSheared(const glm::dmat4& worldFromVoxel) {
         if (std::abs(glm::dot(a, b)) > kMostCosine) return true;
     }
     return false;
+}
+
+nlohmann::ordered_json toJson(const formats::VolumeFileInfo& info, const Volume* volume) {
+    nlohmann::ordered_json json = {{"format", info.format}, {"values", info.values}};
+    json.update(gridToJson(info.size, info.worldFromVoxel));
+    json["calibrated"] = info.isCalibrated;
+    json["sheared"] = isSheared(info.worldFromVoxel);
+    if (volume != nullptr) {
+        json["unit"] = volume->unitName();
+        if (const auto& range = volume->valueRange()) json["valueRange"] = {range->low, range->high};
+    }
+    json["assumptions"] = inEnglish(info.assumptions);
+    return json;
 }
 
 }  // namespace macula::study

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -75,5 +76,13 @@ std::string frameOfReferenceOf(const dicom::Stack& stack);
 Identity identityOf(const FoundVolume& volume);
 // The identity without a series.
 Identity identityOf(const dicom::Study& study);
+
+// Identifies each volume within its series by attributes of its images. Other files in the folder, of another
+// phase or no volume, do not change the key; they may change the place of the volume in the list.
+// For each: a digest of modality, frame of reference, orientation, and all attributes that split a series
+// (rules/split.json: times, phases, echoes, kernels) and that all images of the volume share. Of volumes of
+// one series with equal digests, the second gets "-2", and so on. Reads each image once; FoundVolumes::key()
+// keeps the result.
+std::vector<std::string> volumeKeys(std::span<const FoundVolume> volumes);
 
 }  // namespace macula::study

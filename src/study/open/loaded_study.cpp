@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "base/fingerprint.h"
 #include "base/parsing.h"
 #include "base/phantom.h"
 #include "base/sha256.h"
 #include "dicom/loader.h"
+#include "dicom/presentation/presentation_state.h"
 #include "dicom/scan.h"
 #include "formats/volume_file.h"
 #include "study/open/found_volumes.h"
-#include "study/open/volume_key.h"
 
 namespace macula::study {
 
@@ -52,6 +53,15 @@ Result<dicom::ChosenStack> chooseStack(const dicom::Series& series, std::optiona
                      Text("See macula info for the list.")};
     }
     return dicom::ChosenStack{&series, &series.stacks[*place - 1], {}};
+}
+
+// The requested series, otherwise the one that the presentation state refers to; empty if neither is given.
+Result<std::string> requestedSeries(const StudyPlace& place, const dicom::Scan& scan) {
+    if (!place.series.empty() || place.presentation.empty()) return place.series;
+    MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(place.presentation));
+    const std::string& uid = read.presentation.series.seriesInstanceUid;
+    // A deidentified state refers to its series by a UID that the folder lacks.
+    return dicom::findAllSeries(scan, uid).empty() ? std::string() : uid;
 }
 
 }  // namespace
@@ -189,6 +199,24 @@ void bringTo16Bits(LoadedStudy& study) {
     const std::vector<Text>& assumptions = study.volume->provenance().assumptions;
     study.notes.insert(study.notes.end(), assumptions.begin() + static_cast<std::ptrdiff_t>(known),
                        assumptions.end());
+}
+
+bool mayHoldSegmentations(const std::filesystem::path& path) {
+    return !path.empty() && path != "phantom:" && !formats::isVolumeFileName(path);
+}
+
+Result<ReadStudy> readStudy(const StudyPlace& place, bool needsSegmentations, Progress& progress) {
+    ReadStudy study;
+    study.how = place.how;
+    if (!mayHoldSegmentations(place.path)) {
+        MACULA_TRY(study.input, loadStudy(place.path, place.series, progress, 0, place.how));
+        return study;
+    }
+    MACULA_TRY(dicom::Scan scan, dicom::scanFolder(place.path, progress, place.how));
+    MACULA_TRY(study.series, requestedSeries(place, scan));
+    MACULA_TRY(study.input, loadStudy(scan, place.path, study.series, progress));
+    if (needsSegmentations) study.found = std::make_shared<const FoundVolumes>(std::move(scan));
+    return study;
 }
 
 }  // namespace macula::study

@@ -11,6 +11,8 @@
 #include "base/volume.h"
 #include "dicom/best_volume.h"
 #include "dicom/read/referenced_frames.h"
+#include "dicom/scan.h"
+#include "study/open/found_volumes.h"
 #include "study/open/identity.h"
 
 namespace macula::study {
@@ -52,5 +54,27 @@ Result<dicom::ChosenStack> chooseVolume(const dicom::Scan& scan, const std::stri
 
 // Brings the volume to 16 bits, for drawing and tracing. Adds what that changed to the notes.
 void bringTo16Bits(LoadedStudy& study);
+
+// The study to read. Empty fields: not given.
+struct StudyPlace {
+    std::filesystem::path path;
+    std::string series;                  // as loadStudy
+    std::filesystem::path presentation;  // a presentation state, whose series is read if `series` is empty
+    dicom::ScanOptions how;
+};
+
+// Whether `path` may have segmentations: a DICOM folder may; a volume file and the phantom have none.
+bool mayHoldSegmentations(const std::filesystem::path& path);
+
+// A study for a picture, with the folder for its segmentations.
+struct ReadStudy {
+    LoadedStudy input;
+    std::string series;                         // for chooseVolume; may be empty
+    std::shared_ptr<const FoundVolumes> found;  // the folder; null unless segmentations are needed
+    dicom::ScanOptions how;
+};
+
+// Fails as loadStudy, and as readPresentationState.
+Result<ReadStudy> readStudy(const StudyPlace& place, bool needsSegmentations, Progress& progress);
 
 }  // namespace macula::study

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "dicom/presentation/stand_in_uid.h"
 #include "dicom/read/sop_class.h"
+#include "dicom/write/uid.h"
 
 namespace macula::study {
 

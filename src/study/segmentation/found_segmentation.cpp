@@ -1,7 +1,6 @@
 #include "study/segmentation/found_segmentation.h"
 
 #include <algorithm>
-#include <functional>
 #include <set>
 #include <utility>
 
@@ -29,13 +28,6 @@ std::vector<Candidate> candidatesOf(const dicom::Scan& scan) {
         }
     }
     return all;
-}
-
-// Empty if the images name none, or several: then nothing says that they share one.
-std::string frameOfReferenceOf(const dicom::Stack& stack) {
-    std::set<std::string> uids;
-    for (const dicom::Frame& frame : stack.frames) uids.insert(frame.frameOfReferenceUid);
-    return uids.size() == 1 ? *uids.begin() : std::string();
 }
 
 bool isDrawnOn(const dicom::Segmentation& header, const dicom::Series& series) {

@@ -1,5 +1,5 @@
 #include "dicom/pixels/pixels.h"
-#include "dicom/pixels/jpeg2000.h"
+#include "dicom/pixels/decoders.h"
 
 #include <fstream>
 

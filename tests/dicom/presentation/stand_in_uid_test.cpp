@@ -1,5 +1,4 @@
 // UIDs can be guessed: what stands for one in an object without a patient is known to who has the key alone.
-#include "dicom/presentation/stand_in_uid.h"
 
 #include <gtest/gtest.h>
 

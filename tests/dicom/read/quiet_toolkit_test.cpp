@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "base/phantom.h"
-#include "dicom/pixels/jpeg.h"
+#include "dicom/pixels/decoders.h"
 #include "dicom/read/quiet_toolkit.h"
 #include "dicom/scan.h"
 #include "dicom/write/series_writer.h"

@@ -11,7 +11,7 @@
 #include "bytes.h"
 #include "dicom/messages/messages.h"
 #include "dicom/read/dataset.h"
-#include "dicom/segmentation/grid_placement.h"
+#include "dicom/segmentation/segmentation_grid.h"
 #include "segmentation/drawing.h"
 #include "support.h"
 

@@ -1,10 +1,18 @@
-#include "live/store/store_copies.h"
+#include "live/store/store_maintenance.h"
+
+#include <utility>
 
 namespace macula::live {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+Result<VerifiedStore> verifyOnce(const session::StoreOptions& options, Progress& progress) {
+    MACULA_TRY(session::Store store, session::Store::open(options));
+    MACULA_TRY(const session::VerifyReport report, store.verify(progress));
+    return VerifiedStore{.report = report, .notes = store.notes()};
+}
 
 // Makes "out/" into "out": exportTo uses the last part as the name of the new folder.
 fs::path withoutSlash(const fs::path& path) {
@@ -23,6 +31,32 @@ bool isInside(const fs::path& path, const fs::path& folder) {
 }
 
 }  // namespace
+
+Result<VerifiedStore> verifyStore(session::StoreOptions options, Progress& progress) {
+    MACULA_TRY(VerifiedStore first, verifyOnce(options, progress));
+    if (first.report.isDatabaseSound) return first;
+    // Only a full check, which includes indexes, sets such a file aside on opening.
+    options.check = session::StoreOptions::Check::full;
+    auto second = verifyOnce(options, progress);
+    if (second) {
+        if (!second->notes.setAside) second->notes = first.notes;
+        return second;
+    }
+    if (session::troubleOf(second.error()) != session::Trouble::lockedByAnother) return second.error();
+    first.isRescuePending = true;
+    return first;
+}
+
+Result<Tidied> tidyStore(session::Store& store, std::uint64_t capBytes) {
+    Tidied tidied;
+    MACULA_TRY(tidied.evicted, store.evictModels(capBytes));
+    MACULA_TRY(tidied.leftOvers, store.collectGarbage());
+    // Last: on a full disk there is room for it now.
+    if (tidied.evicted.models > 0)
+        MACULA_TRY_VOID(store.addAudit(session::AuditAction::deleted, session::AuditKind::model, {},
+                                       std::int64_t(tidied.evicted.models)));
+    return tidied;
+}
 
 Result<session::SnapshotReport> exportStore(session::Store& store, const fs::path& newFolder,
                                             Progress& progress) {
