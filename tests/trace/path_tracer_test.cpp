@@ -290,13 +290,7 @@ TEST_F(PathTracerTest, ADeviceWithMemoryOfItsOwnTracesTheSamePicture) {
     bone.opacity = {{150, 0.0}, {400, 0.8}};
     const Environment sky = Environment::fromRig(twoLights());
     const View view = front(*volume, 72);
-    const auto host =
-        *gpu::Device::create(instance(), {.nativeKernels = false});  // the same kernels as a card
-    PathTracer usual = std::move(PathTracer::create(host)).value();
-    ASSERT_TRUE(usual.scene().setVolume(volume).ok());
-    ASSERT_TRUE(usual.scene().setTransferFunction(bone).ok());
-    ASSERT_TRUE(usual.scene().setEnvironment(sky).ok());
-    ASSERT_TRUE(usual.setView(view).ok());
+    PathTracer usual = tracerOn(deviceOfShaders(), volume, bone, sky, view, {});
     ASSERT_TRUE(*usual.trace(3));
 
     const auto card = *gpu::Device::create(instance(), {.separateMemory = true});

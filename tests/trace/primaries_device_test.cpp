@@ -179,21 +179,16 @@ TEST_F(PrimariesTest, ComeWithTheirPictureWhileTheNextIsTraced) {
             SCOPED_TRACE(side);
             const View view = scenes::lookAt(*volume, 20.0, side);
             const Settings settings{.seed = 3, .denoising = denoising};
-            PathTracer waiting = DeviceTest::tracer(volume, function, light, view, settings);
-            const auto vertices = found(waiting, 2);
-            const auto colours = waiting.readColours();
-            ASSERT_TRUE(colours.ok());
             Settings other = settings;
             other.seed = 4;
-            ASSERT_TRUE(waiting.setSettings(other).ok());
-            const auto verticesOfOther = found(waiting, 1);
             for (const auto& on : {card, device()}) {
-                auto made = PathTracer::create(on);
-                PathTracer tracer = std::move(made).value();
-                ASSERT_TRUE(tracer.scene().setVolume(volume).ok() &&
-                            tracer.scene().setTransferFunction(function).ok() &&
-                            tracer.scene().setEnvironment(light).ok() && tracer.setSettings(settings).ok() &&
-                            tracer.setView(view).ok());
+                PathTracer waiting = tracerOn(on, volume, function, light, view, settings);
+                const auto vertices = found(waiting, 2);
+                const auto colours = waiting.readColours();
+                ASSERT_TRUE(colours.ok());
+                ASSERT_TRUE(waiting.setSettings(other).ok());
+                const auto verticesOfOther = found(waiting, 1);
+                PathTracer tracer = tracerOn(on, volume, function, light, view, settings);
                 ASSERT_TRUE(tracer.addPrimaries(2).ok());
                 ViewReading reading;
                 ASSERT_TRUE(tracer.beginReading(reading, {.primaries = true, .colours = true}).ok());

@@ -12,6 +12,11 @@ namespace {
 
 class SideBySideOnDevice : public DeviceTest {
   protected:
+    // Side by side, only shaders trace.
+    static PathTracer tracer(const std::shared_ptr<const Volume>& volume, const TransferFunction& function,
+                             const Environment& environment, const View& view, const Settings& settings) {
+        return tracerOn(deviceOfShaders(), volume, function, environment, view, settings);
+    }
     static PathTracer tracerOf(const scenes::SmallScene& scene, std::uint32_t seed) {
         PathTracer made = tracer(scene.volume, scene.function, scene.environment(), scene.view,
                                  scene.settings(Look::cinematic, Filter::trilinear, seed));
