@@ -120,7 +120,7 @@ endfunction()
 # one for all others: each takes its time to compile. The options change no value.
 function(macula_vectors target)
     find_package(hwy REQUIRED)
-    target_link_libraries(macula_${target} PRIVATE hwy::hwy)
+    target_link_libraries(${target} PRIVATE hwy::hwy)
     set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
         COMPILE_OPTIONS "-O3;-fno-math-errno;-fno-trapping-math;-Wno-shadow"
         COMPILE_DEFINITIONS "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3_DL|HWY_SVE|HWY_SVE2)")
@@ -151,10 +151,10 @@ if(NOT MACULA_SANITIZE AND NOT MACULA_FUZZ)  # which look closer, and cannot whe
     list(APPEND MACULA_HARDENED $<$<CONFIG:RelWithDebInfo>:-U_FORTIFY_SOURCE> $<$<CONFIG:RelWithDebInfo>:-D_FORTIFY_SOURCE=2>)
 endif()
 
-# macula_test(NAME SOURCES … LIBS … [TIMEOUT seconds] [SHARES thing]): one GoogleTest executable, one ctest entry per test; two that
+# macula_test(NAME SOURCES … LIBS … [TIMEOUT seconds] [SHARES thing] [SHADERS filter]): one GoogleTest executable, one ctest entry per test; two that
 # share a thing, such as the display, never run at once. They begin first: alone at the end, they would leave cores idle.
 function(macula_test name)
-    cmake_parse_arguments(T "" "TIMEOUT;SHARES" "SOURCES;LIBS" ${ARGN})
+    cmake_parse_arguments(T "" "TIMEOUT;SHARES;SHADERS" "SOURCES;LIBS" ${ARGN})
     if(NOT T_TIMEOUT)
         set(T_TIMEOUT 600)
     endif()
@@ -171,4 +171,10 @@ function(macula_test name)
     endif()
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST
         PROPERTIES TIMEOUT ${T_TIMEOUT} LABELS ${name} ${lock})
+    # On a CPU device some kernels run on the host in place of the shaders that a graphics card runs: the tests that SHADERS chooses
+    # (as --gtest_filter) also run the shaders.
+    if(T_SHADERS)
+        gtest_discover_tests(test_${name} TEST_PREFIX "${name}.shaders." DISCOVERY_MODE PRE_TEST TEST_FILTER "${T_SHADERS}"
+            PROPERTIES TIMEOUT ${T_TIMEOUT} LABELS ${name} ${lock} ENVIRONMENT "MACULA_NATIVE_KERNELS=off")
+    endif()
 endfunction()

@@ -1,6 +1,7 @@
 // What the tracing functions of shaders/lib read where they run on the host (shader_host.inl).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -23,6 +24,10 @@ struct LinearVoxels {
                            std::size_t(size.x) +
                        std::size_t(voxel.x)];
     }
+
+    struct Blocks {};
+    Blocks blocksOfBrick(const glm::ivec3&) const { return {}; }
+    std::uint32_t from(Blocks, const glm::ivec3& voxel) const { return at(voxel); }
 };
 
 // The same as they lie on a device: the pool and the table of DeviceVolume.
@@ -30,19 +35,41 @@ struct PooledVoxels {
     const std::uint16_t* pool = nullptr;
     const std::uint32_t* words = nullptr;  // four for each brick, the last of them that of its own block
     glm::ivec3 grid{0};                    // bricks
+    int lastLayer = 0;                     // of blocks along z
 
     bool isEmpty() const { return words == nullptr; }
-    // Mirrors placeIn() and valueOf() of shaders/trace/host.glsl.
     std::uint32_t at(const glm::ivec3& voxel) const {
         const glm::ivec3 block = voxel >> 3;
-        const std::size_t brick =
-            (std::size_t(block.z) * std::size_t(grid.y) + std::size_t(block.y)) * std::size_t(grid.x) +
-            std::size_t(block.x);
-        const std::uint32_t word = words[4 * brick + 3];
+        return valueIn(wordsOf(block, block.z)[3], voxel & 7);
+    }
+
+    // The words of the blocks in which a brick lies, at the low end of z and at the high end.
+    struct Blocks {
+        const std::uint32_t* near;
+        const std::uint32_t* far;
+        glm::ivec3 high;  // the first voxel of the high blocks
+    };
+    Blocks blocksOfBrick(const glm::ivec3& brick) const {
+        return {wordsOf(brick, std::max(brick.z - 1, 0)), wordsOf(brick, std::min(brick.z, lastLayer)),
+                brick << 3};
+    }
+    std::uint32_t from(const Blocks& blocks, const glm::ivec3& voxel) const {
+        const std::uint32_t* const layer = voxel.z >= blocks.high.z ? blocks.far : blocks.near;
+        return valueIn(layer[(voxel.y >= blocks.high.y ? 2 : 0) + (voxel.x >= blocks.high.x ? 1 : 0)],
+                       voxel & 7);
+    }
+
+    const std::uint32_t* wordsOf(const glm::ivec3& brick, int layer) const {
+        return words +
+               4 * ((std::size_t(layer) * std::size_t(grid.y) + std::size_t(brick.y)) * std::size_t(grid.x) +
+                    std::size_t(brick.x));
+    }
+    // placeIn() and valueOf() of shaders/trace/host.glsl.
+    std::uint32_t valueIn(std::uint32_t word, const glm::ivec3& within) const {
         const std::uint32_t level = word >> 30;
         const std::uint32_t unitOrValue = word & 0x3fffffffu;
         if (level == kSingle) return unitOrValue;
-        const glm::ivec3 cell = (voxel & 7) >> int(level);
+        const glm::ivec3 cell = within >> int(level);
         const int edgeBits = 3 - int(level);
         return pool[(std::size_t(unitOrValue) << 3) +
                     std::size_t((((cell.z << edgeBits) | cell.y) << edgeBits) | cell.x)];

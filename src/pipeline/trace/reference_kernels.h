@@ -4,6 +4,7 @@
 
 #include "base/glsl_in_cpp.h"
 #include "base/parallel.h"
+#include "pipeline/trace/clip_params.h"
 #include "pipeline/trace/host_tables.h"
 #include "pipeline/trace/reference_tracer.h"
 

@@ -63,12 +63,12 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         far = {fetchStored({low.x, low.y, high.z}), fetchStored({high.x, low.y, high.z}),
                fetchStored({low.x, high.y, high.z}), fetchStored(high)};
     }
-    struct Blocks {};
-    Blocks blocksOfBrick(const ivec3&) const {
-        return {};
+    using Blocks = MACULA_VOXELS::Blocks;
+    Blocks blocksOfBrick(const ivec3& brick) const {
+        return tables_.voxels.blocksOfBrick(brick);
     }
-    Real fetchFrom(Blocks, const ivec3& voxel) const {
-        return fetchStored(voxel);
+    Real fetchFrom(const Blocks& blocks, const ivec3& voxel) const {
+        return Real(tables_.voxels.from(blocks, voxel));
     }
     Real fetchExtinction(int entry) const {
         return Real(tables_.extinctionPerMm[entry]);

@@ -1,6 +1,7 @@
 #include "pipeline/trace/trace_kernels.h"
 
 #include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/native/native_casts.h"
 #include "pipeline/trace/native/native_paths.h"
 #include "shaders/trace.h"
 #include "shared/trace_params.h"
@@ -83,7 +84,8 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
                             {"kShading", variant.shading},
                             {"kCast", castOf(variant.look)}},
         .subgroupSize = gpu::subgroupSizeForDivergence(device_->info()),
-        .native = nativePaths(variant)};
+        .native =
+            isPathTraced(variant.look) ? nativePaths(variant) : nativeCasts(variant, castOf(variant.look))};
     if (isPathTraced(variant.look)) {
         options.specializations.emplace_back("kIndirect", variant.usesIndirect);
         options.specializations.emplace_back("kSurfaces", variant.scene.surfaces);

@@ -7,8 +7,9 @@
 
 #include "base/glsl_in_cpp.h"
 #include "base/parallel.h"
+#include "pipeline/trace/clip_params.h"
+#include "pipeline/trace/native/native_film.h"
 #include "pipeline/trace/native/native_tables.h"
-#include "pipeline/trace/scene.h"
 #include "shared/indirect_light.h"
 #include "shared/primary_vertex.h"
 
@@ -42,20 +43,8 @@ namespace macula::trace {
 namespace HWY_NAMESPACE {
 namespace {
 
-// The buffers that path.comp writes to.
-struct NativeFilm {
-    explicit NativeFilm(const gpu::NativeDispatch& dispatch)
-        : sums(dispatch.binding<glm::vec4>(16)),
-          lost(dispatch.binding<glm::vec4>(17)),
-          counts(dispatch.binding<std::uint32_t>(18)),
-          faults(dispatch.binding<std::uint32_t>(19)),
-          squares(dispatch.binding<glm::vec2>(20)) {}
-
-    std::span<glm::vec4> sums;
-    std::span<glm::vec4> lost;
-    std::span<std::uint32_t> counts;
-    std::span<std::uint32_t> faults;  // nonFinite, abandoned, aboveBound
-    std::span<glm::vec2> squares;
+// What path.comp writes besides the film; empty where the variant does not.
+struct PathRecords {
     std::span<shared::PrimaryVertex> primaries;
     std::span<shared::IndirectRecord> records;
 };
@@ -65,11 +54,10 @@ struct NativeFilm {
 class PathWorker {
   public:
     PathWorker(const NativeHost& host, const TraceVariant& variant, const NativeFilm& film,
-               const FlightTables& tables, std::span<const shared::PlannedBlock> plan,
-               std::atomic<std::size_t>& nextPixel)
+               const PathRecords& records, const FlightTables& tables, std::atomic<std::size_t>& nextPixel)
         : host_(host),
           film_(film),
-          plan_(plan),
+          records_(records),
           nextPixel_(nextPixel),
           matterIsOfValue_((variant.filter == Filter::trilinear || variant.filter == Filter::stochastic) &&
                            !host.useMask() && !host.useSecond() && !host.useTints() &&
@@ -178,13 +166,13 @@ class PathWorker {
         l.path.entry = flights_.entry[lane];
         l.path.aboveBound += flights_.aboveBound[lane];
         l.rng.counter = flights_.counter[lane];
-        if (!film_.primaries.empty() && l.path.vertices == 0 && !l.path.shadow)
+        if (!records_.primaries.empty() && l.path.vertices == 0 && !l.path.shadow)
             l.metMm =
                 l.path.direction * (l.path.transmittance > 0.0f ? l.path.walk.endMm : l.path.walk.distanceMm);
         if (host_.decide(l.path, l.rng)) return startRay(lane);
         endSample(l);
         if (l.sample < l.endSample) return startSample(lane);
-        if (!film_.records.empty()) tellIndirect(l);
+        if (!records_.records.empty()) tellIndirect(l);
         --busy_;
         nextPixelOf(lane);
     }
@@ -197,7 +185,7 @@ class PathWorker {
             host_.accumulate(film_.squares[l.index], host_.squareOfLuminance(glm::vec3(value)));
             film_.counts[l.index] += 1;
             if (l.path.cells.y != 0) l.record = {l.path.cells, l.path.radiance};
-            if (!film_.primaries.empty()) tellPrimary(l, glm::vec3(value));
+            if (!records_.primaries.empty()) tellPrimary(l, glm::vec3(value));
         } else {
             ++nonFinite_;
         }
@@ -208,7 +196,7 @@ class PathWorker {
     void tellPrimary(const Lane& l, const glm::vec3& radiance) const {
         const std::size_t pixels =
             std::size_t(host_.params.imageSize.x) * std::size_t(host_.params.imageSize.y);
-        film_.primaries[l.sample % shared::kPrimarySamples * pixels + l.index] = {
+        records_.primaries[l.sample % shared::kPrimarySamples * pixels + l.index] = {
             l.path.coverage > 0.0f ? l.metMm : glm::vec3(0.0f), radiance};
     }
 
@@ -219,7 +207,7 @@ class PathWorker {
         if (l.record.cells.y == 0 || at.x % stride != 0 || at.y % stride != 0) return;
         const glm::ivec2 place = l.pixel / stride;
         const int columns = (host_.params.imageSize.x + stride - 1) / stride;
-        film_.records[std::size_t(place.y * columns + place.x)] = l.record;
+        records_.records[std::size_t(place.y * columns + place.x)] = l.record;
     }
 
     void startSample(std::size_t lane) {
@@ -233,8 +221,8 @@ class PathWorker {
         Lane& l = lanes_[lane];
         const int columns = (host_.params.imageSize.x + shared::kBlockEdge - 1) / shared::kBlockEdge;
         constexpr std::size_t kPixels = shared::kBlockEdge * shared::kBlockEdge;
-        for (std::size_t n = nextPixel_++; n < kPixels * plan_.size(); n = nextPixel_++) {
-            const shared::PlannedBlock& planned = plan_[n / kPixels];
+        for (std::size_t n = nextPixel_++; n < kPixels * film_.plan.size(); n = nextPixel_++) {
+            const shared::PlannedBlock& planned = film_.plan[n / kPixels];
             const int block = int(planned.block);
             const int within = int(n % kPixels);
             l.pixel = shared::kBlockEdge * glm::ivec2(block % columns, block / columns) +
@@ -255,7 +243,7 @@ class PathWorker {
 
     NativeHost host_;
     NativeFilm film_;
-    std::span<const shared::PlannedBlock> plan_;
+    PathRecords records_;
     std::atomic<std::size_t>& nextPixel_;
     bool matterIsOfValue_;
     FlightTables tables_;
@@ -281,14 +269,15 @@ void tracePaths(const gpu::NativeDispatch& dispatch, const TraceVariant& variant
                                     .hasClip = host.useClip(),
                                     .isCoarse = variant.scene.coarse,
                                     .isTrilinear = variant.filter != Filter::stochastic};
-    NativeFilm film(dispatch);
-    if (variant.usesIndirect) film.records = dispatch.binding<shared::IndirectRecord>(kIndirectBinding + 2);
+    const NativeFilm film(dispatch);
+    PathRecords records;
+    if (variant.usesIndirect)
+        records.records = dispatch.binding<shared::IndirectRecord>(kIndirectBinding + 2);
     if (variant.tellsPrimaries)
-        film.primaries = dispatch.binding<shared::PrimaryVertex>(kIndirectBinding + 3);
-    const auto plan = dispatch.binding<const shared::PlannedBlock>(21).first(dispatch.groups()[0]);
+        records.primaries = dispatch.binding<shared::PrimaryVertex>(kIndirectBinding + 3);
     std::atomic<std::size_t> nextPixel{0};
     parallelFor(coreCount(), [&](std::size_t) {
-        std::make_unique<PathWorker>(host, variant, film, flightTables, plan, nextPixel)->work();
+        std::make_unique<PathWorker>(host, variant, film, records, flightTables, nextPixel)->work();
     });
 }
 
@@ -302,7 +291,7 @@ namespace macula::trace {
 HWY_EXPORT(tracePaths);
 
 gpu::NativeKernel nativePaths(const TraceVariant& variant) {
-    if (!isPathTraced(variant.look) || variant.isSideBySide) return {};
+    if (variant.isSideBySide) return {};
     return [variant](const gpu::NativeDispatch& dispatch) {
         HWY_DYNAMIC_DISPATCH(tracePaths)(dispatch, variant);
     };

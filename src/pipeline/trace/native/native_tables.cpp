@@ -10,7 +10,8 @@ HostTables<PooledVoxels> nativeTables(const gpu::NativeDispatch& dispatch, const
     const auto entries = std::size_t(params.entryCount);
     HostTables<PooledVoxels> tables{
         .voxels = {dispatch.binding<const std::uint16_t>(1).data(),
-                   dispatch.binding<const std::uint32_t>(7).data(), params.gridSize},
+                   dispatch.binding<const std::uint32_t>(7).data(), params.gridSize,
+                   (params.volumeSize.z - 1) >> 3},
         .extinctionPerMm = extinctions.data(),
         .albedo = albedo.data(),
         .bounds = dispatch.binding<const float>(4).data(),
@@ -25,7 +26,8 @@ HostTables<PooledVoxels> nativeTables(const gpu::NativeDispatch& dispatch, const
     if (scene.mask) tables.mask = dispatch.binding<const std::uint32_t>(8);
     if (scene.second)
         tables.second = {dispatch.binding<const std::uint16_t>(9).data(),
-                         dispatch.binding<const std::uint32_t>(10).data(), params.secondGrid};
+                         dispatch.binding<const std::uint32_t>(10).data(), params.secondGrid,
+                         (params.secondSize.z - 1) >> 3};
     if (scene.tints) tables.tints = dispatch.binding<const std::uint8_t>(12);
     if (variant.usesIndirect) {
         tables.indirectTags = dispatch.binding<const std::uint32_t>(kIndirectBinding);

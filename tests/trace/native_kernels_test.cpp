@@ -1,0 +1,108 @@
+// The kernels that run on the host of a CPU device, with each instruction set that this processor has, beside
+// the shaders: both against the same maths in double.
+#include <hwy/targets.h>
+#include <cmath>
+
+#include "pipeline/trace/reference_tracer.h"
+#include "trace/gpu_scene.h"
+#include "trace/small_scenes.h"
+
+namespace macula::trace {
+namespace {
+
+constexpr std::uint32_t kSamples = 4;
+
+// While it lives, native kernels use this instruction set.
+class OnlyTarget {
+  public:
+    explicit OnlyTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
+    OnlyTarget(const OnlyTarget&) = delete;
+    OnlyTarget& operator=(const OnlyTarget&) = delete;
+    ~OnlyTarget() { hwy::SetSupportedTargetsForTest(0); }
+};
+
+class NativeKernels : public DeviceTest {
+  protected:
+    void SetUp() override {
+        if (!device()->runsNatively()) GTEST_SKIP() << "the device runs shaders";
+    }
+
+    static TracedImage pictureOn(const std::shared_ptr<gpu::Device>& on, const scenes::SmallScene& scene,
+                                 const Settings& settings) {
+        PathTracer t = tracerOn(on, scene.volume, scene.function, scene.environment(), scene.view, settings);
+        EXPECT_TRUE(t.scene().setClip(scene.clip).ok());
+        const auto traced = t.trace(kSamples);
+        EXPECT_TRUE(traced.ok() && *traced);
+        EXPECT_EQ(t.statistics()->nonFiniteSamples, 0u);
+        EXPECT_EQ(t.statistics()->abandonedSamples, 0u);
+        EXPECT_EQ(t.statistics()->collisionsAboveBound, 0u);
+        return std::move(t.readback()).value();
+    }
+
+    static std::vector<glm::dvec4> truthOf(const scenes::SmallScene& scene, const Settings& settings) {
+        const std::optional<MaskBits> mask =
+            scene.clip.mask ? std::optional(maskBits(*scene.clip.mask, *scene.volume)) : std::nullopt;
+        const Medium medium =
+            makeMedium(*scene.volume, makeBrickGrid(*scene.volume, reachOf(settings.filter)), scene.function,
+                       scene.clip, mask ? &*mask : nullptr);
+        const auto params =
+            makeTraceParams(*scene.volume, medium, scene.environment(), scene.view, settings, scene.clip);
+        const ReferenceTracer reference(*scene.volume, medium, scene.environment(), mask ? &*mask : nullptr);
+        if (isPathTraced(settings.look))
+            return reference.trace(*params, settings.filter, Precision::twofold, 0, kSamples);
+        return reference.cast(*params, {.filter = settings.filter}, Precision::twofold, 0, kSamples);
+    }
+
+    // Float sends a few paths another way than double.
+    static void expectTruth(const TracedImage& found, const std::vector<glm::dvec4>& sums) {
+        int different = 0;
+        glm::dvec4 all(0.0);
+        glm::dvec4 expected(0.0);
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            const glm::dvec4 here(found.radiance[i]);
+            const glm::dvec4 there = sums[i] / double(kSamples);
+            if (glm::length(here - there) > 1e-3 * (glm::length(there) + 1e-3)) ++different;
+            all += here;
+            expected += there;
+        }
+        EXPECT_LE(different, int(sums.size()) / 25);
+        EXPECT_LE(glm::length(all - expected), 0.01 * glm::length(expected));
+    }
+};
+
+TEST_F(NativeKernels, DrawTheSamplesOfTheReferenceWithEveryInstructionSet) {
+    for (const scenes::SmallScene& scene : scenes::smallScenes()) {
+        for (const Filter filter : {Filter::trilinear, Filter::stochastic, Filter::sharp}) {
+            const Settings settings = scene.settings(Look::cinematic, filter, 11);
+            SCOPED_TRACE(fmt::format("{}, {}", scene.name, nameOf(filter)));
+            const std::vector<glm::dvec4> truth = truthOf(scene, settings);
+            if (filter == Filter::trilinear) {
+                SCOPED_TRACE("shader");
+                expectTruth(pictureOn(deviceOfShaders(), scene, settings), truth);
+            }
+            for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+                SCOPED_TRACE(hwy::TargetName(target));
+                const OnlyTarget only(target);
+                expectTruth(pictureOn(device(), scene, settings), truth);
+            }
+        }
+    }
+}
+
+TEST_F(NativeKernels, CastTheRaysOfTheReferenceWithEveryInstructionSet) {
+    for (const scenes::SmallScene& scene : scenes::smallScenes()) {
+        for (const Filter filter : {Filter::trilinear, Filter::smooth}) {
+            const Settings settings = scene.settings(Look::dvr, filter, 11);
+            SCOPED_TRACE(fmt::format("{}, {}", scene.name, nameOf(filter)));
+            const std::vector<glm::dvec4> truth = truthOf(scene, settings);
+            for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+                SCOPED_TRACE(hwy::TargetName(target));
+                const OnlyTarget only(target);
+                expectTruth(pictureOn(device(), scene, settings), truth);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace macula::trace
