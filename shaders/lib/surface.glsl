@@ -186,6 +186,42 @@ Candidate findCandidate(vec3 low, vec3 high, int directions, INOUT(Rng) rng) {
     return candidate;
 }
 
+// Moments of the extinction in a ball around a point: sums over taps, by offset from the point in mm.
+struct Surroundings {
+    float mass;
+    vec3 first;
+    vec3 diagonal;  // squares of the components of the offset
+    vec3 offAxis;   // x y, y z, z x
+};
+
+// Optical depth behind a grey face over one radius: opaque.
+#define FACE_DEPTH 20.0
+
+// The share of one of `lanes` threads that tap the ball together, `taps` each. Taps fill the ball evenly: shells
+// of equal volume, by the R2 sequence (Roberts 2018). Behind a grey face everything counts as opaque.
+Surroundings surroundingsOf(vec3 point, float radiusMm, bool onFace, int lane, int lanes, int taps,
+                            INOUT(Rng) rng) {
+    Surroundings sums = Surroundings(float(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    for (int i = 0; i < taps; ++i) {
+        int tap = i * lanes + lane;
+        float shell = (float(tap) + float(0.5)) * float(0.754877666);
+        shell -= floor(shell);
+        vec3 offset = directionOnSphere(float(1.0) - (float(2.0) * float(tap) + float(1.0)) / float(taps * lanes),
+                                        float(tap) * float(0.569840291));
+        offset *= radiusMm * pow(shell, float(1.0 / 3.0));
+        vec3 at = point + voxelsPerMm(offset);
+        float entry = trilinearEntry(at);
+        float steep = steepByChance(at, entry, rng);
+        float extinction = onFace ? float(FACE_DEPTH) / radiusMm : totalOf(mixtureAt(at, entry, steep));
+        if (!isShown(at)) extinction = float(0.0);
+        sums.mass += extinction;
+        sums.first += extinction * offset;
+        sums.diagonal += extinction * offset * offset;
+        sums.offAxis += extinction * offset * vec3(offset.y, offset.z, offset.x);
+    }
+    return sums;
+}
+
 // A path from `radiusMm` outside a point to as far beyond it: its light leaves the matter around the point,
 // and its coverage says whether it met any. `weight` is the transmittance from the point outwards along that
 // path; a path with weight 0 is complete.

@@ -8,10 +8,15 @@ MACULA_SHARED_BEGIN
 // for each value of which lavapipe would compile it again.
 MACULA_SHARED_CONST uint kSurfaceGroup = 64u;
 
+// The number of directions from which the visibility of a candidate is estimated.
+MACULA_SHARED_CONST int kCandidateDirections = 8;
+
 // The number of threads that share the work of one point.
 MACULA_SHARED_CONST uint kSurfaceLanes = 8u;
 // The number of light paths of each of these threads in a pass.
 MACULA_SHARED_CONST uint kSurfacePaths = 4u;
+// The number of its taps around the point in a pass.
+MACULA_SHARED_CONST uint kSurfaceTaps = 8u;
 
 // A box through which rays are sent, in voxel coordinates with integers at voxel faces.
 struct SurfaceCell {

@@ -9,8 +9,6 @@
 
 layout(local_size_x = 64) in;
 
-const int kDirections = 8;  // from which the visibility of a point is estimated
-
 layout(binding = 16, scalar) readonly buffer Cells {
     SurfaceCell cells[];
 };
@@ -28,6 +26,6 @@ void main() {
     uint ray = push.first + gl_GlobalInvocationID.x;
     SurfaceCell cell = cells[cellOfRay[ray]];
     Rng rng = makeRng(ray, push.round, 2u, params.seed ^ 0x3c6ef372u);
-    Candidate found = findCandidate(cell.low, cell.high, kDirections, rng);
+    Candidate found = findCandidate(cell.low, cell.high, kCandidateDirections, rng);
     candidates[ray] = SurfaceCandidate(found.at, found.weight, found.density);
 }

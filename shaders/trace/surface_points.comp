@@ -11,9 +11,6 @@ layout(local_size_x = 64) in;
 // As in path_samples.glsl.
 layout(constant_id = 1) const int kMaxRounds = 16000;
 
-const int kTaps = 8;            // taps of a thread
-const float kFaceDepth = 20.0;  // optical depth behind a face over one radius: opaque
-
 layout(binding = 16, scalar) readonly buffer Points {
     vec4 points[];  // voxel coordinates; radius of the surroundings in mm, negative: on a grey face
 };
@@ -65,29 +62,12 @@ void main() {
     }
     found.lost = float(kSurfacePaths - finite);
 
-    // Taps fill the ball evenly: shells of equal volume, by the R2 sequence (Roberts 2018). Behind a grey
-    // face everything counts as opaque.
-    const int all = kTaps * int(kSurfaceLanes);
-    found.taps = float(kTaps);
-    found.mass = 0.0;
-    found.first = vec3(0.0);
-    found.diagonal = vec3(0.0);
-    found.offAxis = vec3(0.0);
-    for (int i = 0; i < kTaps; ++i) {
-        int tap = i * int(kSurfaceLanes) + int(lane);
-        float shell = fract((float(tap) + 0.5) * 0.754877666);
-        vec3 offset =
-            directionOnSphere(1.0 - (2.0 * float(tap) + 1.0) / float(all), float(tap) * 0.569840291);
-        offset *= radius * pow(shell, 1.0 / 3.0);
-        vec3 at = point.xyz + voxelsPerMm(offset);
-        float entry = trilinearEntry(at);
-        float steep = steepByChance(at, entry, rng);
-        float extinction = onFace ? kFaceDepth / radius : totalOf(mixtureAt(at, entry, steep));
-        if (!isShown(at)) extinction = 0.0;
-        found.mass += extinction;
-        found.first += extinction * offset;
-        found.diagonal += extinction * offset * offset;
-        found.offAxis += extinction * offset * offset.yzx;
-    }
+    Surroundings around =
+        surroundingsOf(point.xyz, radius, onFace, int(lane), int(kSurfaceLanes), int(kSurfaceTaps), rng);
+    found.taps = float(kSurfaceTaps);
+    found.mass = around.mass;
+    found.first = around.first;
+    found.diagonal = around.diagonal;
+    found.offAxis = around.offAxis;
     sums[index] = found;
 }

@@ -188,6 +188,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     static constexpr Real kBrickShift = Real(BRICK_SHIFT);
     static constexpr int kBrickEdge = BRICK;
     static constexpr int kStride = STRIDE;
+    static constexpr int kCuts = CUTS::length();
 #undef PI
 #undef BRICK
 #undef PARALLEL
@@ -200,6 +201,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef SHADOW_LOOSENESS
 #undef SEEN_ENOUGH
 #undef FACE_WEIGHT
+#undef FACE_DEPTH
 #undef MANY_SURFACE_ROUNDS
 #undef STRIDE
 #undef DEPTH_3_4

@@ -3,6 +3,7 @@
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/native/native_casts.h"
 #include "pipeline/trace/native/native_paths.h"
+#include "pipeline/trace/native/native_surface_points.h"
 #include "shaders/trace.h"
 #include "shared/trace_params.h"
 
@@ -114,20 +115,24 @@ Result<const gpu::Kernel*> TraceKernels::layers(SceneKind scene) {
 
 Result<const gpu::Kernel*> TraceKernels::candidates(SceneKind scene) {
     scene.surfaces = false;
-    return find(candidates_, shaders::trace_candidates_comp, scene, {{"kGreyFaces", scene.greyFaces}});
+    return find(candidates_, shaders::trace_candidates_comp, scene, {{"kGreyFaces", scene.greyFaces}},
+                nativeCandidates(scene));
 }
 
 Result<const gpu::Kernel*> TraceKernels::surfacePoints(SceneKind scene) {
     return find(surfacePoints_, shaders::trace_surface_points_comp, scene,
                 {{"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
                  {"kGreyFaces", scene.greyFaces},
-                 {"kSurfaces", scene.surfaces}});
+                 {"kSurfaces", scene.surfaces}},
+                nativeSurfacePoints(scene));
 }
 
-// Finds or compiles the kernel for that kind of scene, with `more` specialization constants.
+// Finds or compiles the kernel for that kind of scene, with `more` specialization constants and perhaps a
+// twin on the host.
 Result<const gpu::Kernel*> TraceKernels::find(std::map<SceneKind, gpu::Kernel>& kernels,
                                               const gpu::ShaderCode& code, SceneKind scene,
-                                              const std::vector<gpu::Specialization>& more) {
+                                              const std::vector<gpu::Specialization>& more,
+                                              gpu::NativeKernel native) {
     if (const auto found = kernels.find(scene); found != kernels.end()) return &found->second;
     gpu::KernelOptions options{.specializations = {{"kClip", scene.clip},
                                                    {"kMask", scene.mask},
@@ -138,7 +143,8 @@ Result<const gpu::Kernel*> TraceKernels::find(std::map<SceneKind, gpu::Kernel>& 
                                                    {"kSecond", scene.second},
                                                    {"kTints", scene.tints},
                                                    {"kPoolViews", scene.poolViews},
-                                                   {"kPoolViewShift", scene.poolViewShift}}};
+                                                   {"kPoolViewShift", scene.poolViewShift}},
+                               .native = std::move(native)};
     options.specializations.insert(options.specializations.end(), more.begin(), more.end());
     MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device_, code, options));
     return &kernels.emplace(scene, std::move(kernel)).first->second;

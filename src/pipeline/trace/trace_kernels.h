@@ -78,7 +78,8 @@ class TraceKernels {
 
   private:
     Result<const gpu::Kernel*> find(std::map<SceneKind, gpu::Kernel>& kernels, const gpu::ShaderCode& code,
-                                    SceneKind scene, const std::vector<gpu::Specialization>& more = {});
+                                    SceneKind scene, const std::vector<gpu::Specialization>& more = {},
+                                    gpu::NativeKernel native = {});
 
     std::shared_ptr<gpu::Device> device_;
     std::map<TraceVariant, gpu::Kernel> samples_;

@@ -66,7 +66,8 @@ struct HandTool {
     void (*remove)(Clip& clip, const glm::dvec3& centreMm, double halfMm);  // in place of an earlier one
 };
 
-// A shape of a clip, in mm. A new shape has its class in shapes/, and a line below.
+// A shape of a clip, in mm. A new shape begins in pipeline/volume/clip.h; here it has its class in shapes/,
+// and a line below.
 class ShownShape {
   public:
     virtual ~ShownShape() = default;

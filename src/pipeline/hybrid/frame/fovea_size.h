@@ -1,4 +1,5 @@
-// How large and how fine a picture for the fovea the available time allows.
+// How large and how fine a picture for the fovea the available time allows. kFovealFieldDeg of
+// trace/settings.h is the most.
 #pragma once
 
 #include <cstdint>

@@ -9,6 +9,10 @@
 #define MACULA_FLIGHTS_INL_H
 #endif
 
+#include <hwy/highway.h>
+// After highway.h.
+#include <hwy/contrib/math/math-inl.h>
+
 HWY_BEFORE_NAMESPACE();
 namespace macula::trace {
 namespace HWY_NAMESPACE {
@@ -48,7 +52,9 @@ struct Vector3 {
 
 // BrickWalk, Rng and the parts of Path that change along a ray, by lane.
 struct Flights {
-    Vector3 origin, direction, inverse, cell, cutFrom, cutTo;
+    Vector3 origin, direction, inverse, cell;
+    alignas(64) float cutFrom[NativeHost::kCuts][kFlights];
+    alignas(64) float cutTo[NativeHost::kCuts][kFlights];
     alignas(64) float distanceMm[kFlights];
     alignas(64) float endMm[kFlights];
     alignas(64) float segmentEndMm[kFlights];
@@ -239,15 +245,12 @@ class Round {
     HWY_INLINE void leaveCuts(FloatMask& meets, FloatV& inSegment) {
         if (hn::AllFalse(f_, meets)) return;
         FloatV cutEnd = hn::Set(f_, -1.0f);
-        const auto endOf = [&](const float* from, const float* to) HWY_ATTR {
-            const FloatV cutTo = hn::Load(f_, to + at_);
+        for (int cut = 0; cut < NativeHost::kCuts; ++cut) {
+            const FloatV cutTo = hn::Load(f_, s_.cutTo[cut] + at_);
             const auto within =
-                hn::And(hn::Le(hn::Load(f_, from + at_), distance_), hn::Lt(distance_, cutTo));
+                hn::And(hn::Le(hn::Load(f_, s_.cutFrom[cut] + at_), distance_), hn::Lt(distance_, cutTo));
             cutEnd = hn::IfThenElse(within, hn::Max(cutEnd, cutTo), cutEnd);
-        };
-        endOf(s_.cutFrom.x, s_.cutTo.x);
-        endOf(s_.cutFrom.y, s_.cutTo.y);
-        endOf(s_.cutFrom.z, s_.cutTo.z);
+        }
         const auto leaps = hn::And(meets, hn::Ge(cutEnd, hn::Zero(f_)));
         if (hn::AllFalse(f_, leaps)) return;
         distance_ = hn::IfThenElse(leaps, cutEnd, distance_);
