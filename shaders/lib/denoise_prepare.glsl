@@ -28,7 +28,8 @@ vec4 massAround(ivec2 pixel) {
     return sum;
 }
 
-// The smaller difference of depth to both sides: at an edge, the one along the surface.
+// The smaller of the differences in depth to the two neighbours along `side`: at an edge, the one along the
+// surface.
 float slopeAlong(ivec2 pixel, float depth, ivec2 side) {
     ivec2 last = denoise.imageSize - ivec2(1);
     float before = fetchSurface(indexOf(clamp(pixel - side, ivec2(0), last))).w;

@@ -86,7 +86,7 @@ class Measurement {
         const std::vector<Named> edits = editsOf(seenMm);
         progress_.beginStage(Text("Comparing edits"), edits.size());
         for (const Named& edit : edits) {
-            // The first edit is measured before anything was learnt.
+            // The first edit is measured before anything has been learnt.
             if (&edit == &edits[1]) estimated_.learnt(study_.volume, base_, splats, 1.0);
             MACULA_TRY_VOID(measure(edit));
             progress_.advance();

@@ -54,9 +54,9 @@ image::Metadata metadata(const RenderRecord& record);
 // The whole record, with times; estimatedError is null when it is unknown.
 nlohmann::ordered_json toJson(const RenderRecord& record);
 
-// The name of a series in pictures that leave the machine: digest of LoadedStudy::seriesDigest with the key
-// of this installation: it groups pictures of one series made here, and tells others nothing. Returns
-// "phantom" unchanged; "unknown" if no key can be stored.
+// The name of a series in pictures that leave the machine: the digest of LoadedStudy::seriesDigest with the
+// key of this installation. It groups the pictures of one series that were made here, and tells others
+// nothing. Returns "phantom" and an empty digest unchanged; "unknown" if no key can be stored.
 std::string publicSeries(const std::string& seriesDigest);
 
 }  // namespace macula::pictures

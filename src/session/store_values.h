@@ -156,7 +156,8 @@ struct PurgeReport {
     std::size_t volumes = 0;
     std::size_t models = 0;  // includes damaged ones that were removed; so does `documents`
     std::size_t documents = 0;
-    std::size_t skippedOpen = 0;          // left alone by purgeUnused or purgeAll, with an open model
+    // Studies and volumes that purgeUnused or purgeAll left alone because a model of theirs is open.
+    std::size_t skippedOpen = 0;
     std::size_t damagedFolders = 0;       // damaged databases that are still set aside
     ClockDoubt clock = ClockDoubt::none;  // purgeUnused: why old entries may have stayed
 };

@@ -60,7 +60,8 @@ Items readItems(const RandomFile& file, std::uint64_t at, std::size_t frames) {
     return items;
 }
 
-// The index by a table of offsets; nothing if an offset is not that of a fragment.
+// The index by a table of offsets; nothing if an offset is not that of a fragment. Only the whole frames if
+// the file is cut off.
 std::optional<FrameIndex> byOffsets(const Items& items, std::span<const std::uint64_t> offsets) {
     FrameIndex index;
     if (items.fragments.empty()) return index;

@@ -46,7 +46,7 @@ class KeptModels {
         session::OpenedVolume volume;
     };
     struct Scene {
-        std::shared_ptr<const Volume> volume;  // null, and no drawing, once `named` is set
+        std::shared_ptr<const Volume> volume;  // null once `named` is set; `drawing` is empty then
         scene::Drawing drawing;
         hybrid::StoredModel found{};
         std::optional<Named> named{};  // made on the keeper's thread

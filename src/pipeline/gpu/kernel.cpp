@@ -54,7 +54,7 @@ void setLocalSize(CompiledKernel& kernel, const SpecializationData& constants, c
     }
 }
 
-// Creates one set of push descriptors, with a single resource at each binding.
+// Creates the layout of the one set of push descriptors, with a single resource at each binding.
 VkResult createSetLayout(CompiledKernel& kernel, const char* name) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
     for (const ReflectedBinding& reflected : kernel.reflection.bindings) {

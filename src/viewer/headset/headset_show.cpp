@@ -27,7 +27,7 @@ struct HeadsetShow::Shared {
 
 namespace {
 
-// Passes on to the thread of `home` all that the room reports.
+// What the room reports; each call passes it on to the UI thread.
 struct Told {
     NewestPosted<QImage> mirror;
     NewestPosted<HeadsetSelection> chosen;

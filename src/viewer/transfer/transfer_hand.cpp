@@ -111,7 +111,7 @@ void TransferHand::doubleClick(const QMouseEvent& event) {
     }
 }
 
-// The drag goes on with the new point until the button is released: all of it is one step.
+// The drag goes on with the new point until the button is released: all of it is undone as one step.
 void TransferHand::addAt(const QMouseEvent& event) {
     const QPointF at = event.position();
     const TransferFunction& function = plot_.function();

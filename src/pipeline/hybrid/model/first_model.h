@@ -48,7 +48,7 @@ struct FirstModel {
     double pointsSeconds = 0.0;
     double viewsSeconds = 0.0;      // choosing and tracing them
     ViewTimes viewTimes;            // what viewsSeconds is made of
-    double trainSeconds = 0.0;      // with making the trainer and giving it its pictures
+    double trainSeconds = 0.0;      // includes making the trainer and giving it its pictures
     std::size_t viewsTraced = 0;    // fewer than wanted if the budget was short
     std::size_t viewsGivenUp = 0;   // no try showed enough, and the last one was used
     std::size_t viewsFromKept = 0;  // taken from `kept`, which takes no time

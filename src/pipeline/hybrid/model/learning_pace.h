@@ -30,7 +30,7 @@ class LearningPace {
     // Notes that a step was not begun for lack of time, and expects a little less from now on: otherwise one
     // slow step, such as one of judging, would forbid all later ones.
     void refusedStep();
-    // Nothing until the part was done once.
+    // Nothing until the part has been done once.
     std::optional<double> expectedMs(LearningPart part) const;
     // Whether the part is expected to fit into `leftMs`, with some time to spare.
     bool fits(LearningPart part, double leftMs) const;

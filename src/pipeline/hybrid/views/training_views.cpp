@@ -9,7 +9,7 @@ namespace macula::hybrid {
 namespace {
 
 constexpr double kNearestRadii = 0.5;  // nearer views no longer show the centre
-constexpr double kMostByArea = 4.0;    // from farther than 6 R a picture shows less and less
+constexpr double kMostByArea = 4.0;    // cap, reached at 6 radii: pictures from farther away show less detail
 
 glm::dvec3 forwardOf(const splat::RasterView& view) {
     return glm::transpose(view.cameraFromWorld)[2];

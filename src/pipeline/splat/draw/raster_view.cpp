@@ -22,8 +22,9 @@ bool isRotation(const glm::dmat3& m) {
     return worst < 1e-4 && glm::determinant(m) > 0.0;
 }
 
-// Splats farther outside the picture than this, in sides of the picture, are projected as if they were there:
-// their true projection may fill the picture, although the splat is far from it in space.
+// Splats farther outside the picture than this, in sides of the picture, get the size and shape that they
+// would have there (J is taken there): with their own they might fill the picture, although they are far from
+// it in space.
 constexpr double kBeyondPicture = 0.15;
 
 glm::dvec2 wholeSize(const RasterView& view) {
