@@ -14,6 +14,7 @@
 #define MACULA_BASE_VECTOR_IN_GLSL_H
 #endif
 
+#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 #include <cstddef>
@@ -34,6 +35,13 @@ struct Mask {
     using Bits = decltype(hn::Lt(hn::Zero(FloatTag()), hn::Zero(FloatTag())));
 
     Bits bits;
+
+    Mask() = default;
+    HWY_INLINE Mask(Bits b) : bits(b) {}
+    // The same for all lanes.
+    HWY_INLINE Mask(bool all) : bits(hn::Lt(hn::Zero(FloatTag()), hn::Set(FloatTag(), all ? 1.0f : 0.0f))) {}
+    // For `if` of what is the same for all lanes, as a parameter is.
+    HWY_INLINE explicit operator bool() const { return !none(); }
 
     HWY_INLINE friend Mask operator&&(Mask a, Mask b) { return {hn::And(a.bits, b.bits)}; }
     HWY_INLINE friend Mask operator||(Mask a, Mask b) { return {hn::Or(a.bits, b.bits)}; }
@@ -119,7 +127,14 @@ struct Vec4 {
     HWY_INLINE Vec4& operator+=(Vec4 b) { return *this = *this + b; }
 };
 
+struct BVec3 {
+    Mask x, y, z;
+
+    HWY_INLINE explicit BVec3(Mask all) : x(all), y(all), z(all) {}
+};
+
 struct GlslInVectors {
+    using bvec3 = BVec3;
     using vec2 = Vec2;
     using vec3 = Vec3;
     using vec4 = Vec4;
@@ -127,6 +142,7 @@ struct GlslInVectors {
     HWY_INLINE static Float min(Float a, Float b) { return hn::Min(a.values, b.values); }
     HWY_INLINE static Float max(Float a, Float b) { return hn::Max(a.values, b.values); }
     HWY_INLINE static Float clamp(Float x, Float low, Float high) { return min(max(x, low), high); }
+    HWY_INLINE static int abs(int x) { return x < 0 ? -x : x; }
     HWY_INLINE static Float abs(Float x) { return hn::Abs(x.values); }
     HWY_INLINE static Float sqrt(Float x) { return hn::Sqrt(x.values); }
     HWY_INLINE static Float dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -134,6 +150,18 @@ struct GlslInVectors {
     HWY_INLINE static Float mix(Float a, Float b, Mask isSecond) {
         return hn::IfThenElse(isSecond.bits, b.values, a.values);
     }
+    HWY_INLINE static Vec3 mix(Vec3 a, Vec3 b, BVec3 isSecond) {
+        return {mix(a.x, b.x, isSecond.x), mix(a.y, b.y, isSecond.y), mix(a.z, b.z, isSecond.z)};
+    }
+    HWY_INLINE static Vec3 mix(Vec3 a, Vec3 b, Float t) { return a * (Float(1.0f) - t) + b * t; }
+    HWY_INLINE static Vec3 max(Vec3 a, Vec3 b) { return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)}; }
+    HWY_INLINE static Vec4 clamp(Vec4 x, Vec4 low, Vec4 high) {
+        return {clamp(x.x, low.x, high.x), clamp(x.y, low.y, high.y), clamp(x.z, low.z, high.z),
+                clamp(x.w, low.w, high.w)};
+    }
+    HWY_INLINE static Float log(Float x) { return hn::Log(FloatTag(), x.values); }
+    // For x from 0 on; within the range of exp.
+    HWY_INLINE static Float pow(Float x, Float y) { return exp(y * log(x)); }
 
     // Within 2 units in the last place, for x of -80 to 88; beyond them, the value at the nearer one. So it
     // is at least 1.8e-35, and a product with it is no denormal number, which costs a hundred cycles. Half as
