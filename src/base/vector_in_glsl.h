@@ -14,7 +14,6 @@
 #define MACULA_BASE_VECTOR_IN_GLSL_H
 #endif
 
-#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 #include <cstddef>
@@ -159,7 +158,23 @@ struct GlslInVectors {
         return {clamp(x.x, low.x, high.x), clamp(x.y, low.y, high.y), clamp(x.z, low.z, high.z),
                 clamp(x.w, low.w, high.w)};
     }
-    HWY_INLINE static Float log(Float x) { return hn::Log(FloatTag(), x.values); }
+    // Within 2 units in the last place or 1e-7, for normal numbers above 0; something finite for others.
+    // Without a division, which that of Highway has.
+    HWY_INLINE static Float log(Float x) {
+        const hn::Rebind<std::int32_t, FloatTag> integers;
+        // x = 2^n (1 + f), with 1 + f from the root of 1/2 to that of 2.
+        const auto bits = hn::BitCast(integers, x.values);
+        const auto power = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(integers, 0x3f3504f3)));
+        const Float f = Float(hn::BitCast(FloatTag(), hn::Sub(bits, hn::ShiftLeft<23>(power)))) - Float(1.0f);
+        const Float n = hn::ConvertTo(FloatTag(), power);
+        Float sum(7.0376836292e-2f);
+        for (const float factor : {-1.1514610310e-1f, 1.1676998740e-1f, -1.2420140846e-1f, 1.4249322787e-1f,
+                                   -1.6668057665e-1f, 2.0000714765e-1f, -2.4999993993e-1f, 3.3333331174e-1f})
+            sum = sum * f + Float(factor);
+        const Float square = f * f;
+        const Float small = sum * f * square - n * Float(2.12194440e-4f) - Float(0.5f) * square;
+        return (small + f) + n * Float(0.693359375f);
+    }
     // For x from 0 on; within the range of exp.
     HWY_INLINE static Float pow(Float x, Float y) { return exp(y * log(x)); }
 

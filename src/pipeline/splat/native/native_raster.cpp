@@ -39,16 +39,20 @@ HWY_INLINE void store(Float value, float* pixel, Plane plane) {
 
 // The vectors of pixels of a tile, and which of them are not finished.
 struct Tile {
-    explicit Tile(int rows_) : rows(rows_), block(rows_, kPlanes), open(block.pixels() / kLanes) {}
+    explicit Tile(int rows_) : rows(rows_), block(rows_, kPlanes), open(block.pixels() / kLanes) {
+        writeCentres(block);
+    }
 
     int rows;
+    glm::ivec2 firstPixel{0};
     PixelBlock block;
     std::vector<char> open;
     std::size_t openCount = 0;
 };
 
 void begin(Tile& tile, const glm::ivec2& firstPixel) {
-    writeCentres(tile.block, firstPixel);
+    moveCentres(tile.block, firstPixel - tile.firstPixel);
+    tile.firstPixel = firstPixel;
     for (std::size_t v = 0; v < tile.open.size(); ++v) {
         float* pixel = tile.block.at(v * kLanes);
         store(1.0f, pixel, kTransmittance);
@@ -79,8 +83,9 @@ HWY_INLINE void blend(Tile& tile, const VectorRange& vectors, const ShownSplat& 
 }
 
 // Writes those of the tile's pixels that are in the picture.
-void write(Tile& tile, const glm::ivec2& firstPixel, const glm::ivec2& sizePx, const NativePicture& to) {
-    const hn::CappedTag<float, shared::kTileColumns> tag;
+void write(Tile& tile, const glm::ivec2& sizePx, const NativePicture& to) {
+    const RowTag tag;
+    const glm::ivec2 firstPixel = tile.firstPixel;
     const int columns = std::min(shared::kTileColumns, sizePx.x - firstPixel.x);
     const int rows = std::min(tile.rows, sizePx.y - firstPixel.y);
     for (int row = 0; row < rows; ++row) {
@@ -123,7 +128,7 @@ void drawTiles(const NativeTiles& tiles, std::size_t part, const NativePicture& 
             const float* texels = tiles.screenOf(tiles.entries[i].x);
             blend(tile, vectorsOf(rowsOf(texels, firstPixel.y, tile.rows)), ShownSplat(texels), view);
         }
-        write(tile, firstPixel, tiles.frame.view.sizePx, to);
+        write(tile, tiles.frame.view.sizePx, to);
     }
 }
 

@@ -47,36 +47,58 @@ HWY_INLINE void store(Float value, float* pixel, Plane plane) {
 
 // The vectors of pixels of a slot, and which of them are not finished.
 struct Slot {
-    explicit Slot(int rows_) : rows(rows_), block(rows_, kPlanes), open(block.pixels() / kLanes) {}
+    explicit Slot(int rows_) : rows(rows_), block(rows_, kPlanes), open(block.pixels() / kLanes) {
+        writeCentres(block);
+    }
 
     int rows;
+    glm::ivec2 firstPixel{0};
     PixelBlock block;
     std::vector<char> open;
     std::size_t openCount = 0;
 };
 
-// Pixels beside the picture have no transmittance and no gradient.
+// A row of pixels of which `columns` are in the picture; those beside it have no transmittance and no
+// gradient.
+HWY_INLINE void beginRow(float* to, int columns, const glm::vec4* picture, const glm::vec4* gradient) {
+    std::array<glm::vec4, 2 * shared::kTileColumns> copies{};
+    if (columns < shared::kTileColumns) {
+        std::copy_n(picture, columns, copies.data());
+        std::copy_n(gradient, columns, copies.data() + shared::kTileColumns);
+        picture = copies.data();
+        gradient = copies.data() + shared::kTileColumns;
+    }
+    const RowTag tag;
+    for (int column = 0; column < shared::kTileColumns; column += static_cast<int>(hn::Lanes(tag))) {
+        hn::Vec<RowTag> red, green, blue, coverage;
+        hn::LoadInterleaved4(tag, &picture[column].x, red, green, blue, coverage);
+        hn::Vec<RowTag> gRed, gGreen, gBlue, gCoverage;
+        hn::LoadInterleaved4(tag, &gradient[column].x, gRed, gGreen, gBlue, gCoverage);
+        const auto remaining = hn::MulAdd(
+            red, gRed, hn::MulAdd(green, gGreen, hn::MulAdd(blue, gBlue, hn::Mul(coverage, gCoverage))));
+        float* pixel = to + column;
+        hn::StoreU(remaining, tag, pixel + kRemaining * kLinePixels);
+        hn::StoreU(gRed, tag, pixel + kRed * kLinePixels);
+        hn::StoreU(gGreen, tag, pixel + kGreen * kLinePixels);
+        hn::StoreU(gBlue, tag, pixel + kBlue * kLinePixels);
+        hn::StoreU(gCoverage, tag, pixel + kCoverage * kLinePixels);
+    }
+    for (int column = 0; column < shared::kTileColumns; ++column)
+        to[kTransmittance * kLinePixels + static_cast<std::size_t>(column)] = column < columns ? 1.0f : 0.0f;
+}
+
 void begin(Slot& slot, const glm::ivec2& firstPixel, const glm::ivec2& sizePx, const NativeBack& back) {
-    writeCentres(slot.block, firstPixel);
-    for (std::size_t n = 0; n < slot.block.pixels(); ++n) {
-        const auto column = firstPixel.x + static_cast<int>(n % shared::kTileColumns);
-        const auto row = static_cast<int>(n / shared::kTileColumns);
-        const bool isInside = column < sizePx.x && row < slot.rows && firstPixel.y + row < sizePx.y;
-        glm::vec4 g(0.0f);
-        float remaining = 0.0f;
-        if (isInside) {
-            const std::size_t pixel =
-                std::size_t(firstPixel.y + row) * std::size_t(sizePx.x) + std::size_t(column);
-            g = back.gradient[pixel];
-            remaining = glm::dot(back.picture[pixel], g);
-        }
-        float* to = slot.block.at(n);
-        to[kTransmittance * kLinePixels] = isInside ? 1.0f : 0.0f;
-        to[kRemaining * kLinePixels] = remaining;
-        to[kRed * kLinePixels] = g.x;
-        to[kGreen * kLinePixels] = g.y;
-        to[kBlue * kLinePixels] = g.z;
-        to[kCoverage * kLinePixels] = g.w;
+    moveCentres(slot.block, firstPixel - slot.firstPixel);
+    slot.firstPixel = firstPixel;
+    const int columns = std::min(shared::kTileColumns, sizePx.x - firstPixel.x);
+    const int rows = std::min(slot.rows, sizePx.y - firstPixel.y);
+    const auto blockRows = static_cast<int>(slot.block.pixels() / shared::kTileColumns);
+    for (int row = 0; row < blockRows; ++row) {
+        float* to = slot.block.at(static_cast<std::size_t>(row * shared::kTileColumns));
+        const std::size_t pixel =
+            row < rows ? std::size_t(firstPixel.y + row) * std::size_t(sizePx.x) + std::size_t(firstPixel.x)
+                       : 0;
+        beginRow(to, row < rows ? columns : 0, back.picture + pixel, back.gradient + pixel);
     }
     std::fill(slot.open.begin(), slot.open.end(), char(1));
     slot.openCount = slot.open.size();

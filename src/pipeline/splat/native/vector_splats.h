@@ -66,15 +66,23 @@ HWY_INLINE VectorRange vectorsOf(const RowRange& rows) {
             (static_cast<std::size_t>(rows.end) * kColumns + kLanes - 1) / kLanes};
 }
 
-// Writes the centres of the block's pixels, px, as the first two of their numbers.
-inline void writeCentres(PixelBlock& block, const glm::ivec2& firstPixel) {
+// The centres of a block's pixels, px: the first two of their numbers. A block goes from tile to tile.
+inline void writeCentres(PixelBlock& block) {
     for (std::size_t pixel = 0; pixel < block.pixels(); ++pixel) {
-        float* to = block.at(pixel);
-        to[0] = static_cast<float>(firstPixel.x + static_cast<int>(pixel % shared::kTileColumns)) + 0.5f;
-        to[kLinePixels] =
-            static_cast<float>(firstPixel.y + static_cast<int>(pixel / shared::kTileColumns)) + 0.5f;
+        block.at(pixel)[0] = static_cast<float>(pixel % shared::kTileColumns) + 0.5f;
+        block.at(pixel)[kLinePixels] = static_cast<float>(pixel / shared::kTileColumns) + 0.5f;
     }
 }
+HWY_INLINE void moveCentres(PixelBlock& block, const glm::ivec2& byPixels) {
+    for (std::size_t pixel = 0; pixel < block.pixels(); pixel += kLanes) {
+        float* x = block.at(pixel);
+        (Float::load(x) + Float(byPixels.x)).store(x);
+        (Float::load(x + kLinePixels) + Float(byPixels.y)).store(x + kLinePixels);
+    }
+}
+
+// A row of a tile.
+using RowTag = hn::CappedTag<float, shared::kTileColumns>;
 
 }  // namespace macula::splat::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
