@@ -2,12 +2,13 @@
 // pixels of a strip.
 #pragma once
 
+#include <hwy/aligned_allocator.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <glm/glm.hpp>
-#include <span>
-#include <vector>
+#include <new>
 
 #include "pipeline/gpu/native_kernel.h"
 #include "shared/splat_loss_params.h"
@@ -68,9 +69,12 @@ class PaddedRow {
   public:
     // `numbers` of each pixel.
     PaddedRow(std::size_t pixels, std::size_t numbers)
-        : numbers_(numbers), values_((pixels + 2 * kPixelsAround) * numbers, 0.0f) {}
+        : numbers_(numbers), values_(hwy::AllocateAligned<float>((pixels + 2 * kPixelsAround) * numbers)) {
+        if (!values_) throw std::bad_alloc();
+        std::fill_n(values_.get(), (pixels + 2 * kPixelsAround) * numbers, 0.0f);
+    }
 
-    float* data() { return values_.data() + kPixelsAround * numbers_; }
+    float* data() { return values_.get() + kPixelsAround * numbers_; }
     // Of pixels; what is beside them stays 0.
     void read(const float* from, std::size_t pixels) { std::copy_n(from, pixels * numbers_, data()); }
 
@@ -78,7 +82,7 @@ class PaddedRow {
     static constexpr std::size_t kPixelsAround = 16;  // as many as a vector has lanes, and more than a window
 
     std::size_t numbers_;
-    std::vector<float> values_;
+    hwy::AlignedFreeUniquePtr<float[]> values_;
 };
 
 // The rows of a window around `row`, of `numbers` each; `zeros` beyond the picture.
