@@ -115,15 +115,11 @@ function(macula_module name)
     target_link_libraries(macula_${name} PUBLIC ${M_PUBLIC} PRIVATE ${M_PRIVATE})
 endfunction()
 
-# macula_vectors(TARGET SOURCE …): sources whose loops run on vectors, by Google Highway, which compiles them for several
-# instruction sets and takes the best that the processor has. Of those of x86, only what is in computers since 2013, and the scalar
-# one for all others: each takes its time to compile. The options change no value.
-function(macula_vectors target)
-    find_package(hwy REQUIRED)
-    target_link_libraries(${target} PRIVATE hwy::hwy)
+# macula_vector_sources(SOURCE …): sources that include themselves once for each instruction set (hwy/foreach_target.h), of a target
+# that is linked with macula::vectors. The options change no value.
+function(macula_vector_sources)
     set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
-        COMPILE_OPTIONS "-O3;-fno-math-errno;-fno-trapping-math;-Wno-shadow"
-        COMPILE_DEFINITIONS "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3_DL|HWY_SVE|HWY_SVE2)")
+        COMPILE_OPTIONS "-O3;-fno-math-errno;-fno-trapping-math;-Wno-shadow")
 endfunction()
 
 # macula_plugin(NAME SOURCES … PRIVATE …): macula-NAME.so, which base/plugin.h loads: beside the programs in the build, and in a

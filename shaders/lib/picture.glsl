@@ -35,22 +35,7 @@ bool isFinite(vec4 v) {
            (floatBitsToUint(v.z) & special) != special && (floatBitsToUint(v.w) & special) != special;
 }
 
-// The Khronos PBR neutral tone map (2024): colours as they are up to 0.8, highlights compressed and slowly
-// desaturated.
-vec3 toneMapNeutral(vec3 colour) {
-    float startCompression = float(0.8 - 0.04);
-    float desaturation = float(0.15);
-    float x = min(colour.x, min(colour.y, colour.z));
-    float offset = x < float(0.08) ? x - float(6.25) * x * x : float(0.04);
-    colour -= vec3(offset);
-    float peak = max(colour.x, max(colour.y, colour.z));
-    if (peak < startCompression) return colour;
-    float d = float(1.0) - startCompression;
-    float newPeak = float(1.0) - d * d / (peak + d - startCompression);
-    colour *= newPeak / peak;
-    float g = float(1.0) - float(1.0) / (desaturation * (peak - newPeak) + float(1.0));
-    return mix(colour, vec3(newPeak), g);
-}
+#include "lib/tone_neutral.glsl"
 
 // OKLab (Ottosson 2020, "A perceptual color space for image processing") of linear sRGB: lightness, and two
 // coordinates whose angle is the hue. All three scale with the cube root of the light, so that more or less
@@ -138,12 +123,7 @@ vec3 toneMapped(vec3 colour, bool keepsHue) {
     return mapped;
 }
 
-// Linear 0 to 1 to display-encoded (IEC 61966-2-1).
-float encodeSrgb(float linear) {
-    float c = clamp(linear, float(0.0), float(1.0));
-    return c <= float(0.0031308) ? c * float(12.92) : float(1.055) * pow(c, float(1.0 / 2.4)) - float(0.055);
-}
-
+// The inverse of encodeSrgb.
 float decodeSrgb(float encoded) {
     return encoded <= float(0.04045) ? encoded / float(12.92)
                                      : pow((encoded + float(0.055)) / float(1.055), float(2.4));

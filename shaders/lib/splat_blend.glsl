@@ -1,6 +1,8 @@
 // Blends one splat into one pixel, front to back, premultiplied; and its derivative, also front to back. The
 // state of a pixel is one or two numbers, so that a thread can hold several pixels in registers. There are no
-// branches: a splat outside the pixel, or after the pixel is finished, has alpha 0 and changes nothing.
+// branches: a splat outside the pixel, or after the pixel is finished, has alpha 0 and changes nothing. And no
+// ?:, but mix(a, b, condition), b where it is true: so that this is also C++ where float is a vector of
+// several pixels (base/vector_in_glsl.h).
 //
 // A pixel is finished once its transmittance is below minTransmittance. The splat that finishes it still
 // counts in full; 3DGS leaves it out. There the last bit of a float decides whether two splats of alpha 0.99
@@ -33,14 +35,15 @@ float limitedAlpha(float raw, SplatView view) {
 // The derivative of limitedAlpha with respect to `raw`.
 float alphaSlope(float raw, SplatView view) {
     float faded = view.fringe * (raw - view.minAlpha);
-    if (!(faded > float(0.0)) || (raw >= view.maxAlpha && faded >= view.maxAlpha)) return float(0.0);
-    return faded < raw && view.fringe < float(HARD_EDGE) ? view.fringe : float(1.0);
+    bool isLimited = raw >= view.maxAlpha && faded >= view.maxAlpha;
+    bool isFading = faded < raw && view.fringe < float(HARD_EDGE);
+    return mix(float(0.0), mix(float(1.0), view.fringe, isFading), faded > float(0.0) && !isLimited);
 }
 
 // The weight of a splat with this alpha in the pixel, by which the caller multiplies and adds up colours and
 // depths. The sum of weights is the coverage, 1 - transmittance.
 float takeWeight(INOUT(float) transmittance, float alpha, SplatView view) {
-    float weight = transmittance < view.minTransmittance ? float(0.0) : alpha * transmittance;
+    float weight = mix(alpha * transmittance, float(0.0), transmittance < view.minTransmittance);
     transmittance -= weight;
     return weight;
 }
@@ -70,12 +73,12 @@ void addPixelGradient(ScreenSplat screen, vec3 colour, vec2 pixel, PixelGradient
     float power = float(0.5) * (screen.conic.x * u * u + screen.conic.z * offset.y * offset.y);
     float fall = exp(-power);
     float raw = screen.opacity * fall;
-    float alpha = transmittance < view.minTransmittance ? float(0.0) : limitedAlpha(raw, view);
+    float alpha = mix(limitedAlpha(raw, view), float(0.0), transmittance < view.minTransmittance);
     float worth = worthOf(colour, screen.depthMm, g);
     float weight = alpha * transmittance;
     remaining -= weight * worth;
     float byAlpha = transmittance * worth - remaining / (float(1.0) - alpha);
-    float byRaw = alpha > float(0.0) ? byAlpha * alphaSlope(raw, view) : float(0.0);
+    float byRaw = mix(float(0.0), byAlpha * alphaSlope(raw, view), alpha > float(0.0));
     transmittance -= weight;
 
     float byPower = -byRaw * raw;

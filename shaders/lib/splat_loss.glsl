@@ -1,7 +1,8 @@
 // The quantities of a pixel that the loss of a splat model compares, and their derivatives with respect to
-// the pixel.
+// the pixel. No branches but on parameters of all pixels: also C++ where float is a vector of several pixels
+// (base/vector_in_glsl.h).
 //
-// Needs picture.glsl.
+// Needs tone_neutral.glsl.
 
 // Larger numbers are meaningless, and their fourth powers would overflow.
 #define MOST_COMPARED 1e6
@@ -24,8 +25,8 @@ vec4 boundedPixel(vec4 value) {
 // The derivative of the largest or smallest channel: channels that tie share it, so that greys stay grey.
 vec3 shareOf(vec3 value, float extreme) {
     vec3 share =
-        vec3(value.x == extreme ? float(1.0) : float(0.0), value.y == extreme ? float(1.0) : float(0.0),
-             value.z == extreme ? float(1.0) : float(0.0));
+        vec3(mix(float(0.0), float(1.0), value.x == extreme), mix(float(0.0), float(1.0), value.y == extreme),
+             mix(float(0.0), float(1.0), value.z == extreme));
     return share / (share.x + share.y + share.z);
 }
 
@@ -36,7 +37,7 @@ struct TonePath {
     vec3 lowShare;      // derivative of the lowest channel by each channel
     float offsetSlope;  // derivative of the offset by the lowest channel
     vec3 lifted;
-    bool isCompressed;  // if false, the rest is not set
+    bool isCompressed;  // if false, the rest has no meaning
     float peak;
     vec3 peakShare;
     float slope;  // its square is the derivative of newPeak by peak
@@ -48,14 +49,13 @@ struct TonePath {
 TonePath tonePathOf(vec3 colour) {
     float startCompression = float(0.8 - 0.04);
     float low = min(colour.x, min(colour.y, colour.z));
-    float offset = low < float(0.08) ? low - float(6.25) * low * low : float(0.04);
+    float offset = mix(float(0.04), low - float(6.25) * low * low, low < float(0.08));
     TonePath path;
     path.lowShare = shareOf(colour, low);
-    path.offsetSlope = low < float(0.08) ? float(1.0) - float(12.5) * low : float(0.0);
+    path.offsetSlope = mix(float(0.0), float(1.0) - float(12.5) * low, low < float(0.08));
     path.lifted = colour - vec3(offset);
     path.peak = max(path.lifted.x, max(path.lifted.y, path.lifted.z));
     path.isCompressed = path.peak >= startCompression;
-    if (!path.isCompressed) return path;
     float d = float(1.0) - startCompression;
     path.peakShare = shareOf(path.lifted, path.peak);
     path.slope = d / (path.peak + d - startCompression);
@@ -69,22 +69,20 @@ TonePath tonePathOf(vec3 colour) {
 // step by step through that function.
 vec3 toneMapNeutralBack(vec3 colour, vec3 back) {
     TonePath path = tonePathOf(colour);
-    vec3 ofLifted = back;
-    if (path.isCompressed) {
-        vec3 ofScaled = back * path.keep;
-        float ofKeep = dot(back, path.lifted * path.ratio - vec3(path.newPeak)) * float(-TONE_DESATURATION) *
-                       path.keep * path.keep;  // by peak - newPeak
-        float ofRatio = dot(ofScaled, path.lifted) / path.peak;
-        float ofNewPeak = (back.x + back.y + back.z) * (float(1.0) - path.keep) + ofRatio - ofKeep;
-        float ofPeak = ofKeep - ofRatio * path.ratio + ofNewPeak * path.slope * path.slope;
-        ofLifted = ofScaled * path.ratio + path.peakShare * ofPeak;
-    }
+    vec3 ofScaled = back * path.keep;
+    float ofKeep = dot(back, path.lifted * path.ratio - vec3(path.newPeak)) * float(-TONE_DESATURATION) *
+                   path.keep * path.keep;  // by peak - newPeak
+    float ofRatio = dot(ofScaled, path.lifted) / path.peak;
+    float ofNewPeak = (back.x + back.y + back.z) * (float(1.0) - path.keep) + ofRatio - ofKeep;
+    float ofPeak = ofKeep - ofRatio * path.ratio + ofNewPeak * path.slope * path.slope;
+    vec3 ofLifted =
+        mix(back, ofScaled * path.ratio + path.peakShare * ofPeak, bvec3(path.isCompressed));
     return ofLifted - path.lowShare * ((ofLifted.x + ofLifted.y + ofLifted.z) * path.offsetSlope);
 }
 
 float encodeSrgbSlope(float linear) {
     float c = clamp(linear, float(0.0), float(1.0));
-    return c <= float(0.0031308) ? float(12.92) : float(1.055 / 2.4) * pow(c, float(1.0 / 2.4 - 1.0));
+    return mix(float(1.055 / 2.4) * pow(c, float(1.0 / 2.4 - 1.0)), float(12.92), c <= float(0.0031308));
 }
 
 // A premultiplied pixel as it is compared: exposed, over the (not exposed) background, display-encoded if
@@ -114,14 +112,14 @@ ComparedPixel comparedPixel(vec4 premultiplied, vec3 background, float exposure,
 vec3 toneMapNeutralChange(vec3 colour, vec3 change) {
     TonePath path = tonePathOf(colour);
     vec3 ofLifted = change - vec3(path.offsetSlope * dot(path.lowShare, change));
-    if (!path.isCompressed) return ofLifted;
     float ofPeak = dot(path.peakShare, ofLifted);
     float ofNewPeak = path.slope * path.slope * ofPeak;
     float ofRatio = (ofNewPeak - path.ratio * ofPeak) / path.peak;
     float ofKeep = float(-TONE_DESATURATION) * path.keep * path.keep * (ofPeak - ofNewPeak);
     vec3 ofScaled = ofLifted * path.ratio + path.lifted * ofRatio;
-    return ofScaled * path.keep + (path.lifted * path.ratio - vec3(path.newPeak)) * ofKeep +
-           vec3(ofNewPeak * (float(1.0) - path.keep));
+    vec3 compressed = ofScaled * path.keep + (path.lifted * path.ratio - vec3(path.newPeak)) * ofKeep +
+                      vec3(ofNewPeak * (float(1.0) - path.keep));
+    return mix(ofLifted, compressed, bvec3(path.isCompressed));
 }
 
 // The change of the compared colours, to first order, for a change of the colours over the background.

@@ -45,6 +45,8 @@ struct GlslInCpp {
     }
     static Real mix(Real a, Real b, Real t) { return a * (Real(1) - t) + b * t; }
     static vec3 mix(const vec3& a, const vec3& b, Real t) { return glm::mix(a, b, t); }
+    static Real mix(Real a, Real b, bool isSecond) { return isSecond ? b : a; }
+    static vec3 mix(const vec3& a, const vec3& b, const bvec3& isSecond) { return glm::mix(a, b, isSecond); }
     static Real abs(Real x) { return std::abs(x); }
     static vec4 abs(const vec4& x) { return glm::abs(x); }
     static Real floor(Real x) { return std::floor(x); }

@@ -6,6 +6,8 @@
 
 #include "base/check.h"
 #include "pipeline/splat/draw/radix_sort.h"
+#include "pipeline/splat/native/native_raster.h"
+#include "pipeline/splat/native/native_raster_back.h"
 #include "shaders/splat.h"
 #include "shared/splat_frame.h"
 
@@ -29,6 +31,7 @@ Result<RasterKernels> RasterKernels::create(const std::shared_ptr<gpu::Device>& 
     const std::uint32_t asked = askedSubgroupSize(device->info());
     const int subgroup = static_cast<int>(asked > 0 ? asked : device->info().subgroupSize);
     const int slots = (threads + subgroup - 1) / subgroup;
+    const int slotRows = std::min(threads, subgroup) / shared::kTileColumns * shape.rowsPerThread;
 
     const std::vector<gpu::Specialization> tile{{"kRows", shape.rowsPerThread}, {2u, threads}};
     const std::vector<gpu::Specialization> degree{{"kDegree", shDegree}};
@@ -39,8 +42,8 @@ Result<RasterKernels> RasterKernels::create(const std::shared_ptr<gpu::Device>& 
     degreeSlots.emplace_back("kSlots", slots);
     MACULA_TRY(gpu::Kernel project,
                gpu::Kernel::create(device, shaders::splat_project_comp, {.specializations = degree}));
-    MACULA_TRY(gpu::Kernel raster,
-               gpu::Kernel::create(device, shaders::splat_raster_comp, {.specializations = tile}));
+    MACULA_TRY(gpu::Kernel raster, gpu::Kernel::create(device, shaders::splat_raster_comp,
+                                                       {.specializations = tile, .native = nativeRaster()}));
     RasterKernels kernels{.project = std::move(project), .raster = std::move(raster), .slots = slots};
     if (shDegree > 1) return kernels;
     if (subgroup < shared::kTileColumns)
@@ -50,7 +53,9 @@ Result<RasterKernels> RasterKernels::create(const std::shared_ptr<gpu::Device>& 
                      Text("Choose another device: `macula devices` lists them.")};
     MACULA_TRY(kernels.rasterBack,
                gpu::Kernel::create(device, shaders::splat_raster_back_comp,
-                                   {.specializations = tileSlots, .subgroupSize = asked}));
+                                   {.specializations = tileSlots,
+                                    .subgroupSize = asked,
+                                    .native = nativeRasterBack({.slots = slots, .rowsOfSlot = slotRows})}));
     MACULA_TRY(kernels.gather,
                gpu::Kernel::create(device, shaders::splat_gather_comp, {.specializations = degreeSlots}));
     return kernels;

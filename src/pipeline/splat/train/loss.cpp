@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "pipeline/gpu/transfer.h"
+#include "pipeline/splat/native/native_loss.h"
 #include "shaders/splat.h"
 
 namespace macula::splat {
@@ -50,23 +51,26 @@ void write(gpu::Recorder& recorder, const gpu::Buffer& buffer, const shared::Spl
 
 LossWork lossWorkOf(const gpu::Device& device) {
     const bool fits = device.info().maxSharedBytes >= kTileSharedBytes;
-    return fits && !device.isCpu() ? LossWork::byTiles : LossWork::byStrips;
+    // Only tiles have native kernels.
+    return fits && (!device.isCpu() || device.runsNatively()) ? LossWork::byTiles : LossWork::byStrips;
 }
 
 Result<std::shared_ptr<const LossKernels>> LossKernels::create(const std::shared_ptr<gpu::Device>& device,
                                                                LossWork work) {
-    const auto make = [&](const gpu::ShaderCode& code, std::vector<gpu::Specialization> specializations) {
-        return gpu::Kernel::create(device, code, {.specializations = std::move(specializations)});
+    const auto make = [&](const gpu::ShaderCode& code, std::vector<gpu::Specialization> specializations,
+                          gpu::NativeKernel native = {}) {
+        return gpu::Kernel::create(
+            device, code, {.specializations = std::move(specializations), .native = std::move(native)});
     };
-    const auto forEncodings = [&](const gpu::ShaderCode& code) -> Result<ByEncoding> {
-        MACULA_TRY(gpu::Kernel plain, make(code, {{"kDisplay", false}}));
-        MACULA_TRY(gpu::Kernel display, make(code, {{"kDisplay", true}}));
+    const auto forEncodings = [&](const gpu::ShaderCode& code, const auto& native) -> Result<ByEncoding> {
+        MACULA_TRY(gpu::Kernel plain, make(code, {{"kDisplay", false}}, native(false)));
+        MACULA_TRY(gpu::Kernel display, make(code, {{"kDisplay", true}}, native(true)));
         return ByEncoding{std::move(plain), std::move(display)};
     };
     const int rowOutputs = device->isCpu() ? kRowOutputsCpu : kRowOutputsGpu;
     const auto makeSimilarity = [&]() -> Result<Similarity> {
         if (work == LossWork::byTiles) {
-            MACULA_TRY(ByEncoding terms, forEncodings(shaders::splat_loss_tile_terms_comp));
+            MACULA_TRY(ByEncoding terms, forEncodings(shaders::splat_loss_tile_terms_comp, nativeLossTerms));
             return Similarity(Tiles{std::move(terms)});
         }
         MACULA_TRY(gpu::Kernel columns,
@@ -79,13 +83,14 @@ Result<std::shared_ptr<const LossKernels>> LossKernels::create(const std::shared
     const auto makeGradient = [&](bool display, bool similar) {
         return work == LossWork::byTiles
                    ? make(shaders::splat_loss_tile_gradient_comp,
-                          {{"kDisplay", display}, {"kSimilar", similar}})
+                          {{"kDisplay", display}, {"kSimilar", similar}},
+                          nativeLossGradient(display, similar))
                    : make(shaders::splat_loss_gradient_comp,
                           {{"kOutputs", rowOutputs}, {"kDisplay", display}, {"kSimilar", similar}});
     };
     MACULA_TRY(auto similarity, makeSimilarity());
     MACULA_TRY(gpu::Kernel windows, make(shaders::splat_loss_windows_comp, {}));
-    MACULA_TRY(ByEncoding compare, forEncodings(shaders::splat_loss_compare_comp));
+    MACULA_TRY(ByEncoding compare, forEncodings(shaders::splat_loss_compare_comp, nativeLossCompare));
     MACULA_TRY(gpu::Kernel gradientPlain, makeGradient(false, false));
     MACULA_TRY(gpu::Kernel gradientPlainSimilar, makeGradient(false, true));
     MACULA_TRY(gpu::Kernel gradientDisplay, makeGradient(true, false));

@@ -21,7 +21,7 @@ enum class LossWork {
     byStrips,  // kernels for columns and rows, with their sums in the device's memory
     byTiles,   // in the shared memory of a workgroup
 };
-// byTiles on graphics cards with enough shared memory, else byStrips.
+// byTiles on graphics cards with enough shared memory, and where kernels run natively; else byStrips.
 LossWork lossWorkOf(const gpu::Device& device);
 
 // The kernels of the loss, for pictures of any size.
