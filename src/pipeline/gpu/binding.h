@@ -21,6 +21,7 @@ class Binding {
     Binding(const Image& image, const Sampler& sampler);   // sampler2D, sampler3D
 
   private:
+    friend class Kernel;
     friend class Recorder;
 
     enum class Kind { buffer, texelBuffer, image, sampledImage };

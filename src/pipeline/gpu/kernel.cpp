@@ -168,4 +168,25 @@ Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const Shade
     return Kernel(device, *compiled);
 }
 
+void Kernel::requireFit(std::span<const std::byte> push, std::span<const Binding> bindings,
+                        const std::string& label) const {
+    const auto requireIt = [&](bool fits, const std::string& what) {
+        require(fits, label.c_str(), name() + ": " + what);
+    };
+    requireIt(push.size() == pushConstantBytes(),
+              fmt::format("the shader has {} bytes of push constants, the call {}", pushConstantBytes(),
+                          push.size()));
+    requireIt(bindings.size() == reflection().bindings.size(),
+              fmt::format("the shader has {} bindings, the call {}", reflection().bindings.size(),
+                          bindings.size()));
+    for (std::size_t i = 0; i < bindings.size(); ++i) {
+        const ReflectedBinding& wanted = reflection().bindings[i];
+        requireIt(
+            bindings[i].fits(wanted.type),
+            fmt::format("\"{}\" cannot be bound to {} (binding {}): it is of another kind, or lacks the "
+                        "usage",
+                        *bindings[i].label_, wanted.name, wanted.binding));
+    }
+}
+
 }  // namespace macula::gpu

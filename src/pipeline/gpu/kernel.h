@@ -8,12 +8,14 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/result.h"
+#include "pipeline/gpu/binding.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/native_kernel.h"
 #include "pipeline/gpu/shader_code.h"
@@ -83,6 +85,10 @@ class Kernel {
     std::uint32_t pushConstantBytes() const {
         return reflection().pushConstants ? reflection().pushConstants->block.bytes : 0;
     }
+
+    // A failed check, which names the recording `label`, unless these match the shader.
+    void requireFit(std::span<const std::byte> push, std::span<const Binding> bindings,
+                    const std::string& label) const;
 
     // Not empty if the kernel runs on the host.
     const NativeKernel& native() const { return compiled_->native; }

@@ -1,8 +1,6 @@
 #include "pipeline/gpu/recorder.h"
 
 #include <array>
-#include <cstring>
-#include <new>
 #include <utility>
 
 #include "pipeline/gpu/vulkan_error.h"
@@ -43,7 +41,7 @@ Result<Recorder> Recorder::create(const std::shared_ptr<Device>& device, std::st
     MACULA_CHECK(device != nullptr);
     Recorder recorder;
     MACULA_TRY(recorder.commands_, device->takeCommands());
-    recorder.queries_ = recorder.commands_.queries;
+    recorder.timers_ = TimedSections(recorder.commands_.queries);
     recorder.device_ = device;
     recorder.label_ = label;
     recorder.state_ = State::recording;
@@ -75,7 +73,6 @@ Result<void> Recorder::endCommands() {
 Recorder::Recorder(Recorder&& other) noexcept
     : device_(std::move(other.device_)),
       commands_(other.commands_),
-      queries_(other.queries_),
       hostWork_(std::move(other.hostWork_)),
       isEmpty_(other.isEmpty_),
       failed_(std::move(other.failed_)),
@@ -89,10 +86,10 @@ Recorder::Recorder(Recorder&& other) noexcept
 
 Recorder::~Recorder() {
     if (state_ == State::movedFrom) return;
-    for (HostWork& work : hostWork_) {
-        work.before.busyUntil = ticket_;
-        device_->giveCommandsBack(work.before);
-    }
+    hostWork_.giveBack([&](CommandPool::Commands commands) {
+        commands.busyUntil = ticket_;
+        device_->giveCommandsBack(commands);
+    });
     commands_.busyUntil = ticket_;
     device_->giveCommandsBack(commands_);
     if (state_ == State::recording) device_->recorderClosed();
@@ -115,24 +112,6 @@ void Recorder::begin(Order order) {
     if (dirty_ && order == Order::afterPrevious) barrier();
     dirty_ = true;
     isEmpty_ = false;
-}
-
-void Recorder::requireFit(const Kernel& kernel, std::span<const std::byte> push,
-                          std::span<const Binding> bindings) const {
-    const Reflection& reflection = kernel.reflection();
-    require(push.size() == kernel.pushConstantBytes(),
-            fmt::format("{}: the shader has {} bytes of push constants, the call {}", kernel.name(),
-                        kernel.pushConstantBytes(), push.size()));
-    require(bindings.size() == reflection.bindings.size(),
-            fmt::format("{}: the shader has {} bindings, the call {}", kernel.name(),
-                        reflection.bindings.size(), bindings.size()));
-    for (std::size_t i = 0; i < bindings.size(); ++i) {
-        const ReflectedBinding& wanted = reflection.bindings[i];
-        require(bindings[i].fits(wanted.type),
-                fmt::format("{}: \"{}\" cannot be bound to {} (binding {}): it is of another "
-                            "kind, or lacks the usage",
-                            kernel.name(), *bindings[i].label_, wanted.name, wanted.binding));
-    }
 }
 
 void Recorder::bind(const Kernel& kernel, std::span<const std::byte> push, std::span<const Binding> bindings,
@@ -163,7 +142,7 @@ void Recorder::bind(const Kernel& kernel, std::span<const std::byte> push, std::
 
 void Recorder::dispatchBytes(const Kernel& kernel, Threads threads, std::span<const std::byte> push,
                              std::span<const Binding> bindings, Order order) {
-    requireFit(kernel, push, bindings);
+    kernel.requireFit(push, bindings, label_);
     const std::array<std::uint32_t, 3> wanted{threads.x, threads.y, threads.z};
     std::array<std::uint32_t, 3> groups{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -183,7 +162,7 @@ void Recorder::dispatchIndirect(const Kernel& kernel, const Groups& groups, std:
     MACULA_CHECK(groups.buffer.usage() & VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
     MACULA_CHECK_EQ(groups.offset % 4, 0u);
     checkRange(groups.buffer, groups.offset, sizeof(VkDispatchIndirectCommand));
-    requireFit(kernel, push, bindings);
+    kernel.requireFit(push, bindings, label_);
     if (kernel.native())
         return dispatchOnHost(
             kernel, NativeDispatch({}, push), bindings,
@@ -205,38 +184,15 @@ void Recorder::dispatchOnHost(const Kernel& kernel, NativeDispatch dispatch,
     const auto tryNext = [&]() -> Result<void> {
         MACULA_TRY(const CommandPool::Commands next, device_->takeCommands());
         const Result<void> ended = endCommands();
-        hostWork_.push_back({.before = std::exchange(commands_, next),
-                             .isEmpty = isEmpty_,
-                             .kernel = kernel.native(),
-                             .dispatch = std::move(dispatch),
-                             .groups = groups});
+        hostWork_.add({.before = std::exchange(commands_, next),
+                       .isEmpty = isEmpty_,
+                       .kernel = kernel.native(),
+                       .dispatch = std::move(dispatch),
+                       .groups = groups});
         if (!ended.ok()) return ended.error();
         return beginCommands();
     };
     if (const auto next = tryNext(); !next.ok()) failed_ = next.error();
-}
-
-// Submits the commands before each native kernel, waits for them, and runs it. `wait` becomes null once a
-// submission has taken it.
-Result<void> Recorder::runHostWork(VkSemaphore& wait) {
-    for (HostWork& work : hostWork_) {
-        if (!work.isEmpty || wait != VK_NULL_HANDLE) {
-            MACULA_TRY(ticket_, device_->submit(work.before.buffer, std::exchange(wait, VK_NULL_HANDLE),
-                                                VK_NULL_HANDLE));
-        }
-        MACULA_TRY([[maybe_unused]] const bool done, device_->waitFor(device_->submittedTicket()));
-        if (!work.groups.empty()) {
-            std::array<std::uint32_t, 3> groups{};
-            std::memcpy(groups.data(), work.groups.data(), sizeof(groups));
-            work.dispatch.setGroups(groups);
-        }
-        try {
-            work.kernel(work.dispatch);
-        } catch (const std::bad_alloc&) {
-            return device_->failed(VK_ERROR_OUT_OF_HOST_MEMORY, Text("run \"{}\"", label_));
-        }
-    }
-    return {};
 }
 
 void Recorder::copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
@@ -321,12 +277,7 @@ Recorder::Scope Recorder::label(std::string_view name) {
 Recorder::Scope Recorder::timed(std::string_view name) {
     Scope scope = label(name);
     if (device_->timestampBits_ == 0) return scope;
-    MACULA_CHECK_LT(timers_.size(), static_cast<std::size_t>(kMaxTimers));
-    scope.timer_ = static_cast<int>(timers_.size());
-    timers_.emplace_back(name);
-    const auto first = static_cast<std::uint32_t>(2 * scope.timer_);
-    vkCmdResetQueryPool(commands_.buffer, queries_, first, 2);
-    vkCmdWriteTimestamp2(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, first);
+    scope.timer_ = timers_.begin(commands_.buffer, name);
     isEmpty_ = false;
     return scope;
 }
@@ -334,9 +285,7 @@ Recorder::Scope Recorder::timed(std::string_view name) {
 void Recorder::endScope(int timer) {
     MACULA_CHECK(state_ == State::recording);
     --openScopes_;
-    if (timer != kNoTimer)
-        vkCmdWriteTimestamp2(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
-                             static_cast<std::uint32_t>(2 * timer + 1));
+    if (timer != kNoTimer) timers_.end(commands_.buffer, timer);
     isEmpty_ = false;
     if (device_->functions_.cmdEndLabel) device_->functions_.cmdEndLabel(commands_.buffer);
 }
@@ -347,7 +296,15 @@ Result<Ticket> Recorder::submit(const SubmitOptions& options) {
     if (failed_) return *failed_;
     MACULA_TRY_VOID(endCommands());
     VkSemaphore wait = options.wait;
-    MACULA_TRY_VOID(runHostWork(wait));
+    const auto complete = [&](const CommandPool::Commands& before, bool isEmpty) -> Result<void> {
+        if (!isEmpty || wait != VK_NULL_HANDLE) {
+            MACULA_TRY(ticket_,
+                       device_->submit(before.buffer, std::exchange(wait, VK_NULL_HANDLE), VK_NULL_HANDLE));
+        }
+        MACULA_TRY([[maybe_unused]] const bool done, device_->waitFor(device_->submittedTicket()));
+        return {};
+    };
+    MACULA_TRY_VOID(hostWork_.run(complete, label_));
     MACULA_TRY(ticket_, device_->submit(commands_.buffer, wait, options.signal));
     state_ = State::submitted;
     device_->recorderClosed();
@@ -358,20 +315,10 @@ Result<std::vector<Timing>> Recorder::timings() {
     MACULA_CHECK(state_ == State::submitted);
     auto done = device_->waitFor(ticket_);
     if (!done.ok()) return done.error();
-
     std::vector<Timing> timings;
-    if (timers_.empty()) return timings;
-    std::vector<std::uint64_t> stamps(2 * timers_.size());
     const VkResult result =
-        vkGetQueryPoolResults(device_->handle(), queries_, 0, static_cast<std::uint32_t>(stamps.size()),
-                              stamps.size() * sizeof(stamps[0]), stamps.data(), sizeof(stamps[0]),
-                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+        timers_.read(device_->handle(), device_->timestampBits_, device_->timestampPeriodNs_, timings);
     if (result < 0) return device_->failed(result, Text("read the timings"));
-    const std::uint64_t valid = device_->timestampBits_ >= 64 ? ~0ull : (1ull << device_->timestampBits_) - 1;
-    for (std::size_t i = 0; i < timers_.size(); ++i) {
-        const std::uint64_t ticks = (stamps[2 * i + 1] - stamps[2 * i]) & valid;  // the counter may wrap
-        timings.push_back({timers_[i], static_cast<double>(ticks) * device_->timestampPeriodNs_ * 1e-6});
-    }
     return timings;
 }
 

@@ -31,8 +31,10 @@
 #include "pipeline/gpu/binding.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/foreign_images.h"
+#include "pipeline/gpu/host_work.h"
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/resources.h"
+#include "pipeline/gpu/timed_sections.h"
 
 namespace macula::gpu {
 
@@ -52,11 +54,6 @@ struct SubmitOptions {
     VkSemaphore wait =
         VK_NULL_HANDLE;  // binary, awaited before any command runs: Swapchain::Frame::available
     VkSemaphore signal = VK_NULL_HANDLE;  // binary, signalled when all is done: Swapchain::Frame::rendered
-};
-
-struct Timing {
-    std::string name;
-    double milliseconds = 0.0;
 };
 
 // Equivalent of a VkCommandBuffer in recording state. Movable, not copyable; one thread. While any recorder
@@ -159,7 +156,7 @@ class Recorder {
     [[nodiscard]] Scope label(std::string_view name);  // for debuggers
     [[nodiscard]] Scope timed(std::string_view name);  // a label whose time is measured; at most kMaxTimers
 
-    static constexpr int kMaxTimers = CommandPool::kQueries / 2;
+    static constexpr int kMaxTimers = TimedSections::kMost;
     static constexpr std::size_t kMaxUpdateBytes = 65536;  // Vulkan's own limit
 
     // The command buffer, for commands that this class does not offer. Put barrier() before and after.
@@ -180,37 +177,24 @@ class Recorder {
     void begin(Order order);
     void dispatchIndirect(const Kernel& kernel, const Groups& groups, std::span<const std::byte> push,
                           std::span<const Binding> bindings);
-    void requireFit(const Kernel& kernel, std::span<const std::byte> push,
-                    std::span<const Binding> bindings) const;
     void bind(const Kernel& kernel, std::span<const std::byte> push, std::span<const Binding> bindings,
               Order order);
     void dispatchOnHost(const Kernel& kernel, NativeDispatch dispatch, std::span<const Binding> bindings,
                         std::span<const std::byte> groups = {});
     Result<void> beginCommands();
     Result<void> endCommands();
-    Result<void> runHostWork(VkSemaphore& wait);
-
-    // A native kernel that runs after the commands in `before`, and before those recorded later.
-    struct HostWork {
-        CommandPool::Commands before;
-        bool isEmpty = false;  // nothing was recorded in `before`
-        NativeKernel kernel;
-        NativeDispatch dispatch;
-        std::span<const std::byte> groups;  // of an indirect dispatch: where to read them; else empty
-    };
     void endScope(int timer);
 
     static constexpr int kNoTimer = -1;
 
     std::shared_ptr<Device> device_;
     CommandPool::Commands commands_;
-    VkQueryPool queries_ = VK_NULL_HANDLE;  // of the first commands
-    std::vector<HostWork> hostWork_;
+    HostWork hostWork_;
     bool isEmpty_ = true;          // nothing was recorded in commands_
     std::optional<Error> failed_;  // while recording; submit() returns it
     State state_ = State::movedFrom;
     std::string label_;
-    std::vector<std::string> timers_;
+    TimedSections timers_;  // with the queries of the first commands
     int openScopes_ = 0;
     bool dirty_ = false;  // something was recorded since the last barrier
     Ticket ticket_ = 0;

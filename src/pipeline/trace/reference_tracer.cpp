@@ -67,7 +67,8 @@ std::vector<glm::dvec4> ReferenceTracer::trace(const shared::TraceParams& params
     if (precision == Precision::single) {
         return reference::traceSingle(*tables_, params, filter, firstSample, sampleCount);
     }
-    return reference::traceOn(reference::HostTwofold(reference::hostTables(*tables_, params), params, filter), firstSample, sampleCount);
+    return reference::traceOn(reference::HostTwofold(reference::hostTables(*tables_, params), params, filter),
+                              firstSample, sampleCount);
 }
 
 std::vector<glm::dvec4> ReferenceTracer::cast(const shared::TraceParams& params, const Cast& what,

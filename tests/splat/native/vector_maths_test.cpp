@@ -1,7 +1,7 @@
 // exp and log of base/vector_in_glsl.h on each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "splat/native/vector_maths_test.cpp"
-#include <hwy/foreach_target.h>  // before highway.h
+#include <hwy/foreach_target.h>  // first
 #include <hwy/highway.h>
 
 #include "base/vector_in_glsl.h"

@@ -1,7 +1,7 @@
 // Rays in the lanes of vectors: the walk through bricks and the tentative collisions of follow() in
 // shaders/lib/path.glsl, for many rays at once. Where a ray ends, its path is decided in scalar code.
 //
-// Included once for each instruction set by hwy/foreach_target.h, in macula::trace and its HWY_NAMESPACE.
+// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE.
 #if defined(MACULA_FLIGHTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MACULA_FLIGHTS_INL_H
 #undef MACULA_FLIGHTS_INL_H
@@ -10,7 +10,7 @@
 #endif
 
 #include <hwy/highway.h>
-// After highway.h.
+// After it.
 #include <hwy/contrib/math/math-inl.h>
 
 HWY_BEFORE_NAMESPACE();

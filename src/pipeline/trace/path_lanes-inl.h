@@ -1,7 +1,7 @@
 // Paths in the lanes of vectors: their rays fly together (flights-inl.h), and each path is decided in scalar
 // code where its ray ends.
 //
-// Included once for each instruction set by hwy/foreach_target.h.
+// Included once for each instruction set by Highway.
 #if defined(MACULA_PATH_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MACULA_PATH_LANES_INL_H
 #undef MACULA_PATH_LANES_INL_H

@@ -12,7 +12,7 @@
 #define HWY_TARGET_INCLUDE "pipeline/trace/native/native_surface_points.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
-// After highway.h.
+// After it.
 #include "pipeline/trace/native/path_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
