@@ -1,16 +1,16 @@
-#include "pipeline/trace/native/native_casts.h"
+#include "pipeline/trace/native_casts.h"
 
 #include <atomic>
 
 #include "base/glsl_in_cpp.h"
 #include "base/parallel.h"
 #include "pipeline/trace/clip_params.h"
-#include "pipeline/trace/native/native_film.h"
-#include "pipeline/trace/native/native_tables.h"
+#include "pipeline/trace/native_film.h"
+#include "pipeline/trace/native_tables.h"
 #include "shared/indirect_light.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "pipeline/trace/native/native_casts.cpp"
+#define HWY_TARGET_INCLUDE "pipeline/trace/native_casts.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 

@@ -1,19 +1,19 @@
-#include "pipeline/trace/native/native_surface_points.h"
+#include "pipeline/trace/native_surface_points.h"
 
 #include <array>
 #include <atomic>
 #include <memory>
 
 #include "base/parallel.h"
-#include "pipeline/trace/native/native_tables.h"
+#include "pipeline/trace/native_tables.h"
 #include "shared/surface_params.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "pipeline/trace/native/native_surface_points.cpp"
+#define HWY_TARGET_INCLUDE "pipeline/trace/native_surface_points.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 // After it.
-#include "pipeline/trace/native/path_lanes-inl.h"
+#include "pipeline/trace/path_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace macula::trace {

@@ -1,4 +1,4 @@
-#include "pipeline/trace/native/native_tables.h"
+#include "pipeline/trace/native_tables.h"
 
 namespace macula::trace {
 

@@ -36,7 +36,7 @@ namespace {
 HWY_AFTER_NAMESPACE();
 
 // Needs NativeHost.
-#include "pipeline/trace/native/flights-inl.h"
+#include "pipeline/trace/flights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace macula::trace {

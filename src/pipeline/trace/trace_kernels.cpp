@@ -1,9 +1,9 @@
 #include "pipeline/trace/trace_kernels.h"
 
 #include "pipeline/trace/device_scene.h"
-#include "pipeline/trace/native/native_casts.h"
-#include "pipeline/trace/native/native_paths.h"
-#include "pipeline/trace/native/native_surface_points.h"
+#include "pipeline/trace/native_casts.h"
+#include "pipeline/trace/native_paths.h"
+#include "pipeline/trace/native_surface_points.h"
 #include "shaders/trace.h"
 #include "shared/trace_params.h"
 
