@@ -6,7 +6,7 @@
 // mix(a, b, condition) takes the place of ?: and if. Define `float` as Float and `bool` as Mask around the
 // inclusion.
 //
-// Compiled once for each instruction set hence the guard, which is Highway's.
+// Compiled once for each instruction set, hence the guard, which is Highway's.
 #if defined(MACULA_BASE_VECTOR_IN_GLSL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MACULA_BASE_VECTOR_IN_GLSL_H
 #undef MACULA_BASE_VECTOR_IN_GLSL_H

@@ -165,6 +165,30 @@ TEST_F(NativeKernelTest, TellsThatMemoryIsShort) {
     EXPECT_FALSE(device()->lost());
 }
 
+// A recording has several command buffers then, but is one: what is dropped later is destroyed.
+TEST_F(NativeKernelTest, LeavesNothingThatCannotBeDestroyed) {
+    const Kernel kernel = affineKernel();
+    const TexelBuffer stored = values(counted(kCount));
+    const TexelBuffer table = this->table();
+    std::optional<Buffer> result = this->result();
+    const auto recorded = [&] {
+        auto recorder = expectOk(Recorder::create(device(), "dropped"));
+        recorder.fill(*result, 0);
+        recorder.dispatch(kernel, {kCount}, Push{kCount, 1.0f}, {stored, table, *result});
+        recorder.dispatch(kernel, {kCount}, Push{kCount, 2.0f}, {stored, table, *result});
+        return recorder;
+    };
+    { auto recorder = recorded(); }  // not submitted
+    {
+        auto recorder = recorded();
+        expectOk(recorder.submit());
+    }
+    expectOk(device()->waitForAll());
+    result.reset();
+    expectOk(device()->waitForAll());
+    EXPECT_EQ(device()->pendingDestructions(), 0u);
+}
+
 TEST_F(NativeKernelTest, DoesNotRunWhereItIsForbidden) {
     device_.reset();
     device_ = expectOk(Device::create(*instance_, {.nativeKernels = false}));

@@ -199,7 +199,6 @@ Result<CommandPool::Commands> Device::takeCommands() {
             commands_.take(opened_.handle, opened_.queueFamily, completedTicket(), commands);
         result < 0)
         return failed(result, doing);
-    dropped_.recorderOpened();
     return commands;
 }
 

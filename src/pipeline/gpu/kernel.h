@@ -50,7 +50,7 @@ struct KernelOptions {
     // The subgroup size that the kernel requires: a power of two from DeviceInfo::minSubgroupSize to
     // maxSubgroupSize. 0: the driver chooses, perhaps another than DeviceInfo::subgroupSize.
     std::uint32_t subgroupSize = 0;
-    // Does the same as the shader with these constants, on the host. May be empty.
+    // Does the same as the shader, on the host; depends on nothing but these constants. May be empty.
     NativeKernel native = {};
 };
 

@@ -44,6 +44,7 @@ Result<Recorder> Recorder::create(const std::shared_ptr<Device>& device, std::st
     recorder.timers_ = TimedSections(recorder.commands_.queries);
     recorder.device_ = device;
     recorder.label_ = label;
+    device->dropped_.recorderOpened();
     recorder.state_ = State::recording;
     MACULA_TRY_VOID(recorder.beginCommands());
     return recorder;
@@ -163,10 +164,13 @@ void Recorder::dispatchIndirect(const Kernel& kernel, const Groups& groups, std:
     MACULA_CHECK_EQ(groups.offset % 4, 0u);
     checkRange(groups.buffer, groups.offset, sizeof(VkDispatchIndirectCommand));
     kernel.requireFit(push, bindings, label_);
-    if (kernel.native())
-        return dispatchOnHost(
-            kernel, NativeDispatch({}, push), bindings,
-            groups.buffer.mapped().subspan(groups.offset, sizeof(VkDispatchIndirectCommand)));
+    if (kernel.native()) {
+        const std::span<std::byte> mapped = groups.buffer.mapped();
+        require(!mapped.empty(),
+                fmt::format("{}: \"{}\" is not in host memory", kernel.name(), groups.buffer.label()));
+        return dispatchOnHost(kernel, NativeDispatch({}, push), bindings,
+                              mapped.subspan(groups.offset, sizeof(VkDispatchIndirectCommand)));
+    }
     bind(kernel, push, bindings, Order::afterPrevious);
     vkCmdDispatchIndirect(commands_.buffer, groups.buffer.handle(), groups.offset);
 }
@@ -189,8 +193,8 @@ void Recorder::dispatchOnHost(const Kernel& kernel, NativeDispatch dispatch,
                        .kernel = kernel.native(),
                        .dispatch = std::move(dispatch),
                        .groups = groups});
-        if (!ended.ok()) return ended.error();
-        return beginCommands();
+        const Result<void> begun = beginCommands();
+        return ended.ok() ? begun : ended;
     };
     if (const auto next = tryNext(); !next.ok()) failed_ = next.error();
 }

@@ -163,6 +163,7 @@ class Recorder {
     VkCommandBuffer commands() const { return commands_.buffer; }
 
     // May be called once. The work starts now; the recorder may be dropped at once, or kept to read timings.
+    // Where native kernels are among the work, what comes before one that fails is done.
     Result<Ticket> submit(const SubmitOptions& options = {});
 
     // The timed sections in order of their start; none where the queue has no timestamps. Waits for the

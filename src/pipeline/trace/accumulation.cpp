@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstring>
 
+#include "base/parallel.h"
 #include "pipeline/gpu/transfer.h"
 
 namespace macula::trace {
@@ -14,6 +15,13 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kMaxBlocks = 65535;  // of one dispatch: what every device allows
 constexpr std::uint32_t kMinBlocksCpu = 4;   // of one dispatch, so that no thread of a CPU device is idle
+
+// The same; a thread of a native kernel has 32 pixels under way, half a block.
+std::uint32_t leastBlocks(const gpu::Device& device) {
+    if (!device.isCpu()) return 1;
+    if (!device.runsNatively()) return kMinBlocksCpu;
+    return std::max(kMinBlocksCpu, static_cast<std::uint32_t>((coreCount() + 1) / 2));
+}
 
 }  // namespace
 
@@ -102,7 +110,7 @@ Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, c
     // Side by side a block has up to hundreds of threads for each pixel, so that one block can fill a small
     // card.
     const std::uint32_t least = std::clamp(sideBySide_.leastBlocks(variant.isSideBySide, plan_.passMost()),
-                                           device_->isCpu() ? kMinBlocksCpu : 1u, kMaxBlocks);
+                                           leastBlocks(*device_), kMaxBlocks);
     const auto planned = plan_.next(pace_.perMs(work) * ms, least, kMaxBlocks);
     const auto blocks = static_cast<std::uint32_t>(planned.size());
     double samples = 0.0;

@@ -16,6 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace macula::trace {
 namespace HWY_NAMESPACE {
+namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -28,6 +29,9 @@ using UintV = hn::Vec<Uints>;
 
 // Several vectors of lanes, so that the gathers of one overlap with the arithmetic of another.
 constexpr std::size_t kFlights = 32;
+
+// A ray that has had so many tentative collisions is given up.
+constexpr int kMostCollisions = 1 << 24;
 
 // The state of a lane.
 enum Flying : std::int32_t {
@@ -181,7 +185,7 @@ class Round {
             extinction = hn::GatherIndex(f_, t_.extinction, hn::ConvertTo(i_, entry));
         }
         hn::BlendedStore(entry, met, f_, s_.entry + at_);
-        attenuate(met, hn::Div(extinction, hn::IfThenElse(met, majorant_, hn::Set(f_, 1.0f))));
+        collideWith(met, hn::Div(extinction, hn::IfThenElse(met, majorant_, hn::Set(f_, 1.0f))));
     }
 
     // The lanes whose ray has ended, as bits.
@@ -241,7 +245,8 @@ class Round {
         depth_ = hn::IfThenElse(asFloats(of), drawn, depth_);
     }
 
-    // Leaps over the clip's cut where a ray would collide within one, and draws another depth.
+    // Leaps over the clip's cut where a ray would collide within one, and draws another depth, as
+    // nextTentative() does: these lanes no longer meet, and have no segment.
     HWY_INLINE void leaveCuts(FloatMask& meets, FloatV& inSegment) {
         if (hn::AllFalse(f_, meets)) return;
         FloatV cutEnd = hn::Set(f_, -1.0f);
@@ -302,7 +307,9 @@ class Round {
         cell_.x = cross(x, origin_.x, direction_.x, cell_.x);
         cell_.y = cross(y, origin_.y, direction_.y, cell_.y);
         cell_.z = cross(z, origin_.z, direction_.z, cell_.z);
-        segmentEnd_ = hn::IfThenElse(of, hn::Min(hn::Max(exit, distance_), end_), segmentEnd_);
+        // A ray that is not a number ends, as in the scalar code.
+        const FloatV to = hn::IfThenElse(hn::Eq(exit, exit), hn::Min(hn::Max(exit, distance_), end_), end_);
+        segmentEnd_ = hn::IfThenElse(of, to, segmentEnd_);
         majorant_ = hn::IfThenElse(of, hn::Mul(hn::Max(bound, zero), looseness_), majorant_);
     }
 
@@ -400,8 +407,8 @@ class Round {
                        hn::And(y, seven), hn::And(z, seven));
     }
 
-    // The rest of collide() in path.glsl, where matter collides with this probability.
-    HWY_INLINE void attenuate(FloatMask met, FloatV real) {
+    // The rest of collide() in path.glsl, where a collision is real with this probability.
+    HWY_INLINE void collideWith(FloatMask met, FloatV real) {
         const FloatV zero = hn::Zero(f_);
         const FloatV one = hn::Set(f_, 1.0f);
         const FloatV below = hn::Set(f_, NativeHost::kRouletteBelow);
@@ -431,6 +438,9 @@ class Round {
     HWY_INLINE void tighten(FloatMask met) {
         const IntV count = hn::Add(hn::Load(i_, s_.collisions + at_), hn::Set(i_, 1));
         hn::BlendedStore(count, asInts(met), i_, s_.collisions + at_);
+        // A ray for which no collision is real, as with an infinite majorant, would never end.
+        const auto gives = hn::And(met, asFloats(hn::Ge(count, hn::Set(i_, kMostCollisions))));
+        state_ = hn::IfThenElse(asInts(gives), hn::Set(i_, kEnded), state_);
         const auto strides = hn::And(met, asFloats(hn::Eq(count, hn::Set(i_, NativeHost::kStride))));
         majorant_ = hn::IfThenElse(strides, hn::Div(majorant_, looseness_), majorant_);
         looseness_ = hn::IfThenElse(strides, hn::Set(f_, 1.0f), looseness_);
@@ -449,6 +459,7 @@ class Round {
     V3 cell_, origin_, direction_, inverse_;
 };
 
+}  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace macula::trace
 HWY_AFTER_NAMESPACE();

@@ -117,11 +117,13 @@ class PathLanes {
         flights_.transmittance[lane] = path.transmittance;
         flights_.entry[lane] = path.entry;
         flights_.state[lane] = ends ? kEnded : kNewRay;
-        if (++flights_.collisions[lane] == NativeHost::kStride) {
+        if (++flights_.collisions[lane] >= kMostCollisions) flights_.state[lane] = kEnded;
+        // As Round::tighten().
+        if (flights_.collisions[lane] == NativeHost::kStride) {
             flights_.majorant[lane] /= flights_.looseness[lane];
             flights_.looseness[lane] = 1.0f;
         }
-        return ends;
+        return flights_.state[lane] == kEnded;
     }
 
     void startPath(std::size_t lane) {
