@@ -166,8 +166,7 @@ void Recorder::dispatchIndirect(const Kernel& kernel, const Groups& groups, std:
     kernel.requireFit(push, bindings, label_);
     if (kernel.native()) {
         const std::span<std::byte> mapped = groups.buffer.mapped();
-        require(!mapped.empty(),
-                fmt::format("{}: \"{}\" is not in host memory", kernel.name(), groups.buffer.label()));
+        MACULA_CHECK(!mapped.empty());
         return dispatchOnHost(kernel, NativeDispatch({}, push), bindings,
                               mapped.subspan(groups.offset, sizeof(VkDispatchIndirectCommand)));
     }
@@ -305,8 +304,7 @@ Result<Ticket> Recorder::submit(const SubmitOptions& options) {
             MACULA_TRY(ticket_,
                        device_->submit(before.buffer, std::exchange(wait, VK_NULL_HANDLE), VK_NULL_HANDLE));
         }
-        MACULA_TRY([[maybe_unused]] const bool done, device_->waitFor(device_->submittedTicket()));
-        return {};
+        return device_->waitForAll();
     };
     MACULA_TRY_VOID(hostWork_.run(complete, label_));
     MACULA_TRY(ticket_, device_->submit(commands_.buffer, wait, options.signal));
@@ -317,8 +315,7 @@ Result<Ticket> Recorder::submit(const SubmitOptions& options) {
 
 Result<std::vector<Timing>> Recorder::timings() {
     MACULA_CHECK(state_ == State::submitted);
-    auto done = device_->waitFor(ticket_);
-    if (!done.ok()) return done.error();
+    MACULA_TRY([[maybe_unused]] const bool done, device_->waitFor(ticket_));
     std::vector<Timing> timings;
     const VkResult result =
         timers_.read(device_->handle(), device_->timestampBits_, device_->timestampPeriodNs_, timings);

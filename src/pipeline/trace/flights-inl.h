@@ -439,7 +439,7 @@ class Round {
         const IntV count = hn::Add(hn::Load(i_, s_.collisions + at_), hn::Set(i_, 1));
         hn::BlendedStore(count, asInts(met), i_, s_.collisions + at_);
         // A ray for which no collision is real, as with an infinite majorant, would never end.
-        const auto gives = hn::And(met, asFloats(hn::Ge(count, hn::Set(i_, kMostCollisions))));
+        const auto gives = hn::And(met, asFloats(hn::Gt(count, hn::Set(i_, kMostCollisions))));
         state_ = hn::IfThenElse(asInts(gives), hn::Set(i_, kEnded), state_);
         const auto strides = hn::And(met, asFloats(hn::Eq(count, hn::Set(i_, NativeHost::kStride))));
         majorant_ = hn::IfThenElse(strides, hn::Div(majorant_, looseness_), majorant_);

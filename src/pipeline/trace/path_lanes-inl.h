@@ -117,7 +117,7 @@ class PathLanes {
         flights_.transmittance[lane] = path.transmittance;
         flights_.entry[lane] = path.entry;
         flights_.state[lane] = ends ? kEnded : kNewRay;
-        if (++flights_.collisions[lane] >= kMostCollisions) flights_.state[lane] = kEnded;
+        if (++flights_.collisions[lane] > kMostCollisions) flights_.state[lane] = kEnded;
         // As Round::tighten().
         if (flights_.collisions[lane] == NativeHost::kStride) {
             flights_.majorant[lane] /= flights_.looseness[lane];

@@ -241,8 +241,7 @@ TEST_F(ViewSets, AreTheSameHoweverTheyComeToTheHost) {
             tracing_.sizePx = sizePx;
             tracing_.samplesPerPixel = sizePx == kPicture ? 3 : 2;
             const TransferFunction function = isEmpty ? matter(0.0) : this->function();
-            trace::PathTracer usual =
-                trace::DeviceTest::tracer(volume_, function, fromLeft(), scenes::lookAt(*volume_), {});
+            trace::PathTracer usual = tracerOn(deviceOfShaders(), function);
             const auto expected = madeInTurn(usual, scene().seenMm(), set_, tracing_);
             trace::PathTracer card = tracerOn(device, function);
             for (trace::PathTracer* tracer : {&usual, &card}) {

@@ -223,7 +223,9 @@ TEST_F(TrainerOnDevice, PicturesThatTellNothingAreRefused) {
 
 // Not at the first step that comes to it, and at all that follow.
 TEST_F(TrainerOnDevice, APictureThatIsTooLargeToCompareIsRefused) {
-    const std::uint64_t most = device()->info().maxStorageBufferBytes / 64;
+    // Of sums by tiles, the largest are the pixels themselves; by strips, sums over windows.
+    const std::uint64_t bytesPerPixel = lossWorkOf(*device()) == LossWork::byTiles ? 16 : 64;
+    const std::uint64_t most = device()->info().maxStorageBufferBytes / bytesPerPixel;
     const int side = static_cast<int>(std::sqrt(double(most))) + 1;
     if (side > 5000) GTEST_SKIP() << "on this device, pictures may be larger than there is memory for here";
     Trainer trained = trainer(start(), options(), truthViews());
