@@ -1,6 +1,7 @@
 // Blends one splat into one pixel, front to back, premultiplied; and its derivative, also front to back. The
 // state of a pixel is one or two numbers, so that a thread can hold several pixels in registers. There are no
-// branches: a splat outside the pixel, or after the pixel is finished, has alpha 0 and changes nothing. And no
+// branches: a splat outside the pixel, or after the pixel is finished, has alpha 0 and changes nothing. And
+// no
 // ?:, but mix(a, b, condition), b where it is true: so that this is also C++ where float is a vector of
 // several pixels (base/vector_in_glsl.h).
 //

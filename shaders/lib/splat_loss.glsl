@@ -75,8 +75,7 @@ vec3 toneMapNeutralBack(vec3 colour, vec3 back) {
     float ofRatio = dot(ofScaled, path.lifted) / path.peak;
     float ofNewPeak = (back.x + back.y + back.z) * (float(1.0) - path.keep) + ofRatio - ofKeep;
     float ofPeak = ofKeep - ofRatio * path.ratio + ofNewPeak * path.slope * path.slope;
-    vec3 ofLifted =
-        mix(back, ofScaled * path.ratio + path.peakShare * ofPeak, bvec3(path.isCompressed));
+    vec3 ofLifted = mix(back, ofScaled * path.ratio + path.peakShare * ofPeak, bvec3(path.isCompressed));
     return ofLifted - path.lowShare * ((ofLifted.x + ofLifted.y + ofLifted.z) * path.offsetSlope);
 }
 

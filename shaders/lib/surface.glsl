@@ -197,8 +197,8 @@ struct Surroundings {
 // Optical depth behind a grey face over one radius: opaque.
 #define FACE_DEPTH 20.0
 
-// The share of one of `lanes` threads that tap the ball together, `taps` each. Taps fill the ball evenly: shells
-// of equal volume, by the R2 sequence (Roberts 2018). Behind a grey face everything counts as opaque.
+// The share of one of `lanes` threads that tap the ball together, `taps` each. Taps fill the ball evenly:
+// shells of equal volume, by the R2 sequence (Roberts 2018). Behind a grey face everything counts as opaque.
 Surroundings surroundingsOf(vec3 point, float radiusMm, bool onFace, int lane, int lanes, int taps,
                             INOUT(Rng) rng) {
     Surroundings sums = Surroundings(float(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
@@ -206,8 +206,9 @@ Surroundings surroundingsOf(vec3 point, float radiusMm, bool onFace, int lane, i
         int tap = i * lanes + lane;
         float shell = (float(tap) + float(0.5)) * float(0.754877666);
         shell -= floor(shell);
-        vec3 offset = directionOnSphere(float(1.0) - (float(2.0) * float(tap) + float(1.0)) / float(taps * lanes),
-                                        float(tap) * float(0.569840291));
+        vec3 offset =
+            directionOnSphere(float(1.0) - (float(2.0) * float(tap) + float(1.0)) / float(taps * lanes),
+                              float(tap) * float(0.569840291));
         offset *= radiusMm * pow(shell, float(1.0 / 3.0));
         vec3 at = point + voxelsPerMm(offset);
         float entry = trilinearEntry(at);

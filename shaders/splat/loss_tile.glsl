@@ -1,7 +1,7 @@
-// SSIM by tiles, for graphics cards and native kernels: a group reads the kTile^2 pixels of its threads and those around them
-// once, and sums over windows in shared memory, along columns and then along rows, in the same order as
-// strips do (loss_strips.glsl). The results of the two differ only by rounding; the loss is also summed in
-// another order.
+// SSIM by tiles, for graphics cards and native kernels: a group reads the kTile^2 pixels of its threads and
+// those around them once, and sums over windows in shared memory, along columns and then along rows, in the
+// same order as strips do (loss_strips.glsl). The results of the two differ only by rounding; the loss is
+// also summed in another order.
 //
 // The wide tile has the pixels of the threads and kReach more on each side, row by row.
 //

@@ -12,8 +12,8 @@
 
 namespace macula::viewer {
 
-// Faces and planes move along their normal, centre and corner across the line of sight; the handle of a radius
-// is right of its centre. Nothing hides a handle. Session and editing outlive it.
+// Faces and planes move along their normal, centre and corner across the line of sight; the handle of a
+// radius is right of its centre. Nothing hides a handle. Session and editing outlive it.
 class ClipHandlesTool : public QObject, public PictureTool {
   public:
     ClipHandlesTool(StudyEditor& session, ClipEditing& editing, QObject* parent = nullptr)
