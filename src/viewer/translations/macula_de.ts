@@ -9069,6 +9069,10 @@
         <source>box</source>
         <translation>Quader</translation>
     </message>
+    <message>
+        <source>run &quot;{}&quot;</source>
+        <translation>„{}“ ausführen</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::BackgroundMenu</name>
