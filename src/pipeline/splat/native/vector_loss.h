@@ -15,8 +15,8 @@ namespace macula::splat::HWY_NAMESPACE {
 
 using namespace macula::HWY_NAMESPACE;
 
-#define float Float  // NOLINT(clang-diagnostic-keyword-macro)
-#define bool Mask    // NOLINT(clang-diagnostic-keyword-macro)
+#define float Float
+#define bool Mask
 
 struct VectorLoss : GlslInVectors {
 #include "lib/tone_neutral.glsl"

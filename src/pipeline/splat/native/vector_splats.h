@@ -17,8 +17,8 @@ namespace macula::splat::HWY_NAMESPACE {
 using namespace macula::HWY_NAMESPACE;
 
 #define INOUT(type) type&
-#define float Float  // NOLINT(clang-diagnostic-keyword-macro)
-#define bool Mask    // NOLINT(clang-diagnostic-keyword-macro)
+#define float Float
+#define bool Mask
 
 struct VectorBlend : GlslInVectors {
     // What splat_blend.glsl needs of shared::SplatView.
