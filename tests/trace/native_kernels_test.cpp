@@ -48,9 +48,7 @@ class NativeKernels : public DeviceTest {
         const auto params =
             makeTraceParams(*scene.volume, medium, scene.environment(), scene.view, settings, scene.clip);
         const ReferenceTracer reference(*scene.volume, medium, scene.environment(), mask ? &*mask : nullptr);
-        if (isPathTraced(settings.look))
-            return reference.trace(*params, settings.filter, Precision::twofold, 0, kSamples);
-        return reference.cast(*params, {.filter = settings.filter}, Precision::twofold, 0, kSamples);
+        return reference.trace(*params, settings.filter, Precision::twofold, 0, kSamples);
     }
 
     // Float sends a few paths another way than double.
@@ -80,21 +78,6 @@ TEST_F(NativeKernels, DrawTheSamplesOfTheReferenceWithEveryInstructionSet) {
                 SCOPED_TRACE("shader");
                 expectTruth(pictureOn(deviceOfShaders(), scene, settings), truth);
             }
-            for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-                SCOPED_TRACE(hwy::TargetName(target));
-                const OnlyTarget only(target);
-                expectTruth(pictureOn(device(), scene, settings), truth);
-            }
-        }
-    }
-}
-
-TEST_F(NativeKernels, CastTheRaysOfTheReferenceWithEveryInstructionSet) {
-    for (const scenes::SmallScene& scene : scenes::smallScenes()) {
-        for (const Filter filter : {Filter::trilinear, Filter::smooth}) {
-            const Settings settings = scene.settings(Look::dvr, filter, 11);
-            SCOPED_TRACE(fmt::format("{}, {}", scene.name, nameOf(filter)));
-            const std::vector<glm::dvec4> truth = truthOf(scene, settings);
             for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
                 SCOPED_TRACE(hwy::TargetName(target));
                 const OnlyTarget only(target);
