@@ -147,8 +147,9 @@ if(NOT MACULA_SANITIZE AND NOT MACULA_FUZZ)  # which look closer, and cannot whe
     list(APPEND MACULA_HARDENED $<$<CONFIG:RelWithDebInfo>:-U_FORTIFY_SOURCE> $<$<CONFIG:RelWithDebInfo>:-D_FORTIFY_SOURCE=2>)
 endif()
 
-# macula_test(NAME SOURCES … LIBS … [TIMEOUT seconds] [SHARES thing] [SHADERS filter]): one GoogleTest executable, one ctest entry per test; two that
-# share a thing, such as the display, never run at once. They begin first: alone at the end, they would leave cores idle.
+# macula_test(NAME SOURCES … LIBS … [TIMEOUT seconds] [SHARES thing] [SHADERS filter]): one GoogleTest executable, one ctest entry
+# per test; two that share a thing, such as the display, never run at once. They begin first: alone at the end, they would leave
+# cores idle.
 function(macula_test name)
     cmake_parse_arguments(T "" "TIMEOUT;SHARES;SHADERS" "SOURCES;LIBS" ${ARGN})
     if(NOT T_TIMEOUT)

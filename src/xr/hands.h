@@ -19,8 +19,9 @@ float pinchOf(double apartM);
 // The hand from XR_HAND_JOINT_COUNT_EXT joints in the stage; nothing for a joint whose position is unknown.
 Hand handOf(std::span<const std::optional<Pose>> joints);
 
-// Hands without controllers, if the headset tracks them (XR_EXT_hand_tracking): thumb and index finger
-// together grab and press, thumb and middle finger cut. The trackers of a session: must not outlive it.
+// Hands without controllers, if the headset tracks them (XR_EXT_hand_tracking): bringing thumb and
+// index finger together grabs and presses, thumb and middle finger cuts. Must not outlive the XR session,
+// whose trackers it holds.
 class TrackedHands {
   public:
     // Nothing if the headset does not track hands.

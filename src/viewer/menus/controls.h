@@ -1,5 +1,4 @@
-// What controls tell of themselves: their names to tests and desktop scripts, titles to screen readers, and
-// tips.
+// Describes controls: names for tests and desktop scripts, titles for screen readers, and tool tips.
 #pragma once
 
 #include <QAction>
