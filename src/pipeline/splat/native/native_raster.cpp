@@ -30,39 +30,17 @@ namespace {
 
 // The numbers of a pixel in a PixelBlock.
 enum Plane : std::size_t { kX, kY, kTransmittance, kRed, kGreen, kBlue, kDepth, kPlanes };
-HWY_INLINE Float loaded(const float* pixel, Plane plane) {
-    return Float::load(pixel + plane * kLinePixels);
-}
-HWY_INLINE void store(Float value, float* pixel, Plane plane) {
-    value.store(pixel + plane * kLinePixels);
-}
 
-// The vectors of pixels of a tile, and which of them are not finished.
-struct Tile {
-    explicit Tile(int rows_) : rows(rows_), block(rows_, kPlanes), open(block.pixels() / kLanes) {
-        writeCentres(block);
-    }
-
-    int rows;
-    glm::ivec2 firstPixel{0};
-    PixelBlock block;
-    std::vector<char> open;
-    std::size_t openCount = 0;
-};
-
-void begin(Tile& tile, const glm::ivec2& firstPixel) {
-    moveCentres(tile.block, firstPixel - tile.firstPixel);
-    tile.firstPixel = firstPixel;
+void begin(OpenPixels& tile, const glm::ivec2& firstPixel) {
+    tile.moveTo(firstPixel);
     for (std::size_t v = 0; v < tile.open.size(); ++v) {
         float* pixel = tile.block.at(v * kLanes);
         store(1.0f, pixel, kTransmittance);
         for (const Plane plane : {kRed, kGreen, kBlue, kDepth}) store(0.0f, pixel, plane);
-        tile.open[v] = 1;
     }
-    tile.openCount = tile.open.size();
 }
 
-HWY_INLINE void blend(Tile& tile, const VectorRange& vectors, const ShownSplat& shown,
+HWY_INLINE void blend(OpenPixels& tile, const VectorRange& vectors, const ShownSplat& shown,
                       const VectorBlend::SplatView& view) {
     VectorBlend maths;
     for (std::size_t v = vectors.first; v < vectors.end; ++v) {
@@ -77,13 +55,12 @@ HWY_INLINE void blend(Tile& tile, const VectorRange& vectors, const ShownSplat& 
         store(loaded(pixel, kBlue) + shown.colour.z * weight, pixel, kBlue);
         store(loaded(pixel, kDepth) + shown.screen.depthMm * weight, pixel, kDepth);
         if (!(transmittance >= view.minTransmittance).none()) continue;
-        tile.open[v] = 0;
-        --tile.openCount;
+        tile.close(v);
     }
 }
 
 // Writes those of the tile's pixels that are in the picture.
-void write(Tile& tile, const glm::ivec2& sizePx, const NativePicture& to) {
+void write(OpenPixels& tile, const glm::ivec2& sizePx, const NativePicture& to) {
     const RowTag tag;
     const glm::ivec2 firstPixel = tile.firstPixel;
     const int columns = std::min(shared::kTileColumns, sizePx.x - firstPixel.x);
@@ -117,7 +94,7 @@ void write(Tile& tile, const glm::ivec2& sizePx, const NativePicture& to) {
 // Draws the tiles of a part.
 void drawTiles(const NativeTiles& tiles, std::size_t part, const NativePicture& to) {
     const VectorBlend::SplatView view = viewOf(tiles.frame.view);
-    Tile tile(tiles.frame.tileRows);
+    OpenPixels tile(tiles.frame.tileRows, kPlanes);
     const std::size_t end = std::min(tiles.count, (part + 1) * NativeTiles::kAtOnce);
     for (std::size_t n = part * NativeTiles::kAtOnce; n < end; ++n) {
         const glm::ivec2 at = tiles.tileOf(n);

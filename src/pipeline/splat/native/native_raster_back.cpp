@@ -38,25 +38,6 @@ namespace {
 
 // The numbers of a pixel in a PixelBlock: see addPixelGradient.
 enum Plane : std::size_t { kX, kY, kTransmittance, kRemaining, kRed, kGreen, kBlue, kCoverage, kPlanes };
-HWY_INLINE Float loaded(const float* pixel, Plane plane) {
-    return Float::load(pixel + plane * kLinePixels);
-}
-HWY_INLINE void store(Float value, float* pixel, Plane plane) {
-    value.store(pixel + plane * kLinePixels);
-}
-
-// The vectors of pixels of a slot, and which of them are not finished.
-struct Slot {
-    explicit Slot(int rows_) : rows(rows_), block(rows_, kPlanes), open(block.pixels() / kLanes) {
-        writeCentres(block);
-    }
-
-    int rows;
-    glm::ivec2 firstPixel{0};
-    PixelBlock block;
-    std::vector<char> open;
-    std::size_t openCount = 0;
-};
 
 // A row of pixels of which `columns` are in the picture; those beside it have no transmittance and no
 // gradient.
@@ -87,9 +68,8 @@ HWY_INLINE void beginRow(float* to, int columns, const glm::vec4* picture, const
         to[kTransmittance * kLinePixels + static_cast<std::size_t>(column)] = column < columns ? 1.0f : 0.0f;
 }
 
-void begin(Slot& slot, const glm::ivec2& firstPixel, const glm::ivec2& sizePx, const NativeBack& back) {
-    moveCentres(slot.block, firstPixel - slot.firstPixel);
-    slot.firstPixel = firstPixel;
+void begin(OpenPixels& slot, const glm::ivec2& firstPixel, const glm::ivec2& sizePx, const NativeBack& back) {
+    slot.moveTo(firstPixel);
     const int columns = std::min(shared::kTileColumns, sizePx.x - firstPixel.x);
     const int rows = std::min(slot.rows, sizePx.y - firstPixel.y);
     const auto blockRows = static_cast<int>(slot.block.pixels() / shared::kTileColumns);
@@ -100,8 +80,6 @@ void begin(Slot& slot, const glm::ivec2& firstPixel, const glm::ivec2& sizePx, c
                        : 0;
         beginRow(to, row < rows ? columns : 0, back.picture + pixel, back.gradient + pixel);
     }
-    std::fill(slot.open.begin(), slot.open.end(), char(1));
-    slot.openCount = slot.open.size();
 }
 
 // The sums of a pair, still by lane.
@@ -126,7 +104,7 @@ HWY_INLINE void addVector(float* pixel, const ShownSplat& shown, const VectorBle
     store(remaining, pixel, kRemaining);
 }
 
-HWY_INLINE LaneSums sumsOver(Slot& slot, const VectorRange& vectors, const ShownSplat& shown,
+HWY_INLINE LaneSums sumsOver(OpenPixels& slot, const VectorRange& vectors, const ShownSplat& shown,
                              const VectorBlend::SplatView& view) {
     LaneSums sums{VectorBlend().noGradient(), 0.0f, 0.0f};
     for (std::size_t v = vectors.first; v < vectors.end; ++v) {
@@ -136,8 +114,7 @@ HWY_INLINE LaneSums sumsOver(Slot& slot, const VectorRange& vectors, const Shown
         addVector(pixel, shown, view, transmittance, sums);
         store(transmittance, pixel, kTransmittance);
         if (!(transmittance >= view.minTransmittance).none()) continue;
-        slot.open[v] = 0;
-        --slot.openCount;
+        slot.close(v);
     }
     return sums;
 }
@@ -191,7 +168,7 @@ HWY_INLINE void write(const LaneSums& sums, float* to) {
 // Writes the sums of all pairs of the tiles of a part.
 void sumTiles(const NativeTiles& tiles, std::size_t part, const NativeBack& back) {
     const VectorBlend::SplatView view = viewOf(tiles.frame.view);
-    Slot slot(std::min(back.slots.rowsOfSlot, tiles.frame.tileRows));
+    OpenPixels slot(std::min(back.slots.rowsOfSlot, tiles.frame.tileRows), kPlanes);
     const std::size_t end = std::min(tiles.count, (part + 1) * NativeTiles::kAtOnce);
     for (std::size_t n = part * NativeTiles::kAtOnce; n < end; ++n) {
         const glm::ivec2 at = tiles.tileOf(n);

@@ -7,6 +7,9 @@
 #define MACULA_SPLAT_VECTOR_SPLATS_H
 #endif
 
+#include <algorithm>
+#include <vector>
+
 #include "base/vector_in_glsl.h"
 #include "pipeline/splat/native/native_tiles.h"
 #include "shared/splat_view.h"
@@ -80,6 +83,40 @@ HWY_INLINE void moveCentres(PixelBlock& block, const glm::ivec2& byPixels) {
         (Float::load(x + kLinePixels) + Float(byPixels.y)).store(x + kLinePixels);
     }
 }
+
+// A number, by its place, of the pixels of a vector in a PixelBlock.
+HWY_INLINE Float loaded(const float* pixel, std::size_t plane) {
+    return Float::load(pixel + plane * kLinePixels);
+}
+HWY_INLINE void store(Float value, float* pixel, std::size_t plane) {
+    value.store(pixel + plane * kLinePixels);
+}
+
+// The vectors of pixels of a tile, or of a part of its rows, and which of them are not finished.
+struct OpenPixels {
+    OpenPixels(int rows_, std::size_t numbers)
+        : rows(rows_), block(rows_, numbers), open(block.pixels() / kLanes) {
+        writeCentres(block);
+    }
+
+    // Begins another tile: all vectors are open, and their centres are there.
+    void moveTo(const glm::ivec2& to) {
+        moveCentres(block, to - firstPixel);
+        firstPixel = to;
+        std::fill(open.begin(), open.end(), char(1));
+        openCount = open.size();
+    }
+    void close(std::size_t vector) {
+        open[vector] = 0;
+        --openCount;
+    }
+
+    int rows;
+    glm::ivec2 firstPixel{0};
+    PixelBlock block;
+    std::vector<char> open;
+    std::size_t openCount = 0;
+};
 
 // A row of a tile.
 using RowTag = hn::CappedTag<float, shared::kTileColumns>;
