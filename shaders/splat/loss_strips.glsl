@@ -1,5 +1,5 @@
-// SSIM by strips, for devices of type CPU: a thread sums over the windows of kOutputs pixels at once, along
-// columns and then along rows.
+// SSIM by strips, for CPU devices without native kernels: a thread sums over the windows of kOutputs pixels
+// at once, along columns and then along rows.
 //
 // Intermediate results are interleaved by pixel: in separate pictures, a power of two apart, they would
 // compete for the same cache lines (at 512 x 512 on lavapipe this took half as long again).

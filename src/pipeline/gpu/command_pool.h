@@ -14,7 +14,7 @@ class CommandPool {
   public:
     static constexpr std::uint32_t kQueries = 128;  // timestamps
 
-    struct Commands {  // what one recording needs
+    struct Commands {  // of a recording, or of its part between two native kernels
         VkCommandPool pool = VK_NULL_HANDLE;
         VkCommandBuffer buffer = VK_NULL_HANDLE;
         VkQueryPool queries = VK_NULL_HANDLE;  // kQueries timestamps

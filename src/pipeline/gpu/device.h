@@ -113,7 +113,7 @@ class Device : public std::enable_shared_from_this<Device> {
     Device();
     Result<void> initialise(const Instance& instance, const DeviceOptions& options);
     Result<void> loadFunctions(bool hasDebugUtils);
-    // The commands for one recording, until recorderClosed() and giveCommandsBack().
+    // Commands for a recording, until giveCommandsBack(); a recording with native kernels takes several.
     Result<CommandPool::Commands> takeCommands();
     void giveCommandsBack(const CommandPool::Commands& commands) { commands_.give(commands); }
     void loseIt() const;
