@@ -114,12 +114,14 @@ NativeLoss run(int width, int height, const Pixels& render, const Pixels& target
 void expectAsReference(int width, int height, const Pixels& render, const Pixels& target,
                        const LossOptions& options, const LossStep& step) {
     const ReferenceLoss expected = referenceLoss(width, height, render, target, options, step);
-    const double tolerance = 1e-4 * largest(expected.gradient);
+    const double rounding = roundingOfOnePixel(render, target, options, step);
+    const double tolerance = (1e-4 + rounding) * largest(expected.gradient);
     onEachInstructionSet([&] {
         const NativeLoss found = run(width, height, render, target, options, step);
-        EXPECT_NEAR(found.loss, expected.loss, 5e-5 * (1e-3 + expected.loss));
+        EXPECT_NEAR(found.loss, expected.loss,
+                    5e-5 * (1e-3 + expected.loss) + rounding * double(step.viewWeight));
         EXPECT_NEAR(found.l1, expected.l1, 5e-5 * (1e-3 + expected.l1));
-        EXPECT_NEAR(found.dssim, expected.dssim, 5e-5 * (1e-2 + expected.dssim));
+        EXPECT_NEAR(found.dssim, expected.dssim, 5e-5 * (1e-2 + expected.dssim) + rounding);
         EXPECT_EQ(found.badRendered, double(expected.badRendered));
         std::size_t compared = 0;
         for (std::size_t i = 0; i < render.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -49,6 +50,18 @@ inline bool atKink(const glm::dvec4& render, const glm::dvec4& target, const Los
     const glm::dvec4 off = glm::abs(referenceCompared(render, options, glm::dvec3(step.background)) -
                                     referenceCompared(target, options, glm::dvec3(step.background)));
     return std::min({off.x, off.y, off.z, off.w}) < distance;
+}
+
+// How far off SSIM and its relative gradient may be in a picture of one pixel: its variances are differences of
+// equal squares, so all that floats leave of them is rounding, over the constant C2 of SSIM. 0 for others.
+inline double roundingOfOnePixel(const Pixels& render, const Pixels& target, const LossOptions& options,
+                                 const LossStep& step) {
+    if (render.size() != 1) return 0.0;
+    constexpr double kC2 = 0.0009;
+    const glm::dvec4 sum = referenceCompared(render[0], options, glm::dvec3(step.background)) +
+                           referenceCompared(target[0], options, glm::dvec3(step.background));
+    const double most = std::max({std::abs(sum.x), std::abs(sum.y), std::abs(sum.z), std::abs(sum.w)});
+    return double(std::numeric_limits<float>::epsilon()) * most * most / kC2;
 }
 
 inline double largest(const Pixels& pixels) {
