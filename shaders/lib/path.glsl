@@ -151,6 +151,11 @@ void beShadow(INOUT(Path) path) {
 // lanes, few enough that lanes do not wait long for each other.
 #define STRIDE 16
 
+// Whether a ray after so many vertices meets all matter, also what the mask hides.
+bool seesAll(bool isShadow, int vertices) {
+    return params.clipShadows != 0 && (isShadow || vertices > 0);
+}
+
 // Whether the tentative collision, at which the walk stands, ends the current ray. A flight ends at its first
 // real collision (Woodcock tracking); a shadow ray estimates its transmittance without bias (ratio tracking,
 // with roulette).
@@ -161,8 +166,7 @@ bool collide(INOUT(Path) path, INOUT(Rng) rng) {
     Mixture matter = mixtureAt(at, path.entry, path.steep);
     path.secondShare = secondShareOf(matter);
     float real = totalOf(matter) / path.walk.majorant;
-    bool seesAll = params.clipShadows != 0 && (path.shadow || path.vertices > 0);
-    if (useMask() && !seesAll && isMasked(at)) real = float(0.0);
+    if (useMask() && !seesAll(path.shadow, path.vertices) && isMasked(at)) real = float(0.0);
     path.aboveBound += real > float(ROUNDED_BOUND) ? 1 : 0;
     real = min(real, float(1.0));
     float chance = random01(rng);

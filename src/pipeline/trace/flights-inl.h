@@ -13,19 +13,12 @@
 // After it.
 #include <hwy/contrib/math/math-inl.h>
 
+#include "pipeline/trace/lane_matter-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace macula::trace {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, 16>;
-using Ints = hn::RebindToSigned<Floats>;
-using Uints = hn::RebindToUnsigned<Floats>;
-using FloatV = hn::Vec<Floats>;
-using IntV = hn::Vec<Ints>;
-using UintV = hn::Vec<Uints>;
 
 // Several vectors of lanes, so that the gathers of one overlap with the arithmetic of another.
 constexpr std::size_t kFlights = 32;
@@ -67,10 +60,12 @@ struct Flights {
     alignas(64) float depth[kFlights];  // optical depth left until the next tentative collision
     alignas(64) float transmittance[kFlights];
     alignas(64) float entry[kFlights];
+    alignas(64) float steep[kFlights];
     alignas(64) std::uint32_t key0[kFlights];
     alignas(64) std::uint32_t key1[kFlights];
     alignas(64) std::uint32_t counter[kFlights];
     alignas(64) std::int32_t isShadow[kFlights];
+    alignas(64) std::int32_t seesAll[kFlights];  // whatever the mask hides
     alignas(64) std::int32_t collisions[kFlights];  // tentative ones of the ray so far
     alignas(64) std::int32_t aboveBound[kFlights];
     alignas(64) std::int32_t state[kFlights];
@@ -79,14 +74,8 @@ struct Flights {
 // What the flights of a scene read.
 struct FlightTables {
     const float* bounds;
-    const float* extinction;
-    const std::int32_t* words;  // of blocks
-    const std::int32_t* pool;   // two values in each
-    glm::ivec3 grid;
-    glm::ivec3 size;
+    LaneMatter matter;
     bool hasClip;
-    bool isCoarse;
-    bool isTrilinear;
 };
 
 // exponentialDepth() of rng.glsl.
@@ -160,7 +149,7 @@ class Round {
     HWY_INLINE bool anyMoving() const { return !hn::AllFalse(i_, is(kMoving)); }
     HWY_INLINE std::size_t countMet() const { return hn::CountTrue(i_, is(kMet)); }
 
-    // Collides rays with matter that depends on the volume's value alone.
+    // Collides rays with matter that LaneMatter knows.
     HWY_INLINE void collide() {
         const auto met = asFloats(is(kMet));
         const FloatV eight = hn::Set(f_, float(NativeHost::kBrickEdge));
@@ -168,23 +157,17 @@ class Round {
         const auto position = [&](FloatV origin, FloatV direction) HWY_ATTR {
             return hn::MulSub(hn::MulAdd(direction, distance_, origin), eight, shift);
         };
-        const FloatV x = position(origin_.x, direction_.x);
-        const FloatV y = position(origin_.y, direction_.y);
-        const FloatV z = position(origin_.z, direction_.z);
-        FloatV entry;
-        FloatV extinction;
-        if (t_.isTrilinear) {
-            entry = trilinearEntry(met, x, y, z);
-            const IntV low = hn::ConvertTo(i_, entry);
-            const FloatV part = hn::Sub(entry, hn::ConvertTo(f_, low));
-            const FloatV from = hn::GatherIndex(f_, t_.extinction, low);
-            const FloatV to = hn::GatherIndex(f_, t_.extinction, hn::Add(low, hn::Set(i_, 1)));
-            extinction = mixed(from, to, part);
-        } else {
-            entry = stochasticEntry(met, x, y, z);
-            extinction = hn::GatherIndex(f_, t_.extinction, hn::ConvertTo(i_, entry));
-        }
+        const Lanes3 at{position(origin_.x, direction_.x), position(origin_.y, direction_.y),
+                        position(origin_.z, direction_.z)};
+        const FloatV entry =
+            t_.matter.isTrilinear ? t_.matter.voxels.trilinear(met, at) : stochasticEntry(met, at);
         hn::BlendedStore(entry, met, f_, s_.entry + at_);
+        FloatV extinction = extinctionAt(met, at, entry);
+        if (t_.matter.mask != nullptr) {
+            const auto sees = asFloats(hn::Ne(hn::Load(i_, s_.seesAll + at_), hn::Zero(i_)));
+            const auto hidden = hn::AndNot(sees, t_.matter.isMasked(met, at));
+            extinction = hn::IfThenZeroElse(hidden, extinction);
+        }
         collideWith(met, hn::Div(extinction, hn::IfThenElse(met, majorant_, hn::Set(f_, 1.0f))));
     }
 
@@ -205,13 +188,7 @@ class Round {
     HWY_INLINE std::uint32_t metLanes() const { return bitsOf(is(kMet)); }
 
   private:
-    using IntMask = hn::Mask<Ints>;
-    using FloatMask = hn::Mask<Floats>;
-    struct V3 {
-        FloatV x, y, z;
-    };
-
-    HWY_INLINE V3 load(const Vector3& v) const {
+    HWY_INLINE Lanes3 load(const Vector3& v) const {
         return {hn::Load(f_, v.x + at_), hn::Load(f_, v.y + at_), hn::Load(f_, v.z + at_)};
     }
     HWY_INLINE IntMask is(Flying state) const { return hn::Eq(state_, hn::Set(i_, state)); }
@@ -221,9 +198,6 @@ class Round {
         alignas(8) std::uint8_t bytes[8] = {};
         hn::StoreMaskBits(i_, m, bytes);
         return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
-    }
-    HWY_INLINE static FloatV mixed(FloatV a, FloatV b, FloatV part) {
-        return hn::MulAdd(part, hn::Sub(b, a), a);
     }
 
     // A random number for each of these lanes.
@@ -266,9 +240,9 @@ class Round {
             const FloatV there = hn::Floor(hn::MulAdd(direction, cutEnd, origin));
             return hn::IfThenElse(leaps, hn::Clamp(there, hn::Zero(f_), hn::Set(f_, float(count - 1))), cell);
         };
-        cell_.x = cellAt(origin_.x, direction_.x, cell_.x, t_.grid.x);
-        cell_.y = cellAt(origin_.y, direction_.y, cell_.y, t_.grid.y);
-        cell_.z = cellAt(origin_.z, direction_.z, cell_.z, t_.grid.z);
+        cell_.x = cellAt(origin_.x, direction_.x, cell_.x, t_.matter.voxels.grid.x);
+        cell_.y = cellAt(origin_.y, direction_.y, cell_.y, t_.matter.voxels.grid.y);
+        cell_.z = cellAt(origin_.z, direction_.z, cell_.z, t_.matter.voxels.grid.z);
         drawDepths(asInts(leaps));
         meets = hn::AndNot(leaps, meets);
     }
@@ -277,10 +251,10 @@ class Round {
     HWY_INLINE void nextSegment(FloatMask of) {
         const FloatV zero = hn::Zero(f_);
         const FloatV one = hn::Set(f_, 1.0f);
-        const IntV inPlane = hn::ConvertTo(i_, hn::MulAdd(cell_.y, hn::Set(f_, float(t_.grid.x)), cell_.x));
+        const IntV inPlane = hn::ConvertTo(i_, hn::MulAdd(cell_.y, hn::Set(f_, float(t_.matter.voxels.grid.x)), cell_.x));
         IntV brick =
-            hn::Add(inPlane, hn::Mul(hn::ConvertTo(i_, cell_.z), hn::Set(i_, t_.grid.x * t_.grid.y)));
-        brick = hn::Clamp(brick, hn::Zero(i_), hn::Set(i_, t_.grid.x * t_.grid.y * t_.grid.z - 1));
+            hn::Add(inPlane, hn::Mul(hn::ConvertTo(i_, cell_.z), hn::Set(i_, t_.matter.voxels.grid.x * t_.matter.voxels.grid.y)));
+        brick = hn::Clamp(brick, hn::Zero(i_), hn::Set(i_, t_.matter.voxels.grid.x * t_.matter.voxels.grid.y * t_.matter.voxels.grid.z - 1));
         const FloatV bound = hn::GatherIndex(f_, t_.bounds, brick);
         const FloatV reach = hn::Max(hn::Neg(bound), one);
         const FloatV margin = hn::Sub(reach, one);
@@ -313,98 +287,52 @@ class Round {
         majorant_ = hn::IfThenElse(of, hn::Mul(hn::Max(bound, zero), looseness_), majorant_);
     }
 
-    // A voxel's value by the word of its block: placeIn() and valueOf() of shaders/trace/host.glsl.
-    HWY_INLINE FloatV valueIn(IntV word, IntV x, IntV y, IntV z) const {
-        const IntV payload = hn::And(word, hn::Set(i_, 0x3fffffff));
-        const IntV level = hn::BitCast(i_, hn::ShiftRight<30>(hn::BitCast(u_, word)));
-        IntV inside;
-        if (t_.isCoarse) {
-            const IntV edgeBits = hn::Sub(hn::Set(i_, 3), level);
-            inside =
-                hn::Or(hn::Shl(hn::Or(hn::Shl(hn::Shr(z, level), edgeBits), hn::Shr(y, level)), edgeBits),
-                       hn::Shr(x, level));
-        } else {
-            inside = hn::Or(hn::Or(hn::ShiftLeft<6>(z), hn::ShiftLeft<3>(y)), x);
-        }
-        const auto single = hn::Eq(level, hn::Set(i_, int(kSingle)));
-        const IntV place = hn::IfThenZeroElse(single, hn::Add(hn::ShiftLeft<3>(payload), inside));
-        const UintV pair = hn::BitCast(u_, hn::GatherIndex(i_, t_.pool, hn::ShiftRight<1>(place)));
-        const auto isOdd = hn::Ne(hn::And(place, hn::Set(i_, 1)), hn::Zero(i_));
-        const UintV value = hn::IfThenElse(hn::RebindMask(u_, isOdd), hn::ShiftRight<16>(pair),
-                                           hn::And(pair, hn::Set(u_, 0xffffu)));
-        return hn::ConvertTo(f_, hn::IfThenElse(single, payload, hn::BitCast(i_, value)));
-    }
-
-    // The index of the four words for a brick, in a layer of blocks.
-    HWY_INLINE IntV wordsOf(IntV brickX, IntV brickY, IntV layer) const {
-        const IntV row = hn::Add(hn::Mul(layer, hn::Set(i_, t_.grid.y)), brickY);
-        return hn::ShiftLeft<2>(hn::Add(hn::Mul(row, hn::Set(i_, t_.grid.x)), brickX));
-    }
-
-    // The voxel centre below a coordinate, and where the coordinate lies between it and the next: in idle
-    // lanes any.
-    struct Between {
-        IntV low, high;
-        FloatV part;
+    // One of the eight voxels around, drawn with its trilinear weight.
+    struct Voxel {
+        IntV x, y, z;
     };
-    HWY_INLINE Between between(FloatMask of, FloatV coordinate, int count) const {
-        const FloatV last = hn::Set(f_, float(count - 1));
-        const FloatV q =
-            hn::Clamp(hn::IfThenElseZero(of, hn::Sub(coordinate, hn::Set(f_, 0.5f))), hn::Zero(f_), last);
-        const IntV low = hn::ConvertTo(i_, q);
-        return {low, hn::Min(hn::Add(low, hn::Set(i_, 1)), hn::Set(i_, count - 1)),
-                hn::Sub(q, hn::ConvertTo(f_, low))};
-    }
-
-    // fetchCorners() of shaders/trace/host.glsl and trilinearEntry() of medium.glsl.
-    HWY_INLINE FloatV trilinearEntry(FloatMask of, FloatV px, FloatV py, FloatV pz) const {
-        const IntV one = hn::Set(i_, 1);
-        const IntV seven = hn::Set(i_, 7);
-        const Between x = between(of, px, t_.size.x);
-        const Between y = between(of, py, t_.size.y);
-        const Between z = between(of, pz, t_.size.z);
-        const IntV brickX = hn::ShiftRight<3>(hn::Add(x.low, one));
-        const IntV brickY = hn::ShiftRight<3>(hn::Add(y.low, one));
-        const IntV xLow = hn::And(x.low, seven);
-        const IntV yLow = hn::And(y.low, seven);
-        const IntV xHigh = hn::And(x.high, seven);
-        const IntV yHigh = hn::And(y.high, seven);
-        // A low corner may lie in the block before the brick's own.
-        const IntV column = hn::IfThenZeroElse(hn::Eq(xLow, seven), one);
-        const IntV row = hn::IfThenZeroElse(hn::Eq(yLow, seven), hn::Set(i_, 2));
-        const auto layer = [&](IntV atZ) HWY_ATTR {
-            const IntV first = wordsOf(brickX, brickY, hn::ShiftRight<3>(atZ));
-            const IntV zIn = hn::And(atZ, seven);
-            const IntV lowRow = hn::Add(first, row);
-            const IntV highRow = hn::Add(first, hn::Set(i_, 2));
-            const auto word = [&](IntV at) HWY_ATTR { return hn::GatherIndex(i_, t_.words, at); };
-            const FloatV a = valueIn(word(hn::Add(lowRow, column)), xLow, yLow, zIn);
-            const FloatV b = valueIn(word(hn::Add(lowRow, one)), xHigh, yLow, zIn);
-            const FloatV c = valueIn(word(hn::Add(highRow, column)), xLow, yHigh, zIn);
-            const FloatV d = valueIn(word(hn::Add(highRow, one)), xHigh, yHigh, zIn);
-            return mixed(mixed(a, b, x.part), mixed(c, d, x.part), y.part);
-        };
-        return mixed(layer(z.low), layer(z.high), z.part);
-    }
-
-    // stochasticEntry() of medium.glsl.
-    HWY_INLINE FloatV stochasticEntry(FloatMask of, FloatV px, FloatV py, FloatV pz) {
+    HWY_INLINE Voxel voxelByChance(FloatMask of, Lanes3 p) {
         const UintV bits = randomBits(of);
         const FloatV half = hn::Set(f_, 0.5f);
-        const auto voxel = [&](FloatV p, UintV drawn, float scale, int count) HWY_ATTR {
+        const auto voxel = [&](FloatV at, UintV drawn, float scale, int count) HWY_ATTR {
             const FloatV moved =
-                hn::MulAdd(hn::Add(floatOf(drawn), half), hn::Set(f_, scale), hn::Sub(p, half));
+                hn::MulAdd(hn::Add(floatOf(drawn), half), hn::Set(f_, scale), hn::Sub(at, half));
             const FloatV low = hn::Floor(hn::IfThenElseZero(of, moved));
             return hn::ConvertTo(i_, hn::Clamp(low, hn::Zero(f_), hn::Set(f_, float(count - 1))));
         };
+        const glm::ivec3& size = t_.matter.voxels.size;
         const UintV eleven = hn::Set(u_, 2047u);
-        const IntV x = voxel(px, hn::And(bits, eleven), 1.0f / 2048.0f, t_.size.x);
-        const IntV y = voxel(py, hn::And(hn::ShiftRight<11>(bits), eleven), 1.0f / 2048.0f, t_.size.y);
-        const IntV z = voxel(pz, hn::ShiftRight<22>(bits), 1.0f / 1024.0f, t_.size.z);
-        const IntV first = wordsOf(hn::ShiftRight<3>(x), hn::ShiftRight<3>(y), hn::ShiftRight<3>(z));
-        const IntV seven = hn::Set(i_, 7);
-        return valueIn(hn::GatherIndex(i_, t_.words, hn::Add(first, hn::Set(i_, 3))), hn::And(x, seven),
-                       hn::And(y, seven), hn::And(z, seven));
+        return {voxel(p.x, hn::And(bits, eleven), 1.0f / 2048.0f, size.x),
+                voxel(p.y, hn::And(hn::ShiftRight<11>(bits), eleven), 1.0f / 2048.0f, size.y),
+                voxel(p.z, hn::ShiftRight<22>(bits), 1.0f / 1024.0f, size.z)};
+    }
+
+    HWY_INLINE FloatV stochasticEntry(FloatMask of, Lanes3 p) {
+        const Voxel there = voxelByChance(of, p);
+        return t_.matter.voxels.at(there.x, there.y, there.z);
+    }
+
+    // steepByChance() and extinctionAt() of gradient.glsl.
+    HWY_INLINE FloatV extinctionAt(FloatMask met, Lanes3 at, FloatV entry) {
+        const LaneMatter& matter = t_.matter;
+        FloatV flat = matter.extinctionOfEntry(entry);
+        FloatV dense = flat;
+        FloatV part = hn::Zero(f_);
+        if (matter.steep != nullptr) {
+            dense = matter.steepExtinctionOfEntry(entry);
+            const auto asks = hn::And(met, hn::Ne(dense, flat));
+            if (!hn::AllFalse(f_, asks)) {
+                const Voxel there = voxelByChance(asks, at);
+                part = hn::IfThenElseZero(asks, matter.steepPart(there.x, there.y, there.z));
+            }
+            hn::BlendedStore(part, met, f_, s_.steep + at_);
+        }
+        if (matter.gradientOpacity != nullptr) {
+            const FloatV opacity = matter.opacityByGradient(met, at);
+            flat = matter.thinned(flat, opacity);
+            dense = matter.steep == nullptr ? flat : matter.thinned(dense, opacity);
+        }
+        return matter.steep == nullptr ? flat : mixed(flat, dense, part);
     }
 
     // The rest of collide() in path.glsl, where a collision is real with this probability.
@@ -456,7 +384,7 @@ class Round {
     IntV state_;
     FloatV distance_, end_, segmentEnd_, majorant_, looseness_, depth_;
     UintV counter_;
-    V3 cell_, origin_, direction_, inverse_;
+    Lanes3 cell_, origin_, direction_, inverse_;
 };
 
 }  // namespace

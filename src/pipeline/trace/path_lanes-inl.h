@@ -54,18 +54,11 @@ class PathLanes {
               Source& source)
         : host_(host),
           source_(source),
-          matterIsOfValue_((filter == Filter::trilinear || filter == Filter::stochastic) && !host.useMask() &&
-                           !host.useSecond() && !host.useTints() && !host.useGradientOpacity() &&
-                           !host.useSteepDensity()),
+          isMatterOfLanes_((filter == Filter::trilinear || filter == Filter::stochastic) &&
+                           !host.useSecond() && !host.useTints()),
           tables_{.bounds = tables.bounds,
-                  .extinction = tables.extinctionPerMm,
-                  .words = reinterpret_cast<const std::int32_t*>(tables.voxels.words),
-                  .pool = reinterpret_cast<const std::int32_t*>(tables.voxels.pool),
-                  .grid = host.params.gridSize,
-                  .size = host.params.volumeSize,
-                  .hasClip = host.useClip(),
-                  .isCoarse = isCoarse,
-                  .isTrilinear = filter != Filter::stochastic} {}
+                  .matter = {tables, host.params, isCoarse, filter != Filter::stochastic},
+                  .hasClip = host.useClip()} {}
 
     void work() {
         for (std::size_t lane = 0; lane < kFlights; ++lane) startPath(lane);
@@ -93,7 +86,7 @@ class PathLanes {
         for (int i = 0; i < kMoves && round.anyMoving(); ++i) round.move();
         const bool waits = round.anyMoving() && 2 * round.countMet() < hn::Lanes(Floats());
         if (waits) return round.store();
-        if (matterIsOfValue_) {
+        if (isMatterOfLanes_) {
             round.collide();
             return round.store();
         }
@@ -105,7 +98,7 @@ class PathLanes {
         return ended;
     }
 
-    // Collides a ray with matter that depends on more than the volume's value.
+    // Collides a ray with matter that LaneMatter does not know.
     bool collide(std::size_t lane) {
         NativeHost::Path& path = lanes_[lane].path;
         NativeHost::Rng& rng = lanes_[lane].rng;
@@ -116,6 +109,7 @@ class PathLanes {
         flights_.counter[lane] = rng.counter;
         flights_.transmittance[lane] = path.transmittance;
         flights_.entry[lane] = path.entry;
+        flights_.steep[lane] = path.steep;
         flights_.state[lane] = ends ? kEnded : kNewRay;
         if (++flights_.collisions[lane] > kMostCollisions) flights_.state[lane] = kEnded;
         // As Round::tighten().
@@ -161,6 +155,7 @@ class PathLanes {
         f.key1[lane] = rng.key1;
         f.counter[lane] = rng.counter;
         f.isShadow[lane] = path.shadow ? 1 : 0;
+        f.seesAll[lane] = host_.seesAll(path.shadow, path.vertices) ? 1 : 0;
         f.collisions[lane] = 0;
         f.aboveBound[lane] = 0;
         f.state[lane] = kNewRay;
@@ -171,6 +166,7 @@ class PathLanes {
         l.path.walk.distanceMm = flights_.distanceMm[lane];
         l.path.transmittance = flights_.transmittance[lane];
         l.path.entry = flights_.entry[lane];
+        if (tables_.matter.steep != nullptr) l.path.steep = flights_.steep[lane];
         l.path.aboveBound += flights_.aboveBound[lane];
         l.rng.counter = flights_.counter[lane];
         source_.endRay(lane, l.path);
@@ -183,7 +179,7 @@ class PathLanes {
 
     NativeHost host_;
     Source& source_;
-    bool matterIsOfValue_;
+    bool isMatterOfLanes_;
     FlightTables tables_;
     Flights flights_{};
     std::array<Lane, kFlights> lanes_{};
