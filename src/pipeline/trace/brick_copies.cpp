@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <type_traits>
 
 namespace macula::trace {
 
@@ -52,44 +53,75 @@ std::int32_t BrickCopies::hold(std::size_t lane, const glm::ivec3& brick) {
     return std::int32_t(found) * kValues;
 }
 
+BrickCopies::Parts BrickCopies::partsAlong(int brick, int last) const {
+    const int first = 8 * brick;
+    Parts parts;
+    if (brick > 0) parts.before = {brick - 1, 7 - reach_, 1 + reach_, 1 - reach_};
+    if (first <= last) parts.within = {brick, 0, std::min(8, last - first + 1), 2};
+    if (reach_ > 0 && first + 8 <= last) parts.after = {brick + 1, 0, 1, kEdge - 1};
+    return parts;
+}
+
 void BrickCopies::copy(const glm::ivec3& brick, std::uint16_t* to) const {
-    const glm::ivec3 first = 8 * brick - 2;
-    for (int k = 1 - reach_; k < kEdge - 1 + reach_; ++k) {
-        const int z = std::clamp(first.z + k, 0, last_.z);
-        for (int j = 1 - reach_; j < kEdge - 1 + reach_; ++j) {
-            const int y = std::clamp(first.y + j, 0, last_.y);
-            copyRow({voxels_.wordsOf({0, y >> 3, 0}, z >> 3), y & 7, z & 7}, brick.x,
-                    to + k * kLayer + j * kRow);
+    const Parts x = partsAlong(brick.x, last_.x);
+    const Parts y = partsAlong(brick.y, last_.y);
+    const Parts z = partsAlong(brick.z, last_.z);
+    for (const Part& alongZ : {z.before, z.within, z.after}) {
+        if (alongZ.count == 0) continue;
+        for (const Part& alongY : {y.before, y.within, y.after}) {
+            if (alongY.count == 0) continue;
+            copyPart(x.before, alongY, alongZ, to);
+            copyPart(x.within, alongY, alongZ, to);
+            copyPart(x.after, alongY, alongZ, to);
+        }
+    }
+    repeatOuter(brick.x, last_.x, 1, to);
+    repeatOuter(brick.y, last_.y, kRow, to);
+    repeatOuter(brick.z, last_.z, kLayer, to);
+}
+
+// Repeats the volume's outer voxels along the axis on which neighbours are `stride` values apart. Reads values
+// that are not set yet where other axes are still to be repeated, and these replace them.
+void BrickCopies::repeatOuter(int brick, int last, int stride, std::uint16_t* to) const {
+    const int lowest = brick == 0 ? 2 : 0;
+    const int highest = std::min(last - (8 * brick - 2), kEdge - 1);
+    if (lowest == 0 && highest == kEdge - 1) return;
+    const int a = stride == 1 ? kRow : 1;
+    const int b = stride == kLayer ? kRow : kLayer;
+    for (int j = 0; j < kEdge; ++j) {
+        for (int i = 0; i < kEdge; ++i) {
+            std::uint16_t* const line = to + j * b + i * a;
+            for (int k = lowest - 1; k >= 0; --k) line[k * stride] = line[lowest * stride];
+            for (int k = highest + 1; k < kEdge; ++k) line[k * stride] = line[highest * stride];
         }
     }
 }
 
-void BrickCopies::copyRow(const Row& row, int brickX, std::uint16_t* to) const {
-    const int first = 8 * brickX - 2;
-    if (brickX > 0) copyBlockRow(row, brickX - 1, 6, 2, to);
-    if (8 * brickX <= last_.x) copyBlockRow(row, brickX, 0, 8, to + 2);
-    if (reach_ > 0 && 8 * brickX + 8 <= last_.x) copyBlockRow(row, brickX + 1, 0, 1, to + kEdge - 1);
-    if (brickX == 0) to[0] = to[1] = to[2];
-    for (int i = std::max(last_.x - first, 0) + 1; i < kEdge; ++i) to[i] = to[i - 1];
-}
-
-// Copies `count` voxels from the voxel `first` of a block's row on.
-void BrickCopies::copyBlockRow(const Row& row, int block, int first, int count, std::uint16_t* to) const {
-    const std::uint32_t word = row.words[4 * std::size_t(block) + 3];
-    const std::uint32_t level = word >> 30;
+void BrickCopies::copyPart(const Part& x, const Part& y, const Part& z, std::uint16_t* to) const {
+    if (x.count == 0) return;
+    const std::uint32_t word = voxels_.wordsOf({x.block, y.block, 0}, z.block)[3];
     const std::uint32_t unitOrValue = word & 0x3fffffffu;
-    if (level == kFullLevel) {
-        const std::uint16_t* const from =
-            voxels_.pool + (std::size_t(unitOrValue) << 3) + std::size_t((row.z << 6) | (row.y << 3) | first);
-        if (count == 8) {
-            std::memcpy(to, from, 8 * sizeof(std::uint16_t));
-        } else {
-            for (int i = 0; i < count; ++i) to[i] = from[i];
-        }
+    std::uint16_t* const first = to + z.to * kLayer + y.to * kRow + x.to;
+    if (word >> 30 != kFullLevel) {
+        for (int k = 0; k < z.count; ++k)
+            for (int j = 0; j < y.count; ++j)
+                for (int i = 0; i < x.count; ++i)
+                    first[k * kLayer + j * kRow + i] = std::uint16_t(
+                        voxels_.valueIn(word, {x.first + i, y.first + j, z.first + k}));
         return;
     }
-    for (int i = 0; i < count; ++i)
-        to[i] = std::uint16_t(voxels_.valueIn(word, {first + i, row.y, row.z}));
+    const std::uint16_t* const from = voxels_.pool + (std::size_t(unitOrValue) << 3) +
+                                      std::size_t((z.first << 6) | (y.first << 3) | x.first);
+    const auto copyRows = [&](auto bytes) {
+        for (int k = 0; k < z.count; ++k)
+            for (int j = 0; j < y.count; ++j)
+                std::memcpy(first + k * kLayer + j * kRow, from + 64 * k + 8 * j, bytes);
+    };
+    // Of these lengths almost all rows are, and the compiler knows them.
+    if (x.count == 8) return copyRows(std::integral_constant<std::size_t, 16>());
+    if (x.count == 1) return copyRows(std::integral_constant<std::size_t, 2>());
+    if (x.count == 2) return copyRows(std::integral_constant<std::size_t, 4>());
+    copyRows(2 * std::size_t(x.count));
 }
 
 }  // namespace macula::trace

@@ -36,14 +36,21 @@ class BrickCopies {
   private:
     static constexpr std::size_t kNone = std::size_t(-1);
 
-    struct Row {
-        const std::uint32_t* words;  // of the blocks of its layer and row
-        int y, z;                    // in its block
+    // The part of a brick's copy along an axis that one block holds.
+    struct Part {
+        int block = 0;
+        int first = 0;  // voxel of the block
+        int count = 0;
+        int to = 0;  // voxel of the copy
+    };
+    struct Parts {
+        Part before, within, after;
     };
 
+    Parts partsAlong(int brick, int last) const;
     void copy(const glm::ivec3& brick, std::uint16_t* to) const;
-    void copyRow(const Row& row, int brickX, std::uint16_t* to) const;
-    void copyBlockRow(const Row& row, int block, int first, int count, std::uint16_t* to) const;
+    void repeatOuter(int brick, int last, int stride, std::uint16_t* to) const;
+    void copyPart(const Part& x, const Part& y, const Part& z, std::uint16_t* to) const;
 
     PooledVoxels voxels_;
     glm::ivec3 last_;

@@ -53,6 +53,11 @@ struct CopiedVoxels {
                 hn::ConvertTo(f, hn::BitCast(i, hn::ShiftRight<16>(both)))};
     }
 
+    HWY_INLINE FloatV low(IntV first, int distance) const {
+        const Ints i;
+        return hn::ConvertTo(Floats(), hn::And(wordAt(first, values + distance), hn::Set(i, 0xffff)));
+    }
+
   private:
     static HWY_INLINE IntV wordAt(IntV first, const std::uint16_t* base) {
         const Ints i;
@@ -76,6 +81,7 @@ class LaneCells {
           inverse_(rays.voxelInverse.load()),
           cell_(rays.cell.load()),
           firstCell_(rays.firstCell.load()),
+          distance_(hn::Load(f_, rays.distanceMm)),
           end_(hn::Load(f_, rays.pieceEndMm)),
           from_(hn::Load(f_, rays.fromMm)),
           to_(hn::Load(f_, rays.toMm)),
@@ -83,6 +89,7 @@ class LaneCells {
 
     HWY_INLINE void store() const {
         r_.cell.store(cell_);
+        hn::Store(distance_, f_, r_.distanceMm);
         hn::Store(from_, f_, r_.fromMm);
         hn::Store(to_, f_, r_.toMm);
         hn::Store(cells_, i_, r_.cells);
@@ -90,7 +97,7 @@ class LaneCells {
 
     // Enters the first cell of a piece; the brick is that of BrickCopies.
     HWY_INLINE void enter(FloatMask of) {
-        from_ = hn::IfThenElse(of, hn::Load(f_, r_.distanceMm), from_);
+        from_ = hn::IfThenElse(of, distance_, from_);
         const auto cellAt = [&](FloatV origin, FloatV direction, FloatV cell) HWY_ATTR {
             const FloatV at = hn::MulAdd(direction, from_, origin);
             // At a face, the cell ahead.
@@ -105,8 +112,11 @@ class LaneCells {
         leaveAt(of, faces());
     }
 
-    // nextCell() of cell_walk.glsl. Returns the lanes at the end of their piece instead.
-    HWY_INLINE FloatMask advance(FloatMask of) {
+    // nextCell() of cell_walk.glsl for leaving lanes: these then cross their next cell or, at the end of their
+    // piece, seek another. Returns the states.
+    HWY_INLINE IntV advance(IntV state) {
+        const auto leaving = lanesIn(state, kLeaving);
+        const auto of = floatMask(leaving);
         // Rounding must not keep a ray in a brick for ever.
         const auto goes = hn::And(hn::And(of, hn::Lt(to_, end_)),
                                   floatMask(hn::Lt(cells_, hn::Set(i_, kMostCells))));
@@ -120,7 +130,9 @@ class LaneCells {
         cells_ = hn::IfThenElse(intMask(of), hn::Add(cells_, hn::Set(i_, 1)), cells_);
         from_ = hn::IfThenElse(goes, to_, from_);
         leaveAt(goes, faces());
-        return hn::AndNot(goes, of);
+        const auto ended = hn::AndNot(goes, of);
+        distance_ = hn::IfThenElse(ended, end_, distance_);
+        return moved(moved(state, leaving, kCrossing), intMask(ended), kSeeking);
     }
 
     // The low corner, within the brick: rounding may carry a cell across the brick's face.
@@ -191,6 +203,7 @@ class LaneCells {
 
     CastRays& r_;
     Lanes3 origin_, direction_, inverse_, cell_, firstCell_;
+    FloatV distance_;  // from which the search for another piece goes on
     FloatV end_, from_, to_;
     IntV cells_;
 };

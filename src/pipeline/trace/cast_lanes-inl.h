@@ -1,5 +1,5 @@
-// Cast rays in the lanes of a vector. At any time lanes wait for different kinds of work: the kind for which
-// most of them wait is done next, for all of these.
+// Cast rays in the lanes of a vector. At any time lanes wait for different kinds of work, which is done for
+// all lanes that wait for it when these are enough.
 //
 // Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs NativeHost.
 #if defined(MACULA_CAST_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -49,12 +49,8 @@ class CastLanes {
         for (std::size_t lane = 0; lane < hn::Lanes(Floats()); ++lane) startRay(lane);
         while (busy_ > 0) {
             const std::size_t seeking = count(kSeeking);
-            const std::size_t stepping = count(kStepping);
-            const std::size_t crossing = count(kCrossing) + count(kLeaving);
-            if (seeking >= stepping && seeking >= crossing) {
+            if (seeking >= kEnoughSeeking || seeking == busy_) {
                 seek();
-            } else if (stepping >= crossing) {
-                CastMatter(rays_, tables_, matter_, voxels()).step(kEnough);
             } else {
                 cross();
             }
@@ -91,7 +87,7 @@ class CastLanes {
 
     // Finds the next bricks of rays, and enters them.
     void seek() {
-        BrickSearch(rays_, tables_).run();
+        BrickSearch(rays_, tables_).run(kEnoughSeeking);
         const std::uint32_t found = lanesOf(kFound);
         if (found == 0) return;
         for (std::uint32_t left = found; left != 0; left &= left - 1) holdBrick(std::size_t(std::countr_zero(left)));
@@ -143,6 +139,7 @@ class CastLanes {
         rays_.colour.set(lane, glm::vec3(0.0f));
         rays_.transmittance[lane] = 1.0f;
         rays_.phase[lane] = offset.z;
+        rays_.step[lane] = 0.0f;
         rays_.best[lane] = -1e9f;
         rays_.sum[lane] = 0.0f;
         rays_.lengthMm[lane] = 0.0f;
@@ -173,6 +170,7 @@ class CastLanes {
     }
 
     // Fewer lanes than these wait for others to join them.
+    static constexpr std::size_t kEnoughSeeking = (hn::MaxLanes(Floats()) + 3) / 4;
     static constexpr std::size_t kEnough = (hn::MaxLanes(Floats()) + 1) / 2;
 
     NativeHost host_;

@@ -42,65 +42,36 @@ class CastMatter {
   public:
     HWY_INLINE CastMatter(CastRays& rays, const CastTables& tables, const CastMatterTables& matter,
                           const CopiedVoxels& voxels)
-        : r_(rays), t_(tables), m_(matter), voxels_(voxels), hasGradients_(matter.hasGradients(tables.matter)) {}
+        : r_(rays),
+          t_(tables),
+          m_(matter),
+          voxels_(voxels),
+          hasGradients_(matter.hasGradients(tables.matter)),
+          colour_(rays.colour.load()),
+          transmittance_(hn::Load(f_, rays.transmittance)) {}
 
-    // Crosses cells without matter, until fewer than `enough` lanes do.
+    // Crosses cells, until fewer than `enough` lanes do.
     HWY_INLINE void cross(std::size_t enough) {
         LaneCells cells(r_);
         IntV state = hn::Load(i_, r_.state);
         do {
-            const auto leaving = lanesIn(state, kLeaving);
-            const auto ended = cells.advance(floatMask(leaving));
-            state = moved(moved(state, leaving, kCrossing), intMask(ended), kSeeking);
+            state = cells.advance(state);
             const auto crossing = lanesIn(state, kCrossing);
             const Lanes3 low = cells.low();
             const IntV place = cells.placeOf(low);
             const LaneCorners corners = LaneCells::corners(voxels_, place);
             const auto meets = hn::And(floatMask(crossing), hasMatter(corners));
             state = moved(moved(state, crossing, kLeaving), intMask(meets), kStepping);
-            if (!hn::AllFalse(f_, meets)) begin(meets, cells, corners, low, place);
-        } while (countIn(state, kLeaving) >= enough);
+            // Lanes wait for others before they take steps.
+            const std::size_t waiting = countIn(state, kStepping);
+            if (waiting >= enough || countIn(state, kLeaving) == 0) {
+                if (waiting > 0) state = afterSteps(state, cells, corners, low, place);
+            }
+        } while (countIn(state, kLeaving) + countIn(state, kStepping) >= enough);
         hn::Store(state, i_, r_.state);
         cells.store();
-        finish(state);
-    }
-
-    // Takes steps until fewer than `enough` lanes do.
-    HWY_INLINE void step(std::size_t enough) {
-        const LaneCells cells(r_);
-        const Lanes3 low = cells.low();
-        const FloatV steps = hn::Load(f_, r_.steps);
-        const FloatV phase = hn::Load(f_, r_.phase);
-        const FloatV stepMm = hn::Load(f_, r_.stepMm);
-        const FloatV lengthMm = hn::Sub(cells.to(), cells.from());
-        const FloatV opaque = hn::Set(f_, NativeHost::kCastOpaque);
-        FloatV step = hn::Load(f_, r_.step);
-        FloatV transmittance = hn::Load(f_, r_.transmittance);
-        Lanes3 colour = r_.colour.load();
-        IntV state = hn::Load(i_, r_.state);
-        do {
-            const auto stepping = floatMask(lanesIn(state, kStepping));
-            const FloatV part = hn::Div(hn::Add(step, phase), steps);
-            const FloatV entry = hn::Max(valueAt(part), hn::Zero(f_));
-            const LaneOptics optics =
-                opticsAt(stepping, cells, low, hn::MulAdd(lengthMm, part, cells.from()), entry);
-            const FloatV through = hn::Exp(f_, hn::Neg(hn::Mul(optics.extinction, stepMm)));
-            const FloatV seen = hn::IfThenElseZero(
-                stepping, hn::Mul(transmittance, hn::Sub(hn::Set(f_, 1.0f), through)));
-            colour.x = hn::MulAdd(optics.r, seen, colour.x);
-            colour.y = hn::MulAdd(optics.g, seen, colour.y);
-            colour.z = hn::MulAdd(optics.b, seen, colour.z);
-            transmittance =
-                hn::IfThenElse(stepping, hn::Mul(transmittance, through), transmittance);
-            step = hn::Add(step, hn::Set(f_, 1.0f));
-            const auto isOpaque = hn::And(stepping, hn::Lt(transmittance, opaque));
-            const auto isThrough = hn::And(stepping, hn::Ge(step, steps));
-            state = moved(moved(state, intMask(isThrough), kLeaving), intMask(isOpaque), kDone);
-        } while (countIn(state, kStepping) >= enough);
-        hn::Store(state, i_, r_.state);
-        hn::Store(step, f_, r_.step);
-        hn::Store(transmittance, f_, r_.transmittance);
-        r_.colour.store(colour);
+        hn::Store(transmittance_, f_, r_.transmittance);
+        r_.colour.store(colour_);
     }
 
   private:
@@ -108,11 +79,56 @@ class CastMatter {
     static constexpr Ints i_{};
     static constexpr Uints u_{};
 
-    // Lanes at the end of their piece continue from there.
-    HWY_INLINE void finish(IntV state) const {
-        const auto seeking = floatMask(lanesIn(state, kSeeking));
-        const FloatV end = hn::Load(f_, r_.pieceEndMm);
-        hn::BlendedStore(end, seeking, f_, r_.distanceMm);
+    // The value along the ray through a cell, and its steps.
+    struct Course {
+        FloatV start, first, second, third;
+        FloatV steps;
+    };
+    // Central differences at the corners of a cell, and the steep parts there.
+    struct Gradients {
+        LaneCorners x, y, z;
+        LaneCorners steep;
+    };
+
+    // Takes the steps of lanes through their cells. A lane that needs many more than others keeps some for the
+    // next time.
+    HWY_INLINE IntV afterSteps(IntV state, const LaneCells& cells, const LaneCorners& corners,
+                               const Lanes3& low, IntV place) {
+        const auto of = floatMask(lanesIn(state, kStepping));
+        const Course course = courseIn(cells, corners, low);
+        FloatV step = hn::Load(f_, r_.step);
+        const auto isNew = hn::Eq(step, hn::Zero(f_));
+        const FloatV steps = hn::IfThenElse(isNew, course.steps, hn::Load(f_, r_.steps));
+        const FloatV lengthMm = hn::Sub(cells.to(), cells.from());
+        const FloatV stepMm = hn::Div(lengthMm, steps);
+        const FloatV perStep = hn::Div(hn::Set(f_, 1.0f), steps);
+        const FloatV phase = hn::Load(f_, r_.phase);
+        Gradients gradients;
+        if (hasGradients_) gradients = gradientsOf(corners, place);
+        const FloatV one = hn::Set(f_, 1.0f);
+        auto stepping = of;
+        do {
+            const FloatV part = hn::Mul(hn::Add(step, phase), perStep);
+            const FloatV entry = hn::Max(valueOf(course, part), hn::Zero(f_));
+            const FloatV atMm = hn::MulAdd(lengthMm, part, cells.from());
+            const LaneOptics optics = opticsAt(stepping, gradients, cells, low, atMm, entry);
+            const FloatV through = hn::Exp(f_, hn::Neg(hn::Mul(optics.extinction, stepMm)));
+            const FloatV seen =
+                hn::IfThenElseZero(stepping, hn::Mul(transmittance_, hn::Sub(one, through)));
+            colour_.x = hn::MulAdd(optics.r, seen, colour_.x);
+            colour_.y = hn::MulAdd(optics.g, seen, colour_.y);
+            colour_.z = hn::MulAdd(optics.b, seen, colour_.z);
+            transmittance_ =
+                hn::IfThenElse(stepping, hn::Mul(transmittance_, through), transmittance_);
+            step = hn::IfThenElse(stepping, hn::Add(step, one), step);
+            stepping = hn::And(hn::And(stepping, hn::Lt(step, steps)),
+                               hn::Ge(transmittance_, hn::Set(f_, NativeHost::kCastOpaque)));
+        } while (hn::CountTrue(f_, stepping) > hn::Lanes(f_) / 4);
+        hn::BlendedStore(hn::IfThenElseZero(stepping, step), of, f_, r_.step);
+        hn::BlendedStore(steps, of, f_, r_.steps);
+        const auto isOpaque = hn::And(of, hn::Lt(transmittance_, hn::Set(f_, NativeHost::kCastOpaque)));
+        state = moved(state, intMask(hn::AndNot(stepping, of)), kLeaving);
+        return moved(state, intMask(isOpaque), kDone);
     }
 
     // Where some value in a cell may have an extinction. Elsewhere its steps would change nothing.
@@ -131,8 +147,7 @@ class CastMatter {
     }
 
     // courseIn() of cell_walk.glsl, and the number of steps.
-    HWY_INLINE void begin(FloatMask of, const LaneCells& cells, const LaneCorners& corners,
-                          const Lanes3& low, IntV place) const {
+    HWY_INLINE Course courseIn(const LaneCells& cells, const LaneCorners& corners, const Lanes3& low) const {
         const FloatV half = hn::Set(f_, 0.5f);
         const Lanes3 entry = cells.fractionAt(low, cells.from());
         const Lanes3 exit = cells.fractionAt(low, cells.to());
@@ -151,134 +166,145 @@ class CastMatter {
         const FloatV third = hn::Mul(
             hn::Add(hn::Sub(hn::Sub(difference(0), difference(1)), difference(2)), difference(3)), across);
         const FloatV four = hn::Mul(hn::Set(f_, 4.0f), toMiddle);
-        const FloatV first = hn::MulAdd(half, third, hn::Sub(four, toEnd));
-        const FloatV second =
-            hn::NegMulAdd(hn::Set(f_, 1.5f), third, hn::Sub(hn::Add(toEnd, toEnd), four));
         const FloatV change = hn::Add(hn::Abs(toMiddle), hn::Abs(hn::Sub(end, middle)));
-        const FloatV wanted = hn::Mul(hn::Mul(change, hn::Set(f_, m_.stepsPerEntry)),
-                                      hn::Load(f_, r_.transmittance));
-        const FloatV steps = hn::Clamp(hn::Ceil(wanted), hn::Set(f_, hasGradients_ ? 2.0f : 1.0f),
-                                       hn::Set(f_, float(NativeHost::kCastSteps)));
-        hn::BlendedStore(start, of, f_, r_.course[0]);
-        hn::BlendedStore(first, of, f_, r_.course[1]);
-        hn::BlendedStore(second, of, f_, r_.course[2]);
-        hn::BlendedStore(third, of, f_, r_.course[3]);
-        hn::BlendedStore(steps, of, f_, r_.steps);
-        hn::BlendedStore(hn::Zero(f_), of, f_, r_.step);
-        hn::BlendedStore(hn::Div(hn::Sub(cells.to(), cells.from()), steps), of, f_, r_.stepMm);
-        if (hasGradients_) beginGradients(of, corners, place);
+        const FloatV wanted = hn::Mul(hn::Mul(change, hn::Set(f_, m_.stepsPerEntry)), transmittance_);
+        return {start, hn::MulAdd(half, third, hn::Sub(four, toEnd)),
+                hn::NegMulAdd(hn::Set(f_, 1.5f), third, hn::Sub(hn::Add(toEnd, toEnd), four)), third,
+                hn::Clamp(hn::Ceil(wanted), hn::Set(f_, hasGradients_ ? 2.0f : 1.0f),
+                          hn::Set(f_, float(NativeHost::kCastSteps)))};
     }
 
     // gradientOfCell() of cell_walk.glsl, and steepOfCell().
-    HWY_INLINE void beginGradients(FloatMask of, const LaneCorners& c, IntV place) const {
+    HWY_INLINE Gradients gradientsOf(const LaneCorners& c, IntV place) const {
         constexpr int kY = BrickCopies::kRow;
         constexpr int kZ = BrickCopies::kLayer;
         const FloatV half = hn::Set(f_, 0.5f);
-        const auto keep = [&](int axis, int corner, FloatV high, FloatV low) HWY_ATTR {
-            hn::BlendedStore(hn::Mul(hn::Sub(high, low), half), of, f_, r_.gradients[axis][corner]);
-        };
+        const auto slope = [&](FloatV high, FloatV low) HWY_ATTR { return hn::Mul(hn::Sub(high, low), half); };
+        Gradients g;
         for (int k = 0; k < 2; ++k) {
             for (int j = 0; j < 2; ++j) {
                 const int row = 2 * j + 4 * k;
-                const FloatV before = voxels_.pair(place, j * kY + k * kZ - 1).low;
-                const FloatV after = voxels_.pair(place, j * kY + k * kZ + 1).high;
-                keep(0, row, c.at[row + 1], before);
-                keep(0, row + 1, after, c.at[row]);
+                g.x.at[row] = slope(c.at[row + 1], voxels_.low(place, j * kY + k * kZ - 1));
+                g.x.at[row + 1] = slope(voxels_.low(place, j * kY + k * kZ + 2), c.at[row]);
             }
             const LanePair beforeY = voxels_.pair(place, k * kZ - kY);
             const LanePair afterY = voxels_.pair(place, k * kZ + 2 * kY);
-            keep(1, 4 * k, c.at[4 * k + 2], beforeY.low);
-            keep(1, 4 * k + 1, c.at[4 * k + 3], beforeY.high);
-            keep(1, 4 * k + 2, afterY.low, c.at[4 * k]);
-            keep(1, 4 * k + 3, afterY.high, c.at[4 * k + 1]);
+            g.y.at[4 * k] = slope(c.at[4 * k + 2], beforeY.low);
+            g.y.at[4 * k + 1] = slope(c.at[4 * k + 3], beforeY.high);
+            g.y.at[4 * k + 2] = slope(afterY.low, c.at[4 * k]);
+            g.y.at[4 * k + 3] = slope(afterY.high, c.at[4 * k + 1]);
             const LanePair beforeZ = voxels_.pair(place, k * kY - kZ);
             const LanePair afterZ = voxels_.pair(place, k * kY + 2 * kZ);
-            keep(2, 2 * k, c.at[2 * k + 4], beforeZ.low);
-            keep(2, 2 * k + 1, c.at[2 * k + 5], beforeZ.high);
-            keep(2, 2 * k + 4, afterZ.low, c.at[2 * k]);
-            keep(2, 2 * k + 5, afterZ.high, c.at[2 * k + 1]);
+            g.z.at[2 * k] = slope(c.at[2 * k + 4], beforeZ.low);
+            g.z.at[2 * k + 1] = slope(c.at[2 * k + 5], beforeZ.high);
+            g.z.at[2 * k + 4] = slope(afterZ.low, c.at[2 * k]);
+            g.z.at[2 * k + 5] = slope(afterZ.high, c.at[2 * k + 1]);
         }
-        if (m_.steep == nullptr) return;
+        if (m_.steep == nullptr) return g;
         for (int corner = 0; corner < 8; ++corner) {
-            const Lanes3 perVoxel{hn::Load(f_, r_.gradients[0][corner]), hn::Load(f_, r_.gradients[1][corner]),
-                                  hn::Load(f_, r_.gradients[2][corner])};
-            const FloatV length2 = squareOf(t_.matter.worldGradient(perVoxel));
-            hn::BlendedStore(t_.matter.steepPartOf(length2), of, f_, r_.steepParts[corner]);
+            const Lanes3 perVoxel{g.x.at[corner], g.y.at[corner], g.z.at[corner]};
+            g.steep.at[corner] = t_.matter.steepPartOf(squareOf(t_.matter.worldGradient(perVoxel)));
+        }
+        return g;
+    }
+
+    static HWY_INLINE FloatV valueOf(const Course& c, FloatV part) {
+        return hn::MulAdd(part, hn::MulAdd(part, hn::MulAdd(part, c.third, c.second), c.first), c.start);
+    }
+
+    // Albedo and extinction between an entry and the next, as matterOfEntry() of cast.glsl.
+    HWY_INLINE LaneOptics opticsOf(const float* table, IntV low, FloatV part) const {
+        const LaneOptics a = numbersOf(table, low);
+        const LaneOptics b = numbersOf(table + 4, low);
+        return {mixed(a.r, b.r, part), mixed(a.g, b.g, part), mixed(a.b, b.b, part),
+                mixed(a.extinction, b.extinction, part)};
+    }
+
+    // The four numbers of entries: a transposition of what lies together takes less than four gathers.
+    HWY_INLINE LaneOptics numbersOf(const float* table, IntV low) const {
+#if HWY_TARGET == HWY_SCALAR
+        const float* const at = table + 4 * std::ptrdiff_t(hn::GetLane(low));
+        return {hn::Set(f_, at[0]), hn::Set(f_, at[1]), hn::Set(f_, at[2]), hn::Set(f_, at[3])};
+#else
+        alignas(64) std::int32_t index[kRays];
+        hn::Store(hn::ShiftLeft<2>(low), i_, index);
+        // In each block of four lanes, the entry of its first, second, third and fourth lane.
+        const FloatV first = blocksAt(f_, table, index);
+        const FloatV second = blocksAt(f_, table, index + 1);
+        const FloatV third = blocksAt(f_, table, index + 2);
+        const FloatV fourth = blocksAt(f_, table, index + 3);
+        const FloatV a = hn::InterleaveLower(f_, first, third);
+        const FloatV b = hn::InterleaveLower(f_, second, fourth);
+        const FloatV c = hn::InterleaveUpper(f_, first, third);
+        const FloatV d = hn::InterleaveUpper(f_, second, fourth);
+        return {hn::InterleaveLower(f_, a, b), hn::InterleaveUpper(f_, a, b), hn::InterleaveLower(f_, c, d),
+                hn::InterleaveUpper(f_, c, d)};
+#endif
+    }
+
+#if HWY_TARGET != HWY_SCALAR
+    // Four numbers each from every fourth of these places.
+    template <class D>
+    static HWY_INLINE hn::Vec<D> blocksAt(D d, const float* table, const std::int32_t* index) {
+        if constexpr (hn::MaxLanes(D()) == 4) {
+            return hn::LoadU(d, table + *index);
+        } else {
+            const hn::Half<D> half;
+            return hn::Combine(d, blocksAt(half, table, index + hn::MaxLanes(D()) / 2),
+                               blocksAt(half, table, index));
         }
     }
+#endif
 
-    HWY_INLINE FloatV valueAt(FloatV part) const {
-        const auto slope = [&](int i) HWY_ATTR { return hn::Load(f_, r_.course[i]); };
-        return hn::MulAdd(part, hn::MulAdd(part, hn::MulAdd(part, slope(3), slope(2)), slope(1)), slope(0));
-    }
-
-    HWY_INLINE FloatV interpolatedIn(const float (&corners)[8][kRays], const Lanes3& fraction) const {
-        LaneCorners c;
-        for (int i = 0; i < 8; ++i) c.at[i] = hn::Load(f_, corners[i]);
-        return interpolated(c, fraction);
-    }
-
-    // One of the four numbers of an entry.
-    HWY_INLINE FloatV numberOf(const float* table, IntV low, FloatV part, int number) const {
-        const IntV at = hn::ShiftLeft<2>(low);
-        return mixed(hn::GatherIndex(f_, table + number, at), hn::GatherIndex(f_, table + number + 4, at),
-                     part);
-    }
-
-    // The light and the extinction of matter at a step; in lanes without extinction any light.
-    HWY_INLINE LaneOptics opticsAt(FloatMask of, const LaneCells& cells, const Lanes3& low, FloatV atMm,
-                                   FloatV anyEntry) const {
-        const FloatV zero = hn::Zero(f_);
+    // The light and the extinction of matter at a step.
+    HWY_INLINE LaneOptics opticsAt(FloatMask of, const Gradients& gradients, const LaneCells& cells,
+                                   const Lanes3& low, FloatV atMm, FloatV anyEntry) const {
         const FloatV entry = hn::Min(hn::IfThenElseZero(of, anyEntry), hn::Set(f_, float(t_.entryCount - 2)));
         const IntV index = hn::ConvertTo(i_, entry);
         const FloatV part = hn::Sub(entry, hn::ConvertTo(f_, index));
-        LaneOptics optics{zero, zero, zero, numberOf(m_.flat, index, part, 3)};
-        FloatV steep = optics.extinction;
-        if (m_.steep != nullptr) steep = numberOf(m_.steep, index, part, 3);
-        const auto has =
-            hn::And(of, hn::Or(hn::Ne(optics.extinction, zero), hn::Ne(steep, zero)));
-        if (hn::AllFalse(f_, has)) return {zero, zero, zero, zero};
-        optics.r = numberOf(m_.flat, index, part, 0);
-        optics.g = numberOf(m_.flat, index, part, 1);
-        optics.b = numberOf(m_.flat, index, part, 2);
+        LaneOptics optics = opticsOf(m_.flat, index, part);
         if (!hasGradients_ && t_.matter.mask == nullptr) return optics;
         const Lanes3 fraction = cells.fractionAt(low, atMm);
-        if (hasGradients_) withGradient(optics, fraction, index, part, steep);
+        if (hasGradients_) {
+            LaneOptics steep{};
+            if (m_.steep != nullptr) steep = opticsOf(m_.steep, index, part);
+            withGradient(optics, steep, gradients, fraction);
+        }
         if (t_.matter.mask != nullptr) {
             const FloatV half = hn::Set(f_, 0.5f);
             const Lanes3 at{hn::Add(hn::Add(low.x, fraction.x), half), hn::Add(hn::Add(low.y, fraction.y), half),
                             hn::Add(hn::Add(low.z, fraction.z), half)};
-            optics.extinction = hn::IfThenZeroElse(t_.matter.isMasked(has, at), optics.extinction);
+            optics.extinction = hn::IfThenZeroElse(t_.matter.isMasked(of, at), optics.extinction);
         }
         return optics;
     }
 
-    // Applies gradient opacity, steep matter with this extinction, and the headlight.
-    HWY_INLINE void withGradient(LaneOptics& optics, const Lanes3& fraction, IntV index, FloatV part,
-                                 FloatV steep) const {
+    // Applies gradient opacity, steep matter and the headlight.
+    HWY_INLINE void withGradient(LaneOptics& optics, LaneOptics& steep, const Gradients& gradients,
+                                 const Lanes3& fraction) const {
         const LaneMatter& matter = t_.matter;
         Lanes3 gradient{};
         FloatV length2 = hn::Zero(f_);
         if (m_.isShaded || matter.gradientOpacity != nullptr) {
-            gradient = matter.worldGradient({interpolatedIn(r_.gradients[0], fraction),
-                                             interpolatedIn(r_.gradients[1], fraction),
-                                             interpolatedIn(r_.gradients[2], fraction)});
+            gradient = matter.worldGradient({interpolated(gradients.x, fraction),
+                                             interpolated(gradients.y, fraction),
+                                             interpolated(gradients.z, fraction)});
             length2 = squareOf(gradient);
         }
         if (matter.gradientOpacity != nullptr) {
             const FloatV opacity = matter.gradientOpacityOf(length2);
             optics.extinction = matter.thinned(optics.extinction, opacity);
-            if (m_.steep != nullptr) steep = matter.thinned(steep, opacity);
+            if (m_.steep != nullptr) steep.extinction = matter.thinned(steep.extinction, opacity);
         }
         if (m_.steep != nullptr) {
             // mixedMatter() of cast.glsl.
-            const FloatV isSteep = interpolatedIn(r_.steepParts, fraction);
-            optics.extinction = mixed(optics.extinction, steep, isSteep);
+            const FloatV isSteep = interpolated(gradients.steep, fraction);
+            optics.extinction = mixed(optics.extinction, steep.extinction, isSteep);
             const FloatV share =
-                hn::Div(hn::Mul(steep, isSteep), hn::Max(optics.extinction, hn::Set(f_, 1e-20f)));
-            optics.r = mixed(optics.r, numberOf(m_.steep, index, part, 0), share);
-            optics.g = mixed(optics.g, numberOf(m_.steep, index, part, 1), share);
-            optics.b = mixed(optics.b, numberOf(m_.steep, index, part, 2), share);
+                hn::Div(hn::Mul(steep.extinction, isSteep), hn::Max(optics.extinction, hn::Set(f_, 1e-20f)));
+            optics.r = mixed(optics.r, steep.r, share);
+            optics.g = mixed(optics.g, steep.g, share);
+            optics.b = mixed(optics.b, steep.b, share);
         }
         if (m_.isShaded) {
             const FloatV shade = headlight(gradient, length2);
@@ -306,6 +332,8 @@ class CastMatter {
     const CastMatterTables& m_;
     CopiedVoxels voxels_;
     bool hasGradients_;
+    Lanes3 colour_;
+    FloatV transmittance_;
 };
 
 }  // namespace

@@ -81,12 +81,8 @@ struct CastRays {
     alignas(64) float transmittance[kRays];
     alignas(64) float phase[kRays];
     alignas(64) float face[kRays];
-    alignas(64) float course[4][kRays];  // the value at the entry, and the slopes
-    alignas(64) float stepMm[kRays];
-    alignas(64) float step[kRays];   // number of the next step
-    alignas(64) float steps[kRays];  // of the cell
-    alignas(64) float gradients[3][8][kRays];
-    alignas(64) float steepParts[8][kRays];
+    alignas(64) float step[kRays];   // number of the next step through the cell
+    alignas(64) float steps[kRays];  // where that is not the first one
 
     // castValues().
     alignas(64) float best[kRays];
@@ -137,12 +133,13 @@ class BrickSearch {
           inverse_(rays.inverse.load()),
           brick_(rays.brick.load()) {}
 
-    HWY_INLINE void run() {
+    // Searches until fewer than `enough` lanes do.
+    HWY_INLINE void run(std::size_t enough) {
         const FloatV least = leastBound();
         const glm::ivec3& grid = t_.matter.voxels.grid;
         const IntV most = hn::Set(i_, 8 * (grid.x + grid.y + grid.z) + 64);
         auto seeking = floatMask(lanesIn(state_, kSeeking));
-        while (!hn::AllFalse(f_, seeking)) {
+        do {
             if (t_.hasClip) leaveCuts(seeking);
             const auto finds =
                 hn::And(seeking, hn::And(hn::Gt(majorant_, least), hn::Lt(distance_, segmentEnd_)));
@@ -158,7 +155,7 @@ class BrickSearch {
             state_ = moved(state_, intMask(hn::AndNot(goes, seeking)), kDone);
             seeking = goes;
             nextSegment(seeking);
-        }
+        } while (hn::CountTrue(f_, seeking) >= enough);
         store();
     }
 

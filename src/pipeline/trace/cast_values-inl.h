@@ -34,9 +34,7 @@ class CastValues {
         LaneCells cells(r_);
         IntV state = hn::Load(i_, r_.state);
         do {
-            const auto leaving = lanesIn(state, kLeaving);
-            const auto ended = cells.advance(floatMask(leaving));
-            state = moved(moved(state, leaving, kCrossing), intMask(ended), kSeeking);
+            state = cells.advance(state);
             const auto crossing = lanesIn(state, kCrossing);
             const Lanes3 low = cells.low();
             const LaneCorners corners = LaneCells::corners(voxels_, cells.placeOf(low));
@@ -45,8 +43,6 @@ class CastValues {
         } while (countIn(state, kLeaving) >= enough);
         hn::Store(state, i_, r_.state);
         cells.store();
-        const auto seeking = floatMask(lanesIn(state, kSeeking));
-        hn::BlendedStore(hn::Load(f_, r_.pieceEndMm), seeking, f_, r_.distanceMm);
         hn::Store(best_, f_, r_.best);
         hn::Store(sum_, f_, r_.sum);
         hn::Store(lengthMm_, f_, r_.lengthMm);

@@ -76,6 +76,7 @@ class FilmCasts {
 
   private:
     static constexpr int kPixels = shared::kBlockEdge * shared::kBlockEdge;
+    static constexpr std::size_t kRun = 4;  // blocks
 
     struct Lane {
         glm::ivec2 pixel{0};
@@ -88,8 +89,12 @@ class FilmCasts {
         const glm::ivec2& size = host_.params.imageSize;
         for (;; ++pixel_) {
             if (pixel_ == kPixels) {
-                block_ = nextBlock_++;
+                ++block_;
                 pixel_ = 0;
+            }
+            if (block_ == endBlock_) {
+                block_ = nextBlock_.fetch_add(kRun);
+                endBlock_ = block_ + kRun;
             }
             if (block_ >= film_.plan.size()) return false;
             const shared::PlannedBlock& planned = film_.plan[block_];
@@ -111,7 +116,8 @@ class FilmCasts {
     std::atomic<std::size_t>& nextBlock_;
     std::array<Lane, kRays> lanes_{};
     std::size_t block_ = 0;  // in the plan
-    int pixel_ = kPixels;    // of the block, the next one
+    std::size_t endBlock_ = 0;
+    int pixel_ = 0;  // of the block, the next one
     std::uint32_t nonFinite_ = 0;
 };
 
