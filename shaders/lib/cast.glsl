@@ -96,6 +96,14 @@ void addSecond(vec3 at, EyeRay eye, bool masked, INOUT(vec3) emitted, INOUT(floa
     extinction = totalOf(mixture);
 }
 
+// The light of a ray whose matter ends, before a grey face with the light `face` if that is above 0.
+vec4 endOfMatter(vec3 colour, float transmittance, float face) {
+    // Early termination: sets the remaining transmittance to 0, so that opaque matter is fully opaque.
+    if (transmittance < float(CAST_OPAQUE)) return vec4(colour / (float(1.0) - transmittance), float(1.0));
+    if (face > float(0.0)) return vec4(colour + vec3(transmittance * face), float(1.0));
+    return vec4(colour, float(1.0) - transmittance);
+}
+
 // Emission and absorption: the integral over the ray of transmittance * extinction * colour, premultiplied,
 // and one minus the transmittance. A cell is crossed in as many steps as the transfer function needs over its
 // values, and fewer the less light is left. Exact where extinction and colour are constant over each step.
@@ -173,10 +181,7 @@ vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
             }
         } while (transmittance >= float(CAST_OPAQUE) && nextCell(cells, toMm));
     }
-    // Early termination: sets the remaining transmittance to 0, so that opaque matter is fully opaque.
-    if (transmittance < float(CAST_OPAQUE)) return vec4(colour / (float(1.0) - transmittance), float(1.0));
-    if (face > float(0.0)) return vec4(colour + vec3(transmittance * face), float(1.0));
-    return vec4(colour, float(1.0) - transmittance);
+    return endOfMatter(colour, transmittance, face);
 }
 
 // Padding, voxels outside the scan, has its own entry below all measured ones (entry_map.cpp), so that air in
@@ -189,6 +194,23 @@ bool isCounted(Corners corners) {
     if (castLook() == kCastMaximum) return dot(near, vec4(1.0)) + dot(far, vec4(1.0)) > float(0.5);
     return min(min(min(near.x, near.y), min(near.z, near.w)), min(min(far.x, far.y), min(far.z, far.w))) >
            float(0.5);
+}
+
+// Only bricks with a bound above this can change the result: half an entry of slack is for rounding.
+float leastBound(float best) {
+    if (castLook() == kCastMaximum) return max(best + float(0.5), float(0.0));
+    if (castLook() == kCastMinimum) return max(best + float(params.entryCount) - float(0.5), float(0.0));
+    return float(0.0);
+}
+
+// The grey of a ray with these values; `best` is -1e9 where it met none, and the negative of a minimum.
+vec4 endOfValues(float best, float sum, float lengthMm) {
+    if (best <= float(-1e9)) return vec4(0.0);
+    float entry = castLook() == kCastMinimum ? -best : best;
+    if (castLook() == kCastMean && lengthMm > float(0.0)) entry = sum / lengthMm;
+    float grey =
+        clamp((entry - params.windowLow) / (params.windowHigh - params.windowLow), float(0.0), float(1.0));
+    return vec4(vec3(greyBeforeToneMap(grey, params.keepsHue == 1) / params.exposure), float(1.0));
 }
 
 // The largest, smallest or mean value along the part of the ray that the clip shows, as the grey that the
@@ -205,8 +227,7 @@ vec4 castValues(EyeRay eye, INOUT(int) rounds) {
     float sum = float(0.0);
     float lengthMm = float(0.0);
     float toMm = walk.distanceMm;
-    // Only bricks with a bound above this can change the result: half an entry of slack is for rounding.
-    float least = float(0.0);
+    float least = leastBound(best);
     while (nextPiece(walk, least, toMm, rounds)) {
         float atEnd = enterBrick(cells, walk, toMm);
         do {
@@ -223,14 +244,9 @@ vec4 castValues(EyeRay eye, INOUT(int) rounds) {
             sum += (value.start + float(4.0) * middle + atEnd) * (length * float(1.0 / 6.0));
             lengthMm += length;
         } while (nextCell(cells, toMm));
-        if (castLook() == kCastMaximum) least = max(best + float(0.5), float(0.0));
-        if (castLook() == kCastMinimum) least = max(best + float(params.entryCount) - float(0.5), float(0.0));
+        least = leastBound(best);
     }
-    if (best <= float(-1e9)) return vec4(0.0);
-    float entry = castLook() == kCastMean ? (lengthMm > float(0.0) ? sum / lengthMm : best) : sign * best;
-    float grey =
-        clamp((entry - params.windowLow) / (params.windowHigh - params.windowLow), float(0.0), float(1.0));
-    return vec4(vec3(greyBeforeToneMap(grey, params.keepsHue == 1) / params.exposure), float(1.0));
+    return endOfValues(best, sum, lengthMm);
 }
 
 // An additive recurrence (Roberts 2018, in three dimensions): the position of a sample within its pixel and

@@ -21,6 +21,10 @@ namespace macula::trace {
 namespace HWY_NAMESPACE {
 namespace {
 
+HWY_INLINE FloatV squareOf(const Lanes3& v) {
+    return hn::MulAdd(v.z, v.z, hn::MulAdd(v.y, v.y, hn::Mul(v.x, v.x)));
+}
+
 struct LaneMatter {
     LaneVoxels voxels;
     const float* extinctionPerMm;
@@ -67,10 +71,14 @@ struct LaneMatter {
         const Around inX = around(x, voxels.size.x);
         const Around inY = around(y, voxels.size.y);
         const Around inZ = around(z, voxels.size.z);
-        const FloatV length2 =
+        return steepPartOf(
             squaredGradient({hn::Sub(voxels.at(inX.high, y, z), voxels.at(inX.low, y, z)),
                              hn::Sub(voxels.at(x, inY.high, z), voxels.at(x, inY.low, z)),
-                             hn::Sub(voxels.at(x, y, inZ.high), voxels.at(x, y, inZ.low))});
+                             hn::Sub(voxels.at(x, y, inZ.high), voxels.at(x, y, inZ.low))}));
+    }
+
+    // The same for the squared length of a gradient.
+    HWY_INLINE FloatV steepPartOf(FloatV length2) const {
         const FloatV half = hn::Set(f_, steepGradient * steepGradient);
         return hn::Div(length2, hn::Max(hn::Add(length2, half), hn::Set(f_, 1e-30f)));
     }
@@ -79,10 +87,14 @@ struct LaneMatter {
     HWY_INLINE FloatV opacityByGradient(FloatMask of, Lanes3 at) const {
         const FloatV one = hn::Set(f_, 1.0f);
         const auto value = [&](Lanes3 p) HWY_ATTR { return voxels.trilinear(of, p); };
-        const FloatV length2 = squaredGradient(
+        return gradientOpacityOf(squaredGradient(
             {hn::Sub(value({hn::Add(at.x, one), at.y, at.z}), value({hn::Sub(at.x, one), at.y, at.z})),
              hn::Sub(value({at.x, hn::Add(at.y, one), at.z}), value({at.x, hn::Sub(at.y, one), at.z})),
-             hn::Sub(value({at.x, at.y, hn::Add(at.z, one)}), value({at.x, at.y, hn::Sub(at.z, one)}))});
+             hn::Sub(value({at.x, at.y, hn::Add(at.z, one)}), value({at.x, at.y, hn::Sub(at.z, one)}))}));
+    }
+
+    // The same for the squared length of a gradient.
+    HWY_INLINE FloatV gradientOpacityOf(FloatV length2) const {
         const FloatV place = hn::Min(hn::Mul(hn::Sqrt(length2), hn::Set(f_, gradientScale)),
                                      hn::Set(f_, static_cast<float>(gradientLast)));
         const IntV low = hn::Min(hn::ConvertTo(i_, place), hn::Set(i_, gradientLast - 1));
@@ -98,6 +110,18 @@ struct LaneMatter {
         const FloatV left = hn::NegMulAdd(byGradient, hn::Sub(one, through), one);
         // No denser than without it, where the logarithm of 0 is only a large number.
         return hn::Min(hn::Mul(hn::Log(f_, left), hn::Set(f_, -1.0f / unitDepthMm)), extinction);
+    }
+
+    // worldGradient() of gradient.glsl.
+    HWY_INLINE Lanes3 worldGradient(const Lanes3& perVoxel) const {
+        const auto isGradient = hn::Gt(squareOf(perVoxel), hn::Set(f_, 0.000625f));
+        const auto along = [&](const glm::vec3& axis) HWY_ATTR {
+            const FloatV dot = hn::MulAdd(hn::Set(f_, axis.z), perVoxel.z,
+                                          hn::MulAdd(hn::Set(f_, axis.y), perVoxel.y,
+                                                     hn::Mul(hn::Set(f_, axis.x), perVoxel.x)));
+            return hn::IfThenElseZero(isGradient, dot);
+        };
+        return {along(voxelFromWorldX), along(voxelFromWorldY), along(voxelFromWorldZ)};
     }
 
     // Where the mask hides points; in idle lanes any.
@@ -136,19 +160,8 @@ struct LaneMatter {
     // The square of worldGradient() for differences over two voxels along each axis.
     HWY_INLINE FloatV squaredGradient(Lanes3 differences) const {
         const FloatV half = hn::Set(f_, 0.5f);
-        const Lanes3 perVoxel{hn::Mul(differences.x, half), hn::Mul(differences.y, half),
-                              hn::Mul(differences.z, half)};
-        const auto along = [&](const glm::vec3& axis) HWY_ATTR {
-            return hn::MulAdd(hn::Set(f_, axis.z), perVoxel.z,
-                              hn::MulAdd(hn::Set(f_, axis.y), perVoxel.y,
-                                         hn::Mul(hn::Set(f_, axis.x), perVoxel.x)));
-        };
-        const auto squared = [](Lanes3 v) HWY_ATTR {
-            return hn::MulAdd(v.z, v.z, hn::MulAdd(v.y, v.y, hn::Mul(v.x, v.x)));
-        };
-        const FloatV inWorld =
-            squared({along(voxelFromWorldX), along(voxelFromWorldY), along(voxelFromWorldZ)});
-        return hn::IfThenElseZero(hn::Gt(squared(perVoxel), hn::Set(f_, 0.000625f)), inWorld);
+        return squareOf(worldGradient({hn::Mul(differences.x, half), hn::Mul(differences.y, half),
+                                       hn::Mul(differences.z, half)}));
     }
 
     HWY_INLINE FloatV maskAt(IntV x, IntV y, IntV z) const {

@@ -189,6 +189,8 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     static constexpr int kBrickEdge = BRICK;
     static constexpr int kStride = STRIDE;
     static constexpr int kCuts = CUTS::length();
+    static constexpr int kCastSteps = CAST_STEPS;
+    static constexpr Real kCastOpaque = Real(CAST_OPAQUE);
 #undef PI
 #undef BRICK
 #undef PARALLEL

@@ -1,6 +1,7 @@
 #include "pipeline/trace/trace_kernels.h"
 
 #include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/native_casts.h"
 #include "pipeline/trace/native_marches.h"
 #include "pipeline/trace/native_paths.h"
 #include "pipeline/trace/native_surface_points.h"
@@ -85,7 +86,8 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
                             {"kShading", variant.shading},
                             {"kCast", castOf(variant.look)}},
         .subgroupSize = gpu::subgroupSizeForDivergence(device_->info()),
-        .native = isPathTraced(variant.look) ? nativePaths(variant) : gpu::NativeKernel{}};
+        .native = isPathTraced(variant.look) ? nativePaths(variant)
+                                             : nativeCasts(variant, castOf(variant.look))};
     if (isPathTraced(variant.look)) {
         options.specializations.emplace_back("kIndirect", variant.usesIndirect);
         options.specializations.emplace_back("kSurfaces", variant.scene.surfaces);
