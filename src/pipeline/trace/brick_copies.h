@@ -29,6 +29,7 @@ class BrickCopies {
     // Where the copy of a brick begins. It stays there until a lane that holds it holds another one.
     std::int32_t hold(std::size_t lane, const glm::ivec3& brick);
 
+    std::size_t count() const { return bricks_.size(); }  // of copies that may exist
     const std::uint16_t* values() const { return values_.data(); }
 
     static constexpr std::size_t kHolders = 16;

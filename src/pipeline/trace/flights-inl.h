@@ -14,6 +14,7 @@
 #include <hwy/contrib/math/math-inl.h>
 
 #include "pipeline/trace/lane_matter-inl.h"
+#include "pipeline/trace/lane_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace macula::trace {
@@ -108,17 +109,17 @@ class Round {
     HWY_INLINE Round(Flights& flights, const FlightTables& tables, std::size_t first)
         : s_(flights), t_(tables), at_(first) {
         state_ = hn::Load(i_, s_.state + at_);
-        distance_ = hn::Load(f_, s_.distanceMm + at_);
-        end_ = hn::Load(f_, s_.endMm + at_);
-        segmentEnd_ = hn::Load(f_, s_.segmentEndMm + at_);
+        walk_.distance = hn::Load(f_, s_.distanceMm + at_);
+        walk_.end = hn::Load(f_, s_.endMm + at_);
+        walk_.segmentEnd = hn::Load(f_, s_.segmentEndMm + at_);
         majorant_ = hn::Load(f_, s_.majorant + at_);
         looseness_ = hn::Load(f_, s_.looseness + at_);
         depth_ = hn::Load(f_, s_.depth + at_);
         counter_ = hn::Load(u_, s_.counter + at_);
-        cell_ = load(s_.cell);
-        origin_ = load(s_.origin);
-        direction_ = load(s_.direction);
-        inverse_ = load(s_.inverse);
+        walk_.cell = load(s_.cell);
+        walk_.origin = load(s_.origin);
+        walk_.direction = load(s_.direction);
+        walk_.inverse = load(s_.inverse);
     }
 
     // Draws the depth of the next tentative collision where a ray is new or has just had one.
@@ -132,16 +133,17 @@ class Round {
     // Moves rays on by a segment each.
     HWY_INLINE void move() {
         auto moving = is(kMoving);
-        FloatV inSegment = hn::Mul(majorant_, hn::Sub(segmentEnd_, distance_));
+        FloatV inSegment = hn::Mul(majorant_, hn::Sub(walk_.segmentEnd, walk_.distance));
         auto meets = hn::And(asFloats(moving), hn::Lt(depth_, inSegment));
-        distance_ = hn::IfThenElse(meets, hn::Add(distance_, hn::Div(depth_, majorant_)), distance_);
+        walk_.distance =
+            hn::IfThenElse(meets, hn::Add(walk_.distance, hn::Div(depth_, majorant_)), walk_.distance);
         if (t_.hasClip) leaveCuts(meets, inSegment);
         state_ = hn::IfThenElse(asInts(meets), hn::Set(i_, kMet), state_);
 
         const auto goes = hn::AndNot(meets, asFloats(moving));
         depth_ = hn::IfThenElse(goes, hn::Sub(depth_, inSegment), depth_);
-        distance_ = hn::IfThenElse(goes, segmentEnd_, distance_);
-        const auto inside = hn::And(goes, hn::Lt(distance_, end_));
+        walk_.distance = hn::IfThenElse(goes, walk_.segmentEnd, walk_.distance);
+        const auto inside = hn::And(goes, hn::Lt(walk_.distance, walk_.end));
         state_ = hn::IfThenElse(asInts(hn::AndNot(inside, goes)), hn::Set(i_, kEnded), state_);
         nextSegment(inside);
     }
@@ -155,10 +157,11 @@ class Round {
         const FloatV eight = hn::Set(f_, float(NativeHost::kBrickEdge));
         const FloatV shift = hn::Set(f_, NativeHost::kBrickShift);
         const auto position = [&](FloatV origin, FloatV direction) HWY_ATTR {
-            return hn::MulSub(hn::MulAdd(direction, distance_, origin), eight, shift);
+            return hn::MulSub(hn::MulAdd(direction, walk_.distance, origin), eight, shift);
         };
-        const Lanes3 at{position(origin_.x, direction_.x), position(origin_.y, direction_.y),
-                        position(origin_.z, direction_.z)};
+        const Lanes3 at{position(walk_.origin.x, walk_.direction.x),
+                        position(walk_.origin.y, walk_.direction.y),
+                        position(walk_.origin.z, walk_.direction.z)};
         const FloatV entry =
             t_.matter.isTrilinear ? t_.matter.voxels.trilinear(met, at) : stochasticEntry(met, at);
         hn::BlendedStore(entry, met, f_, s_.entry + at_);
@@ -174,15 +177,15 @@ class Round {
     // The lanes whose ray has ended, as bits.
     HWY_INLINE std::uint32_t store() const {
         hn::Store(state_, i_, s_.state + at_);
-        hn::Store(distance_, f_, s_.distanceMm + at_);
-        hn::Store(segmentEnd_, f_, s_.segmentEndMm + at_);
+        hn::Store(walk_.distance, f_, s_.distanceMm + at_);
+        hn::Store(walk_.segmentEnd, f_, s_.segmentEndMm + at_);
         hn::Store(majorant_, f_, s_.majorant + at_);
         hn::Store(looseness_, f_, s_.looseness + at_);
         hn::Store(depth_, f_, s_.depth + at_);
         hn::Store(counter_, u_, s_.counter + at_);
-        hn::Store(cell_.x, f_, s_.cell.x + at_);
-        hn::Store(cell_.y, f_, s_.cell.y + at_);
-        hn::Store(cell_.z, f_, s_.cell.z + at_);
+        hn::Store(walk_.cell.x, f_, s_.cell.x + at_);
+        hn::Store(walk_.cell.y, f_, s_.cell.y + at_);
+        hn::Store(walk_.cell.z, f_, s_.cell.z + at_);
         return bitsOf(is(kEnded));
     }
     HWY_INLINE std::uint32_t metLanes() const { return bitsOf(is(kMet)); }
@@ -220,69 +223,23 @@ class Round {
         FloatV cutEnd = hn::Set(f_, -1.0f);
         for (int cut = 0; cut < NativeHost::kCuts; ++cut) {
             const FloatV cutTo = hn::Load(f_, s_.cutTo[cut] + at_);
-            const auto within =
-                hn::And(hn::Le(hn::Load(f_, s_.cutFrom[cut] + at_), distance_), hn::Lt(distance_, cutTo));
+            const auto within = hn::And(hn::Le(hn::Load(f_, s_.cutFrom[cut] + at_), walk_.distance),
+                                        hn::Lt(walk_.distance, cutTo));
             cutEnd = hn::IfThenElse(within, hn::Max(cutEnd, cutTo), cutEnd);
         }
         const auto leaps = hn::And(meets, hn::Ge(cutEnd, hn::Zero(f_)));
         if (hn::AllFalse(f_, leaps)) return;
-        distance_ = hn::IfThenElse(leaps, cutEnd, distance_);
-        segmentEnd_ = hn::IfThenElse(leaps, cutEnd, segmentEnd_);
+        walk_.leap(leaps, cutEnd, t_.matter.voxels.grid);
         majorant_ = hn::IfThenZeroElse(leaps, majorant_);
         inSegment = hn::IfThenZeroElse(leaps, inSegment);
-        const auto cellAt = [&](FloatV origin, FloatV direction, FloatV cell, int count) HWY_ATTR {
-            const FloatV there = hn::Floor(hn::MulAdd(direction, cutEnd, origin));
-            return hn::IfThenElse(leaps, hn::Clamp(there, hn::Zero(f_), hn::Set(f_, float(count - 1))), cell);
-        };
-        cell_.x = cellAt(origin_.x, direction_.x, cell_.x, t_.matter.voxels.grid.x);
-        cell_.y = cellAt(origin_.y, direction_.y, cell_.y, t_.matter.voxels.grid.y);
-        cell_.z = cellAt(origin_.z, direction_.z, cell_.z, t_.matter.voxels.grid.z);
         drawDepths(asInts(leaps));
         meets = hn::AndNot(leaps, meets);
     }
 
-    // One round of the loop of nextSegment() in brick_walk.glsl.
     HWY_INLINE void nextSegment(FloatMask of) {
-        const FloatV zero = hn::Zero(f_);
-        const FloatV one = hn::Set(f_, 1.0f);
-        const IntV inPlane =
-            hn::ConvertTo(i_, hn::MulAdd(cell_.y, hn::Set(f_, float(t_.matter.voxels.grid.x)), cell_.x));
-        IntV brick =
-            hn::Add(inPlane, hn::Mul(hn::ConvertTo(i_, cell_.z),
-                                     hn::Set(i_, t_.matter.voxels.grid.x * t_.matter.voxels.grid.y)));
-        brick = hn::Clamp(
-            brick, hn::Zero(i_),
-            hn::Set(i_, t_.matter.voxels.grid.x * t_.matter.voxels.grid.y * t_.matter.voxels.grid.z - 1));
-        const FloatV bound = hn::GatherIndex(f_, t_.bounds, brick);
-        const FloatV reach = hn::Max(hn::Neg(bound), one);
-        const FloatV margin = hn::Sub(reach, one);
-
-        struct Axis {
-            FloatV toFace, step;
-        };
-        const auto axisOf = [&](FloatV origin, FloatV direction, FloatV inverse, FloatV cell) HWY_ATTR {
-            const FloatV forward = hn::IfThenZeroElse(hn::Lt(direction, zero), one);
-            const FloatV step = hn::Sub(hn::Add(forward, forward), one);
-            const FloatV face = hn::MulAdd(step, margin, hn::Add(cell, forward));
-            return Axis{hn::Mul(hn::Sub(face, origin), inverse), step};
-        };
-        const Axis x = axisOf(origin_.x, direction_.x, inverse_.x, cell_.x);
-        const Axis y = axisOf(origin_.y, direction_.y, inverse_.y, cell_.y);
-        const Axis z = axisOf(origin_.z, direction_.z, inverse_.z, cell_.z);
-        const FloatV exit = hn::Min(hn::Min(x.toFace, y.toFace), z.toFace);
-        const auto cross = [&](const Axis& axis, FloatV origin, FloatV direction, FloatV cell) HWY_ATTR {
-            const FloatV there = hn::Floor(hn::MulAdd(direction, exit, origin));
-            const FloatV beside = hn::Clamp(there, hn::Sub(cell, margin), hn::Add(cell, margin));
-            const FloatV across = hn::MulAdd(axis.step, reach, cell);
-            return hn::IfThenElse(of, hn::IfThenElse(hn::Le(axis.toFace, exit), across, beside), cell);
-        };
-        cell_.x = cross(x, origin_.x, direction_.x, cell_.x);
-        cell_.y = cross(y, origin_.y, direction_.y, cell_.y);
-        cell_.z = cross(z, origin_.z, direction_.z, cell_.z);
-        // A ray that is not a number ends, as in the scalar code.
-        const FloatV to = hn::IfThenElse(hn::Eq(exit, exit), hn::Min(hn::Max(exit, distance_), end_), end_);
-        segmentEnd_ = hn::IfThenElse(of, to, segmentEnd_);
-        majorant_ = hn::IfThenElse(of, hn::Mul(hn::Max(bound, zero), looseness_), majorant_);
+        const FloatV bound = walk_.nextSegment(of, t_.bounds, t_.matter.voxels.grid);
+        const FloatV majorant = hn::Mul(hn::Max(bound, hn::Zero(f_)), looseness_);
+        majorant_ = hn::IfThenElse(of, majorant, majorant_);
     }
 
     // One of the eight voxels around, drawn with its trilinear weight.
@@ -380,9 +337,9 @@ class Round {
     const FlightTables& t_;
     std::size_t at_;
     IntV state_;
-    FloatV distance_, end_, segmentEnd_, majorant_, looseness_, depth_;
+    LaneWalk walk_;
+    FloatV majorant_, looseness_, depth_;
     UintV counter_;
-    Lanes3 cell_, origin_, direction_, inverse_;
 };
 
 }  // namespace

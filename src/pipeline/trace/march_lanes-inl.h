@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -28,23 +29,24 @@ namespace {
 // The steep parts of the voxels in copies of bricks, at the same places.
 class SteepCopies {
   public:
-    explicit SteepCopies(const LaneMatter& matter) : matter_(matter) {}
+    // For so many copies at most.
+    SteepCopies(const LaneMatter& matter, std::size_t copies)
+        : matter_(matter),
+          bricks_(copies, glm::ivec3(-1)),
+          parts_(std::make_unique_for_overwrite<float[]>(copies * BrickCopies::kValues)) {}
 
     // Computes those of a brick's copy that begins there, unless they are still the same brick's.
     void hold(std::int32_t begin, const glm::ivec3& brick, const std::uint16_t* values) {
-        const auto copy = std::size_t(begin / BrickCopies::kValues);
-        if (copy >= bricks_.size()) {
-            bricks_.resize(copy + 1, glm::ivec3(-1));
-            parts_.resize((copy + 1) * BrickCopies::kValues, 0.0f);
-        }
-        if (bricks_[copy] == brick) return;
-        bricks_[copy] = brick;
-        compute(values + begin, parts_.data() + begin);
+        glm::ivec3& held = bricks_[std::size_t(begin / BrickCopies::kValues)];
+        if (held == brick) return;
+        held = brick;
+        compute(values + begin, parts_.get() + begin);
     }
-    const float* parts() const { return parts_.data(); }
+    const float* parts() const { return parts_.get(); }
 
   private:
     void compute(const std::uint16_t* from, float* to) const {
+        std::fill_n(to, BrickCopies::kValues, 0.0f);     // of the outermost voxels, which count 0 times
         constexpr int kVoxels = BrickCopies::kEdge - 2;  // along each axis: the others lack neighbours
         for (int z = 1; z <= kVoxels; ++z) {
             for (int y = 1; y <= kVoxels; ++y) {
@@ -72,7 +74,7 @@ class SteepCopies {
 
     const LaneMatter& matter_;
     std::vector<glm::ivec3> bricks_;  // by copy
-    std::vector<float> parts_;
+    std::unique_ptr<float[]> parts_;
 };
 
 // What marches have found, by lane: see March.
@@ -112,7 +114,7 @@ class MarchLanes {
           steep_(tables.steep.empty() ? nullptr : &tables.steep.data()->x),
           hasClip_(host.useClip()),
           copies_(tables.voxels, host.params.volumeSize, 1),
-          steepCopies_(matter_) {
+          steepCopies_(matter_, steep_ == nullptr ? 0 : copies_.count()) {
         // Where opacity has risen to the middle of a layer, as in layerStep().
         for (int n = 0; n < Marches::kLayers; ++n)
             layerDepths_[n] = float(-std::log(1.0 - (2.0 * n + 1.0) / (2.0 * Marches::kLayers)));

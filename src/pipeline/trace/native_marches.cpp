@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <memory>
 #include <span>
 
@@ -76,19 +77,21 @@ struct Packet {
     }
 };
 
-// Calls one(packet, host, lanes) for each packet. Rows are few at a time, so each thread takes columns.
+// Calls one(packet, host, lanes) for each packet. Rows are few at a time, so threads take columns.
 template <class One>
 void forEachPacket(const Rays& rays, const One& one) {
     constexpr int kColumns = 32;
     const int width = rays.params.imageSize.x;
-    parallelFor(std::size_t((width + kColumns - 1) / kColumns), [&](std::size_t n) {
+    std::atomic<int> next{0};
+    parallelFor(coreCount(), [&](std::size_t) {
         NativeHost host = rays.host;  // a copy, because layers write to it
         const auto lanes = std::make_unique<MarchLanes>(rays.tables, host, rays.scene);
-        const int first = int(n) * kColumns;
-        const int end = std::min(width, first + kColumns);
-        for (int y = rays.firstRow; y < rays.endRow; y += Packet::kRows)
-            for (int x = first; x < end; x += Packet::kColumns)
-                one(Packet({x, y}, {end, rays.endRow}), host, *lanes);
+        for (int first = next.fetch_add(kColumns); first < width; first = next.fetch_add(kColumns)) {
+            const int end = std::min(width, first + kColumns);
+            for (int y = rays.firstRow; y < rays.endRow; y += Packet::kRows)
+                for (int x = first; x < end; x += Packet::kColumns)
+                    one(Packet({x, y}, {end, rays.endRow}), host, *lanes);
+        }
     });
 }
 
