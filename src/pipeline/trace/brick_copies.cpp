@@ -9,8 +9,8 @@ namespace macula::trace {
 
 namespace {
 
-// One and a half megabytes for each thread, which most caches of a core can hold.
-constexpr std::size_t kMostCopies = 512;
+// Three quarters of a megabyte for each thread, which most caches of a core can hold.
+constexpr std::size_t kMostCopies = 256;
 // A brick has its copy in one of so many places, unless lanes hold all of these.
 constexpr std::size_t kPlaces = 4;
 

@@ -64,7 +64,7 @@ class CastMatter {
             state = moved(moved(state, crossing, kLeaving), intMask(meets), kStepping);
             // Lanes wait for others before they take steps.
             const std::size_t waiting = countIn(state, kStepping);
-            if (waiting >= enough || countIn(state, kLeaving) == 0) {
+            if (4 * waiting >= 3 * enough || countIn(state, kLeaving) == 0) {
                 if (waiting > 0) state = afterSteps(state, cells, corners, low, place);
             }
         } while (countIn(state, kLeaving) + countIn(state, kStepping) >= enough);
