@@ -145,6 +145,15 @@ March march(INOUT(BrickWalk) walk) {
     return m;
 }
 
+// Starts the march of a ray from the eye; `face` is that of stopAtFace().
+BrickWalk startMarch(EyeRay eye, OUT(float) face) {
+    vec3 directionVoxel = voxelsPerMm(eye.direction);
+    BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
+    face = float(0.0);
+    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, eye.originVoxel, directionVoxel);
+    return walk;
+}
+
 // Adds a grey clip face behind the marched matter: opaque, with its grey as albedo.
 void endAtFace(INOUT(March) m, float faceMm, float grey) {
     float seen = max(exp(-m.opticalDepth) - float(0.5), float(0.0));
@@ -191,20 +200,13 @@ vec3 betweenRays(EyeRay to, EyeRay from, float distanceMm) {
     return (to.asideMm - from.asideMm) + (to.direction - from.direction) * distanceMm;
 }
 
-// The guide of one ray of the pixel whose centre is at `pixel`.
+// The guide of a pixel whose centre is at `pixel`, by the march of one of its rays.
 //
 // Confidence says how well one depth stands for all visible matter: f / (f + s), where s is the length over
 // which transmittance falls from 3/4 to 1/4 and f the width of four pixels there. It fades to 0 as coverage
 // falls from 3/4 to 1/2, below which there is no depth.
-Guide guideAlong(EyeRay eye, vec2 pixel, Eye before) {
+Guide guideOfMarch(March m, EyeRay eye, vec2 pixel, Eye before) {
     vec3 direction = eye.direction;
-    vec3 directionVoxel = voxelsPerMm(direction);
-    BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
-    float face = float(0.0);
-    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, eye.originVoxel, directionVoxel);
-    March m = march(walk);
-    if (face > float(0.0)) endAtFace(m, walk.endMm, face * params.exposure);
-
     Guide guide;
     guide.depthMm = m.halfMm;
     guide.coverage = float(1.0) - exp(-m.opticalDepth);
@@ -220,7 +222,7 @@ Guide guideAlong(EyeRay eye, vec2 pixel, Eye before) {
         guide.confidence =
             float(4.0) * footprintMm / (float(4.0) * footprintMm + max(spreadMm, float(1e-20)));
         guide.confidence *= clamp(float(4.0) * guide.coverage - float(2.0), float(0.0), float(1.0));
-        guide.normal = normalAt(eye.originVoxel + directionVoxel * m.halfMm, direction);
+        guide.normal = normalAt(eye.originVoxel + voxelsPerMm(direction) * m.halfMm, direction);
     }
     // Matter too thin for a depth moves like its opacity-weighted mean position.
     vec3 fromBefore = before.oursMm + eye.asideMm +
@@ -234,6 +236,14 @@ Guide guideAlong(EyeRay eye, vec2 pixel, Eye before) {
                                                         : sqrt(dot(fromBefore, fromBefore));
     }
     return guide;
+}
+
+Guide guideAlong(EyeRay eye, vec2 pixel, Eye before) {
+    float face;
+    BrickWalk walk = startMarch(eye, face);
+    March m = march(walk);
+    if (face > float(0.0)) endAtFace(m, walk.endMm, face * params.exposure);
+    return guideOfMarch(m, eye, pixel, before);
 }
 
 // Rays of a pixel through a lens: few, because each is a march, but enough that after the filter a blurred

@@ -29,15 +29,8 @@ struct LayeredRay {
                      // matter
 };
 
-// Marches the ray through a point of the picture, in pixels; fills layerMm.
-LayeredRay layersOf(vec2 pixel) {
-    for (int i = 0; i < LAYERS; ++i) layerMm[i] = float(-1.0);
-    EyeRay eye = eyeRay(pixel);
-    vec3 directionVoxel = voxelsPerMm(eye.direction);
-    BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
-    float face = float(0.0);
-    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, eye.originVoxel, directionVoxel);
-    March m = march(walk);
+// What is known of the ray after its march, which has filled layerMm.
+LayeredRay layersOfMarch(INOUT(March) m, BrickWalk walk, float face) {
     if (face > float(0.0)) {
         endAtFace(m, walk.endMm, face * params.exposure);
         for (int i = 0; i < LAYERS; ++i) layerMm[i] = layerMm[i] < float(0.0) ? walk.endMm : layerMm[i];
@@ -46,4 +39,13 @@ LayeredRay layersOf(vec2 pixel) {
     ray.coverage = float(1.0) - exp(-m.opticalDepth);
     ray.meanMm = m.seen > float(0.0) ? m.seenMm / m.seen : float(-1.0);
     return ray;
+}
+
+// Marches the ray through a point of the picture, in pixels; fills layerMm.
+LayeredRay layersOf(vec2 pixel) {
+    for (int i = 0; i < LAYERS; ++i) layerMm[i] = float(-1.0);
+    float face;
+    BrickWalk walk = startMarch(eyeRay(pixel), face);
+    March m = march(walk);
+    return layersOfMarch(m, walk, face);
 }

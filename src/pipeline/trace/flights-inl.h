@@ -65,7 +65,7 @@ struct Flights {
     alignas(64) std::uint32_t key1[kFlights];
     alignas(64) std::uint32_t counter[kFlights];
     alignas(64) std::int32_t isShadow[kFlights];
-    alignas(64) std::int32_t seesAll[kFlights];  // whatever the mask hides
+    alignas(64) std::int32_t seesAll[kFlights];     // whatever the mask hides
     alignas(64) std::int32_t collisions[kFlights];  // tentative ones of the ray so far
     alignas(64) std::int32_t aboveBound[kFlights];
     alignas(64) std::int32_t state[kFlights];
@@ -194,12 +194,6 @@ class Round {
     HWY_INLINE IntMask is(Flying state) const { return hn::Eq(state_, hn::Set(i_, state)); }
     HWY_INLINE FloatMask asFloats(IntMask m) const { return hn::RebindMask(f_, m); }
     HWY_INLINE IntMask asInts(FloatMask m) const { return hn::RebindMask(i_, m); }
-    HWY_INLINE std::uint32_t bitsOf(IntMask m) const {
-        alignas(8) std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(i_, m, bytes);
-        return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
-    }
-
     // A random number for each of these lanes.
     HWY_INLINE UintV randomBits(FloatMask of) {
         const UintV bits =
@@ -251,10 +245,14 @@ class Round {
     HWY_INLINE void nextSegment(FloatMask of) {
         const FloatV zero = hn::Zero(f_);
         const FloatV one = hn::Set(f_, 1.0f);
-        const IntV inPlane = hn::ConvertTo(i_, hn::MulAdd(cell_.y, hn::Set(f_, float(t_.matter.voxels.grid.x)), cell_.x));
+        const IntV inPlane =
+            hn::ConvertTo(i_, hn::MulAdd(cell_.y, hn::Set(f_, float(t_.matter.voxels.grid.x)), cell_.x));
         IntV brick =
-            hn::Add(inPlane, hn::Mul(hn::ConvertTo(i_, cell_.z), hn::Set(i_, t_.matter.voxels.grid.x * t_.matter.voxels.grid.y)));
-        brick = hn::Clamp(brick, hn::Zero(i_), hn::Set(i_, t_.matter.voxels.grid.x * t_.matter.voxels.grid.y * t_.matter.voxels.grid.z - 1));
+            hn::Add(inPlane, hn::Mul(hn::ConvertTo(i_, cell_.z),
+                                     hn::Set(i_, t_.matter.voxels.grid.x * t_.matter.voxels.grid.y)));
+        brick = hn::Clamp(
+            brick, hn::Zero(i_),
+            hn::Set(i_, t_.matter.voxels.grid.x * t_.matter.voxels.grid.y * t_.matter.voxels.grid.z - 1));
         const FloatV bound = hn::GatherIndex(f_, t_.bounds, brick);
         const FloatV reach = hn::Max(hn::Neg(bound), one);
         const FloatV margin = hn::Sub(reach, one);

@@ -189,6 +189,13 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     static constexpr int kBrickEdge = BRICK;
     static constexpr int kStride = STRIDE;
     static constexpr int kCuts = CUTS::length();
+    static constexpr Real kFine = Real(FINE);
+    static constexpr Real kDepth3_4 = Real(DEPTH_3_4);
+    static constexpr Real kDepth1_2 = Real(DEPTH_1_2);
+    static constexpr Real kDepth1_4 = Real(DEPTH_1_4);
+    static constexpr Real kDepthOpaque = Real(DEPTH_OPAQUE);
+    static constexpr int kMostRounds = MOST_ROUNDS;
+    static constexpr int kLayers = LAYERS;
     static constexpr int kCastSteps = CAST_STEPS;
     static constexpr Real kCastOpaque = Real(CAST_OPAQUE);
 #undef PI
@@ -214,6 +221,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef DEPTH_1_4
 #undef DEPTH_OPAQUE
 #undef FINE
+#undef MOST_ROUNDS
 #undef LENS_RAYS
 #undef SHOULDER
 #undef WHITE_AT

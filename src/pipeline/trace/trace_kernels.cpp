@@ -2,6 +2,7 @@
 
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/native_casts.h"
+#include "pipeline/trace/native_marches.h"
 #include "pipeline/trace/native_paths.h"
 #include "pipeline/trace/native_surface_points.h"
 #include "shaders/trace.h"
@@ -105,12 +106,12 @@ Result<const gpu::Kernel*> TraceKernels::addSamples() {
 
 Result<const gpu::Kernel*> TraceKernels::guides(SceneKind scene) {
     scene.surfaces = false;
-    return find(guides_, shaders::trace_guides_comp, scene);
+    return find(guides_, shaders::trace_guides_comp, scene, {}, nativeGuides(scene));
 }
 
 Result<const gpu::Kernel*> TraceKernels::layers(SceneKind scene) {
     scene.surfaces = false;
-    return find(layers_, shaders::trace_layers_comp, scene);
+    return find(layers_, shaders::trace_layers_comp, scene, {}, nativeLayers(scene));
 }
 
 Result<const gpu::Kernel*> TraceKernels::candidates(SceneKind scene) {
