@@ -51,6 +51,42 @@ class NativeKernels : public DeviceTest {
         return reference.trace(*params, settings.filter, Precision::twofold, 0, kSamples);
     }
 
+    static std::vector<glm::dvec4> castTruthOf(const scenes::SmallScene& scene, const Settings& settings) {
+        const std::optional<MaskBits> mask =
+            scene.clip.mask ? std::optional(maskBits(*scene.clip.mask, *scene.volume)) : std::nullopt;
+        const MaskBits* const bits = mask ? &*mask : nullptr;
+        const BrickGrid grid = makeBrickGrid(*scene.volume);
+        const auto projected = [&](Projection projection) {
+            return makeMedium(*scene.volume, grid, projection, scene.clip, bits);
+        };
+        const Medium medium = settings.look == Look::mip     ? projected(Projection::maximum)
+                              : settings.look == Look::minip ? projected(Projection::minimum)
+                              : settings.look == Look::average
+                                  ? projected(Projection::mean)
+                                  : makeMedium(*scene.volume, grid, scene.function, scene.clip, bits);
+        const ReferenceTracer::Cast what{.kind = settings.look == Look::mip       ? shared::kCastMaximum
+                                                 : settings.look == Look::minip   ? shared::kCastMinimum
+                                                 : settings.look == Look::average ? shared::kCastMean
+                                                                                  : shared::kCastMatter,
+                                         .shading = settings.shading == Shading::headlight,
+                                         .filter = Filter::trilinear};
+        const auto params =
+            makeTraceParams(*scene.volume, medium, scene.environment(), scene.view, settings, scene.clip);
+        return ReferenceTracer(*scene.volume, medium, scene.environment(), bits)
+            .cast(*params, what, Precision::twofold, 0, kSamples);
+    }
+
+    // Cast rays are the same but for rounding, which may change the number of their steps.
+    static void expectCast(const TracedImage& found, const std::vector<glm::dvec4>& sums) {
+        int different = 0;
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            const glm::dvec4 there = sums[i] / double(kSamples);
+            if (glm::length(glm::dvec4(found.radiance[i]) - there) > 1e-3 * (glm::length(there) + 1e-2))
+                ++different;
+        }
+        EXPECT_LE(different, int(sums.size()) / 64);
+    }
+
     // Float sends a few paths another way than double.
     static void expectTruth(const TracedImage& found, const std::vector<glm::dvec4>& sums) {
         int different = 0;
@@ -82,6 +118,36 @@ TEST_F(NativeKernels, DrawTheSamplesOfTheReferenceWithEveryInstructionSet) {
                 SCOPED_TRACE(hwy::TargetName(target));
                 const OnlyTarget only(target);
                 expectTruth(pictureOn(device(), scene, settings), truth);
+            }
+        }
+    }
+}
+
+TEST_F(NativeKernels, CastTheRaysOfTheReferenceWithEveryInstructionSet) {
+    std::vector<scenes::SmallScene> all = scenes::smallScenes();
+    scenes::SmallScene voxel = all.front();
+    voxel.name = "a single voxel";
+    voxel.volume = scenes::volumeOf({1, 1, 1}, scenes::grid(glm::dvec3(9.0), {1, 1, 1}),
+                                    [](int, int, int) { return std::uint16_t(500); });
+    all.push_back(voxel);
+    for (scenes::SmallScene& scene : all) {
+        if (scene.clip.box)
+            scene.clip.greyFaces =
+                DisplayWindow{.center = 300, .width = 600, .explanation = {}, .function = {}};
+        for (const Look look : {Look::dvr, Look::mip, Look::minip, Look::average}) {
+            for (const Shading shading : {Shading::none, Shading::headlight}) {
+                if (look != Look::dvr && shading != Shading::none) continue;
+                Settings settings = scene.settings(look, Filter::trilinear, 11);
+                settings.shading = shading;
+                settings.window =
+                    DisplayWindow{.center = 400, .width = 1000, .explanation = {}, .function = {}};
+                SCOPED_TRACE(fmt::format("{}, {} {}", scene.name, nameOf(look), int(shading)));
+                const std::vector<glm::dvec4> truth = castTruthOf(scene, settings);
+                for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+                    SCOPED_TRACE(hwy::TargetName(target));
+                    const OnlyTarget only(target);
+                    expectCast(pictureOn(device(), scene, settings), truth);
+                }
             }
         }
     }

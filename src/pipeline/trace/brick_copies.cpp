@@ -9,8 +9,8 @@ namespace macula::trace {
 
 namespace {
 
-// One and a half megabytes for each thread, which most caches of a core can hold.
-constexpr std::size_t kMostCopies = 512;
+// Three quarters of a megabyte for each thread, which most caches of a core can hold.
+constexpr std::size_t kMostCopies = 256;
 // A brick has its copy in one of so many places, unless lanes hold all of these.
 constexpr std::size_t kPlaces = 4;
 
@@ -27,8 +27,7 @@ BrickCopies::BrickCopies(const PooledVoxels& voxels, const glm::ivec3& size, int
 }
 
 std::int32_t BrickCopies::hold(std::size_t lane, const glm::ivec3& brick) {
-    const std::int64_t index =
-        (std::int64_t(brick.z) * voxels_.grid.y + brick.y) * voxels_.grid.x + brick.x;
+    const std::int64_t index = (std::int64_t(brick.z) * voxels_.grid.y + brick.y) * voxels_.grid.x + brick.x;
     if (held_[lane] != kNone) {
         if (bricks_[held_[lane]] == index) return std::int32_t(held_[lane]) * kValues;
         --holders_[held_[lane]];
@@ -80,8 +79,8 @@ void BrickCopies::copy(const glm::ivec3& brick, std::uint16_t* to) const {
     repeatOuter(brick.z, last_.z, kLayer, to);
 }
 
-// Repeats the volume's outer voxels along the axis on which neighbours are `stride` values apart. Reads values
-// that are not set yet where other axes are still to be repeated, and these replace them.
+// Repeats the volume's outer voxels along the axis on which neighbours are `stride` values apart. Reads
+// values that are not set yet where other axes are still to be repeated, and these replace them.
 void BrickCopies::repeatOuter(int brick, int last, int stride, std::uint16_t* to) const {
     const int lowest = brick == 0 ? 2 : 0;
     const int highest = std::min(last - (8 * brick - 2), kEdge - 1);
@@ -106,8 +105,8 @@ void BrickCopies::copyPart(const Part& x, const Part& y, const Part& z, std::uin
         for (int k = 0; k < z.count; ++k)
             for (int j = 0; j < y.count; ++j)
                 for (int i = 0; i < x.count; ++i)
-                    first[k * kLayer + j * kRow + i] = std::uint16_t(
-                        voxels_.valueIn(word, {x.first + i, y.first + j, z.first + k}));
+                    first[k * kLayer + j * kRow + i] =
+                        std::uint16_t(voxels_.valueIn(word, {x.first + i, y.first + j, z.first + k}));
         return;
     }
     const std::uint16_t* const from = voxels_.pool + (std::size_t(unitOrValue) << 3) +

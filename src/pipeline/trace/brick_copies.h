@@ -1,5 +1,6 @@
-// Copies of bricks for a few rays that cross them cell by cell. In a copy all voxels that a brick's cells read
-// lie in rows, whatever blocks they come from, so that a cell's corners are at fixed distances from its first.
+// Copies of bricks for a few rays that cross them cell by cell. In a copy all voxels that a brick's cells
+// read lie in rows, whatever blocks they come from, so that a cell's corners are at fixed distances from its
+// first.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ class BrickCopies {
     static constexpr int kEdge = 11;
     static constexpr int kRow = 12;  // values from one row to the next
     static constexpr int kLayer = kRow * kEdge;
-    static constexpr int kValues = kLayer * kEdge + 4;  // of a copy; two at a time can be read from each
+    static constexpr int kValues = kLayer * kEdge + 4;    // of a copy; two at a time can be read from each
     static constexpr int kFirstCell = kLayer + kRow + 1;  // voxel 8b - 1
 
     // `reach`, 0 or 1, says how far around its cells a brick's values are read. With 0, copies have nothing
@@ -57,9 +58,9 @@ class BrickCopies {
     glm::ivec3 last_;
     int reach_;
     std::vector<std::uint16_t> values_;
-    std::vector<std::int64_t> bricks_;    // by copy: the index of its brick, or -1
-    std::vector<std::uint8_t> holders_;   // by copy
-    std::size_t held_[kHolders];          // by lane
+    std::vector<std::int64_t> bricks_;   // by copy: the index of its brick, or -1
+    std::vector<std::uint8_t> holders_;  // by copy
+    std::size_t held_[kHolders];         // by lane
 };
 
 }  // namespace macula::trace

@@ -1,7 +1,8 @@
 // The cells between eight voxel centres that cast rays cross: shaders/lib/cell_walk.glsl by lanes of vectors,
 // which read copies of bricks.
 //
-// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs NativeHost.
+// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs
+// NativeHost.
 #if defined(MACULA_CAST_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MACULA_CAST_CELLS_INL_H
 #undef MACULA_CAST_CELLS_INL_H
@@ -112,14 +113,14 @@ class LaneCells {
         leaveAt(of, faces());
     }
 
-    // nextCell() of cell_walk.glsl for leaving lanes: these then cross their next cell or, at the end of their
-    // piece, seek another. Returns the states.
+    // nextCell() of cell_walk.glsl for leaving lanes: these then cross their next cell or, at the end of
+    // their piece, seek another. Returns the states.
     HWY_INLINE IntV advance(IntV state) {
         const auto leaving = lanesIn(state, kLeaving);
         const auto of = floatMask(leaving);
         // Rounding must not keep a ray in a brick for ever.
-        const auto goes = hn::And(hn::And(of, hn::Lt(to_, end_)),
-                                  floatMask(hn::Lt(cells_, hn::Set(i_, kMostCells))));
+        const auto goes =
+            hn::And(hn::And(of, hn::Lt(to_, end_)), floatMask(hn::Lt(cells_, hn::Set(i_, kMostCells))));
         const Lanes3 face = faces();
         const auto x = hn::And(goes, hn::Le(face.x, hn::Min(face.y, face.z)));
         const auto y = hn::AndNot(x, hn::And(goes, hn::Le(face.y, face.z)));
@@ -138,9 +139,8 @@ class LaneCells {
     // The low corner, within the brick: rounding may carry a cell across the brick's face.
     HWY_INLINE Lanes3 low() const {
         const FloatV seven = hn::Set(f_, 7.0f);
-        const auto within = [&](FloatV cell, FloatV first) HWY_ATTR {
-            return hn::Clamp(cell, first, hn::Add(first, seven));
-        };
+        const auto within = [&](FloatV cell, FloatV first)
+                                HWY_ATTR { return hn::Clamp(cell, first, hn::Add(first, seven)); };
         return {within(cell_.x, firstCell_.x), within(cell_.y, firstCell_.y), within(cell_.z, firstCell_.z)};
     }
 

@@ -1,7 +1,8 @@
 // Cast rays in the lanes of a vector. At any time lanes wait for different kinds of work, which is done for
 // all lanes that wait for it when these are enough.
 //
-// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs NativeHost.
+// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs
+// NativeHost.
 #if defined(MACULA_CAST_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MACULA_CAST_LANES_INL_H
 #undef MACULA_CAST_LANES_INL_H
@@ -90,7 +91,8 @@ class CastLanes {
         BrickSearch(rays_, tables_).run(kEnoughSeeking);
         const std::uint32_t found = lanesOf(kFound);
         if (found == 0) return;
-        for (std::uint32_t left = found; left != 0; left &= left - 1) holdBrick(std::size_t(std::countr_zero(left)));
+        for (std::uint32_t left = found; left != 0; left &= left - 1)
+            holdBrick(std::size_t(std::countr_zero(left)));
         LaneCells cells(rays_);
         const Ints i;
         const IntV state = hn::Load(i, rays_.state);
@@ -104,7 +106,8 @@ class CastLanes {
     void holdBrick(std::size_t lane) {
         const float middle = 0.5f * (rays_.distanceMm[lane] + rays_.pieceEndMm[lane]);
         const auto brickAt = [&](const float* origin, const float* direction, int count) {
-            return int(std::clamp(std::floor(origin[lane] + direction[lane] * middle), 0.0f, float(count - 1)));
+            return int(
+                std::clamp(std::floor(origin[lane] + direction[lane] * middle), 0.0f, float(count - 1)));
         };
         const glm::ivec3& grid = host_.params.gridSize;
         const RayVector& from = rays_.origin;

@@ -1,6 +1,7 @@
 // Cast rays through matter: castMatter() of shaders/lib/cast.glsl by lanes of vectors.
 //
-// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs NativeHost.
+// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs
+// NativeHost.
 #if defined(MACULA_CAST_MATTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MACULA_CAST_MATTER_INL_H
 #undef MACULA_CAST_MATTER_INL_H
@@ -21,8 +22,8 @@ namespace {
 
 // What castMatter() reads besides.
 struct CastMatterTables {
-    const float* flat;   // albedo and extinction, four numbers for each entry
-    const float* steep;  // the same of steep matter; null: it has no curves of its own
+    const float* flat;               // albedo and extinction, four numbers for each entry
+    const float* steep;              // the same of steep matter; null: it has no curves of its own
     const std::int32_t* nextMatter;  // by entry: the first entry from it on with any extinction
     bool isShaded;
     float stepsPerEntry;
@@ -64,7 +65,7 @@ class CastMatter {
             state = moved(moved(state, crossing, kLeaving), intMask(meets), kStepping);
             // Lanes wait for others before they take steps.
             const std::size_t waiting = countIn(state, kStepping);
-            if (waiting >= enough || countIn(state, kLeaving) == 0) {
+            if (4 * waiting >= 3 * enough || countIn(state, kLeaving) == 0) {
                 if (waiting > 0) state = afterSteps(state, cells, corners, low, place);
             }
         } while (countIn(state, kLeaving) + countIn(state, kStepping) >= enough);
@@ -90,8 +91,8 @@ class CastMatter {
         LaneCorners steep;
     };
 
-    // Takes the steps of lanes through their cells. A lane that needs many more than others keeps some for the
-    // next time.
+    // Takes the steps of lanes through their cells. A lane that needs many more than others keeps some for
+    // the next time.
     HWY_INLINE IntV afterSteps(IntV state, const LaneCells& cells, const LaneCorners& corners,
                                const Lanes3& low, IntV place) {
         const auto of = floatMask(lanesIn(state, kStepping));
@@ -113,13 +114,11 @@ class CastMatter {
             const FloatV atMm = hn::MulAdd(lengthMm, part, cells.from());
             const LaneOptics optics = opticsAt(stepping, gradients, cells, low, atMm, entry);
             const FloatV through = hn::Exp(f_, hn::Neg(hn::Mul(optics.extinction, stepMm)));
-            const FloatV seen =
-                hn::IfThenElseZero(stepping, hn::Mul(transmittance_, hn::Sub(one, through)));
+            const FloatV seen = hn::IfThenElseZero(stepping, hn::Mul(transmittance_, hn::Sub(one, through)));
             colour_.x = hn::MulAdd(optics.r, seen, colour_.x);
             colour_.y = hn::MulAdd(optics.g, seen, colour_.y);
             colour_.z = hn::MulAdd(optics.b, seen, colour_.z);
-            transmittance_ =
-                hn::IfThenElse(stepping, hn::Mul(transmittance_, through), transmittance_);
+            transmittance_ = hn::IfThenElse(stepping, hn::Mul(transmittance_, through), transmittance_);
             step = hn::IfThenElse(stepping, hn::Add(step, one), step);
             stepping = hn::And(hn::And(stepping, hn::Lt(step, steps)),
                                hn::Ge(transmittance_, hn::Set(f_, NativeHost::kCastOpaque)));
@@ -158,11 +157,10 @@ class CastMatter {
         const FloatV end = interpolated(corners, exit);
         const FloatV toMiddle = hn::Sub(middle, start);
         const FloatV toEnd = hn::Sub(end, start);
-        const FloatV across = hn::Mul(hn::Mul(hn::Sub(exit.x, entry.x), hn::Sub(exit.y, entry.y)),
-                                      hn::Sub(exit.z, entry.z));
-        const auto difference = [&](int corner) HWY_ATTR {
-            return hn::Sub(corners.at[corner + 4], corners.at[corner]);
-        };
+        const FloatV across =
+            hn::Mul(hn::Mul(hn::Sub(exit.x, entry.x), hn::Sub(exit.y, entry.y)), hn::Sub(exit.z, entry.z));
+        const auto difference = [&](int corner)
+                                    HWY_ATTR { return hn::Sub(corners.at[corner + 4], corners.at[corner]); };
         const FloatV third = hn::Mul(
             hn::Add(hn::Sub(hn::Sub(difference(0), difference(1)), difference(2)), difference(3)), across);
         const FloatV four = hn::Mul(hn::Set(f_, 4.0f), toMiddle);
@@ -179,7 +177,8 @@ class CastMatter {
         constexpr int kY = BrickCopies::kRow;
         constexpr int kZ = BrickCopies::kLayer;
         const FloatV half = hn::Set(f_, 0.5f);
-        const auto slope = [&](FloatV high, FloatV low) HWY_ATTR { return hn::Mul(hn::Sub(high, low), half); };
+        const auto slope = [&](FloatV high, FloatV low)
+                               HWY_ATTR { return hn::Mul(hn::Sub(high, low), half); };
         Gradients g;
         for (int k = 0; k < 2; ++k) {
             for (int j = 0; j < 2; ++j) {
@@ -272,7 +271,8 @@ class CastMatter {
         }
         if (t_.matter.mask != nullptr) {
             const FloatV half = hn::Set(f_, 0.5f);
-            const Lanes3 at{hn::Add(hn::Add(low.x, fraction.x), half), hn::Add(hn::Add(low.y, fraction.y), half),
+            const Lanes3 at{hn::Add(hn::Add(low.x, fraction.x), half),
+                            hn::Add(hn::Add(low.y, fraction.y), half),
                             hn::Add(hn::Add(low.z, fraction.z), half)};
             optics.extinction = hn::IfThenZeroElse(t_.matter.isMasked(of, at), optics.extinction);
         }
@@ -318,8 +318,7 @@ class CastMatter {
     HWY_INLINE FloatV headlight(const Lanes3& gradient, FloatV length2) const {
         const Lanes3 direction = r_.worldDirection.load();
         const FloatV along = hn::MulAdd(
-            gradient.z, direction.z,
-            hn::MulAdd(gradient.y, direction.y, hn::Mul(gradient.x, direction.x)));
+            gradient.z, direction.z, hn::MulAdd(gradient.y, direction.y, hn::Mul(gradient.x, direction.x)));
         const auto isSurface = hn::Gt(length2, hn::Zero(f_));
         const FloatV one = hn::Set(f_, 1.0f);
         const FloatV length = hn::Sqrt(hn::IfThenElse(isSurface, length2, one));

@@ -1,7 +1,8 @@
-// Cast rays in the lanes of a vector, and their search for the next brick that they have to cross: nextPiece()
-// of shaders/lib/cast.glsl.
+// Cast rays in the lanes of a vector, and their search for the next brick that they have to cross:
+// nextPiece() of shaders/lib/cast.glsl.
 //
-// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs NativeHost.
+// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs
+// NativeHost.
 #if defined(MACULA_CAST_RAYS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MACULA_CAST_RAYS_INL_H
 #undef MACULA_CAST_RAYS_INL_H
@@ -259,8 +260,7 @@ class BrickSearch {
         brick_.y = cross(y, origin_.y, direction_.y, brick_.y);
         brick_.z = cross(z, origin_.z, direction_.z, brick_.z);
         // A ray that is not a number ends, as in the scalar code.
-        const FloatV to =
-            hn::IfThenElse(hn::Eq(exit, exit), hn::Min(hn::Max(exit, distance_), end_), end_);
+        const FloatV to = hn::IfThenElse(hn::Eq(exit, exit), hn::Min(hn::Max(exit, distance_), end_), end_);
         segmentEnd_ = hn::IfThenElse(of, to, segmentEnd_);
         majorant_ = hn::IfThenElse(of, hn::Max(bound, zero), majorant_);
     }

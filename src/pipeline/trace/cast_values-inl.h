@@ -1,6 +1,7 @@
 // Cast rays that gather values: castValues() of shaders/lib/cast.glsl by lanes of vectors.
 //
-// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs NativeHost.
+// Included once for each instruction set by Highway, in macula::trace and its HWY_NAMESPACE; needs
+// NativeHost.
 #if defined(MACULA_CAST_VALUES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MACULA_CAST_VALUES_INL_H
 #undef MACULA_CAST_VALUES_INL_H

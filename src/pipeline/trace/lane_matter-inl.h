@@ -71,10 +71,9 @@ struct LaneMatter {
         const Around inX = around(x, voxels.size.x);
         const Around inY = around(y, voxels.size.y);
         const Around inZ = around(z, voxels.size.z);
-        return steepPartOf(
-            squaredGradient({hn::Sub(voxels.at(inX.high, y, z), voxels.at(inX.low, y, z)),
-                             hn::Sub(voxels.at(x, inY.high, z), voxels.at(x, inY.low, z)),
-                             hn::Sub(voxels.at(x, y, inZ.high), voxels.at(x, y, inZ.low))}));
+        return steepPartOf(squaredGradient({hn::Sub(voxels.at(inX.high, y, z), voxels.at(inX.low, y, z)),
+                                            hn::Sub(voxels.at(x, inY.high, z), voxels.at(x, inY.low, z)),
+                                            hn::Sub(voxels.at(x, y, inZ.high), voxels.at(x, y, inZ.low))}));
     }
 
     // The same for the squared length of a gradient.
@@ -116,9 +115,9 @@ struct LaneMatter {
     HWY_INLINE Lanes3 worldGradient(const Lanes3& perVoxel) const {
         const auto isGradient = hn::Gt(squareOf(perVoxel), hn::Set(f_, 0.000625f));
         const auto along = [&](const glm::vec3& axis) HWY_ATTR {
-            const FloatV dot = hn::MulAdd(hn::Set(f_, axis.z), perVoxel.z,
-                                          hn::MulAdd(hn::Set(f_, axis.y), perVoxel.y,
-                                                     hn::Mul(hn::Set(f_, axis.x), perVoxel.x)));
+            const FloatV dot = hn::MulAdd(
+                hn::Set(f_, axis.z), perVoxel.z,
+                hn::MulAdd(hn::Set(f_, axis.y), perVoxel.y, hn::Mul(hn::Set(f_, axis.x), perVoxel.x)));
             return hn::IfThenElseZero(isGradient, dot);
         };
         return {along(voxelFromWorldX), along(voxelFromWorldY), along(voxelFromWorldZ)};
@@ -160,8 +159,8 @@ struct LaneMatter {
     // The square of worldGradient() for differences over two voxels along each axis.
     HWY_INLINE FloatV squaredGradient(Lanes3 differences) const {
         const FloatV half = hn::Set(f_, 0.5f);
-        return squareOf(worldGradient({hn::Mul(differences.x, half), hn::Mul(differences.y, half),
-                                       hn::Mul(differences.z, half)}));
+        return squareOf(worldGradient(
+            {hn::Mul(differences.x, half), hn::Mul(differences.y, half), hn::Mul(differences.z, half)}));
     }
 
     HWY_INLINE FloatV maskAt(IntV x, IntV y, IntV z) const {

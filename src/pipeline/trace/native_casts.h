@@ -6,8 +6,8 @@
 
 namespace macula::trace {
 
-// `look` is one of shared::kCast. Empty for variants that only the shader casts: with splines, a second volume
-// or coloured segments.
+// `look` is one of shared::kCast. Empty for variants that only the shader casts: with splines, a second
+// volume or coloured segments.
 gpu::NativeKernel nativeCasts(const TraceVariant& variant, int look);
 
 }  // namespace macula::trace
