@@ -20,7 +20,7 @@ BrickCopies::BrickCopies(const PooledVoxels& voxels, const glm::ivec3& size, int
     : voxels_(voxels), last_(size - 1), reach_(reach) {
     const auto bricks = std::size_t(voxels.grid.x) * std::size_t(voxels.grid.y) * std::size_t(voxels.grid.z);
     const std::size_t copies = std::min(kMostCopies, std::bit_ceil(bricks + kHolders));
-    values_.resize(copies * std::size_t(kValues));
+    values_ = std::make_unique_for_overwrite<std::uint16_t[]>(copies * std::size_t(kValues));
     bricks_.assign(copies, -1);
     holders_.assign(copies, 0);
     std::fill(std::begin(held_), std::end(held_), kNone);
@@ -45,7 +45,7 @@ std::int32_t BrickCopies::hold(std::size_t lane, const glm::ivec3& brick) {
     if (found == kNone) {
         found = free;
         bricks_[found] = index;
-        copy(brick, values_.data() + found * std::size_t(kValues));
+        copy(brick, values_.get() + found * std::size_t(kValues));
     }
     ++holders_[found];
     held_[lane] = found;

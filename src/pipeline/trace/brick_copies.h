@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "pipeline/trace/host_tables.h"
@@ -31,7 +32,7 @@ class BrickCopies {
     std::int32_t hold(std::size_t lane, const glm::ivec3& brick);
 
     std::size_t count() const { return bricks_.size(); }  // of copies that may exist
-    const std::uint16_t* values() const { return values_.data(); }
+    const std::uint16_t* values() const { return values_.get(); }
 
     static constexpr std::size_t kHolders = 16;
 
@@ -57,7 +58,7 @@ class BrickCopies {
     PooledVoxels voxels_;
     glm::ivec3 last_;
     int reach_;
-    std::vector<std::uint16_t> values_;
+    std::unique_ptr<std::uint16_t[]> values_;
     std::vector<std::int64_t> bricks_;   // by copy: the index of its brick, or -1
     std::vector<std::uint8_t> holders_;  // by copy
     std::size_t held_[kHolders];         // by lane
