@@ -78,7 +78,6 @@ class CastMatter {
   private:
     static constexpr Floats f_{};
     static constexpr Ints i_{};
-    static constexpr Uints u_{};
 
     // The value along the ray through a cell, and its steps.
     struct Course {

@@ -86,8 +86,8 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
                             {"kShading", variant.shading},
                             {"kCast", castOf(variant.look)}},
         .subgroupSize = gpu::subgroupSizeForDivergence(device_->info()),
-        .native = isPathTraced(variant.look) ? nativePaths(variant)
-                                             : nativeCasts(variant, castOf(variant.look))};
+        .native =
+            isPathTraced(variant.look) ? nativePaths(variant) : nativeCasts(variant, castOf(variant.look))};
     if (isPathTraced(variant.look)) {
         options.specializations.emplace_back("kIndirect", variant.usesIndirect);
         options.specializations.emplace_back("kSurfaces", variant.scene.surfaces);
