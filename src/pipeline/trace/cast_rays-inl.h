@@ -14,6 +14,7 @@
 
 #include "pipeline/trace/brick_copies.h"
 #include "pipeline/trace/lane_matter-inl.h"
+#include "pipeline/trace/lane_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace macula::trace {
@@ -124,15 +125,15 @@ class BrickSearch {
           t_(tables),
           state_(hn::Load(i_, rays.state)),
           segments_(hn::Load(i_, rays.segments)),
-          distance_(hn::Load(f_, rays.distanceMm)),
-          end_(hn::Load(f_, rays.endMm)),
-          segmentEnd_(hn::Load(f_, rays.segmentEndMm)),
+          walk_{rays.origin.load(),
+                rays.direction.load(),
+                rays.inverse.load(),
+                rays.brick.load(),
+                hn::Load(f_, rays.distanceMm),
+                hn::Load(f_, rays.endMm),
+                hn::Load(f_, rays.segmentEndMm)},
           majorant_(hn::Load(f_, rays.majorant)),
-          pieceEnd_(hn::Load(f_, rays.pieceEndMm)),
-          origin_(rays.origin.load()),
-          direction_(rays.direction.load()),
-          inverse_(rays.inverse.load()),
-          brick_(rays.brick.load()) {}
+          pieceEnd_(hn::Load(f_, rays.pieceEndMm)) {}
 
     // Searches until fewer than `enough` lanes do.
     HWY_INLINE void run(std::size_t enough) {
@@ -143,16 +144,16 @@ class BrickSearch {
         do {
             if (t_.hasClip) leaveCuts(seeking);
             const auto finds =
-                hn::And(seeking, hn::And(hn::Gt(majorant_, least), hn::Lt(distance_, segmentEnd_)));
-            pieceEnd_ = hn::IfThenElse(finds, t_.hasClip ? nextCut() : segmentEnd_, pieceEnd_);
+                hn::And(seeking, hn::And(hn::Gt(majorant_, least), hn::Lt(walk_.distance, walk_.segmentEnd)));
+            pieceEnd_ = hn::IfThenElse(finds, t_.hasClip ? nextCut() : walk_.segmentEnd, pieceEnd_);
             state_ = moved(state_, intMask(finds), kFound);
             seeking = hn::AndNot(finds, seeking);
-            if (t_.hasClip) leap(hn::And(seeking, hn::Gt(distance_, segmentEnd_)));
-            distance_ = hn::IfThenElse(seeking, segmentEnd_, distance_);
+            if (t_.hasClip) leap(hn::And(seeking, hn::Gt(walk_.distance, walk_.segmentEnd)));
+            walk_.distance = hn::IfThenElse(seeking, walk_.segmentEnd, walk_.distance);
             segments_ = hn::IfThenElse(intMask(seeking), hn::Add(segments_, hn::Set(i_, 1)), segments_);
             // A ray so far away that rounding stalls it ends too.
-            const auto goes =
-                hn::And(hn::And(seeking, hn::Lt(distance_, end_)), floatMask(hn::Lt(segments_, most)));
+            const auto goes = hn::And(hn::And(seeking, hn::Lt(walk_.distance, walk_.end)),
+                                      floatMask(hn::Lt(segments_, most)));
             state_ = moved(state_, intMask(hn::AndNot(goes, seeking)), kDone);
             seeking = goes;
             nextSegment(seeking);
@@ -167,11 +168,11 @@ class BrickSearch {
     HWY_INLINE void store() const {
         hn::Store(state_, i_, r_.state);
         hn::Store(segments_, i_, r_.segments);
-        hn::Store(distance_, f_, r_.distanceMm);
-        hn::Store(segmentEnd_, f_, r_.segmentEndMm);
+        hn::Store(walk_.distance, f_, r_.distanceMm);
+        hn::Store(walk_.segmentEnd, f_, r_.segmentEndMm);
         hn::Store(majorant_, f_, r_.majorant);
         hn::Store(pieceEnd_, f_, r_.pieceEndMm);
-        r_.brick.store(brick_);
+        r_.brick.store(walk_.cell);
     }
 
     // leastBound() of cast.glsl.
@@ -188,23 +189,23 @@ class BrickSearch {
     // One cut may end inside another.
     HWY_INLINE void leaveCuts(FloatMask of) {
         for (int i = 0; i < NativeHost::kCuts; ++i) {
-            FloatV cutEnd = distance_;
+            FloatV cutEnd = walk_.distance;
             for (int cut = 0; cut < NativeHost::kCuts; ++cut) {
                 const FloatV to = hn::Load(f_, r_.cutTo[cut]);
-                const auto within =
-                    hn::And(hn::Le(hn::Load(f_, r_.cutFrom[cut]), distance_), hn::Lt(distance_, to));
+                const auto within = hn::And(hn::Le(hn::Load(f_, r_.cutFrom[cut]), walk_.distance),
+                                            hn::Lt(walk_.distance, to));
                 cutEnd = hn::IfThenElse(within, hn::Max(cutEnd, to), cutEnd);
             }
-            distance_ = hn::IfThenElse(of, cutEnd, distance_);
+            walk_.distance = hn::IfThenElse(of, cutEnd, walk_.distance);
         }
     }
 
     // nextCut() of clip.glsl, at the latest the end of the segment.
     HWY_INLINE FloatV nextCut() const {
-        FloatV at = segmentEnd_;
+        FloatV at = walk_.segmentEnd;
         for (int cut = 0; cut < NativeHost::kCuts; ++cut) {
             const FloatV from = hn::Load(f_, r_.cutFrom[cut]);
-            const auto is = hn::And(hn::Lt(from, hn::Load(f_, r_.cutTo[cut])), hn::Gt(from, distance_));
+            const auto is = hn::And(hn::Lt(from, hn::Load(f_, r_.cutTo[cut])), hn::Gt(from, walk_.distance));
             at = hn::IfThenElse(is, hn::Min(at, from), at);
         }
         return at;
@@ -212,64 +213,20 @@ class BrickSearch {
 
     HWY_INLINE void leap(FloatMask of) {
         if (hn::AllFalse(f_, of)) return;
-        segmentEnd_ = hn::IfThenElse(of, distance_, segmentEnd_);
+        walk_.leap(of, walk_.distance, t_.matter.voxels.grid);
         majorant_ = hn::IfThenZeroElse(of, majorant_);
-        const auto brickAt = [&](FloatV origin, FloatV direction, FloatV brick, int count) HWY_ATTR {
-            const FloatV there = hn::Floor(hn::MulAdd(direction, distance_, origin));
-            return hn::IfThenElse(of, hn::Clamp(there, hn::Zero(f_), hn::Set(f_, float(count - 1))), brick);
-        };
-        brick_.x = brickAt(origin_.x, direction_.x, brick_.x, t_.matter.voxels.grid.x);
-        brick_.y = brickAt(origin_.y, direction_.y, brick_.y, t_.matter.voxels.grid.y);
-        brick_.z = brickAt(origin_.z, direction_.z, brick_.z, t_.matter.voxels.grid.z);
     }
 
-    // One round of the loop of nextSegment() in brick_walk.glsl.
     HWY_INLINE void nextSegment(FloatMask of) {
-        const FloatV zero = hn::Zero(f_);
-        const FloatV one = hn::Set(f_, 1.0f);
-        const glm::ivec3& grid = t_.matter.voxels.grid;
-        const IntV inPlane = hn::ConvertTo(
-            i_, hn::IfThenElseZero(of, hn::MulAdd(brick_.y, hn::Set(f_, float(grid.x)), brick_.x)));
-        const IntV plane = hn::ConvertTo(i_, hn::IfThenElseZero(of, brick_.z));
-        const IntV index = hn::Clamp(hn::Add(inPlane, hn::Mul(plane, hn::Set(i_, grid.x * grid.y))),
-                                     hn::Zero(i_), hn::Set(i_, grid.x * grid.y * grid.z - 1));
-        const FloatV bound = hn::GatherIndex(f_, t_.bounds, index);
-        const FloatV reach = hn::Max(hn::Neg(bound), one);
-        const FloatV margin = hn::Sub(reach, one);
-
-        struct Axis {
-            FloatV toFace, step;
-        };
-        const auto axisOf = [&](FloatV origin, FloatV direction, FloatV inverse, FloatV brick) HWY_ATTR {
-            const FloatV forward = hn::IfThenZeroElse(hn::Lt(direction, zero), one);
-            const FloatV step = hn::Sub(hn::Add(forward, forward), one);
-            const FloatV face = hn::MulAdd(step, margin, hn::Add(brick, forward));
-            return Axis{hn::Mul(hn::Sub(face, origin), inverse), step};
-        };
-        const Axis x = axisOf(origin_.x, direction_.x, inverse_.x, brick_.x);
-        const Axis y = axisOf(origin_.y, direction_.y, inverse_.y, brick_.y);
-        const Axis z = axisOf(origin_.z, direction_.z, inverse_.z, brick_.z);
-        const FloatV exit = hn::Min(hn::Min(x.toFace, y.toFace), z.toFace);
-        const auto cross = [&](const Axis& axis, FloatV origin, FloatV direction, FloatV brick) HWY_ATTR {
-            const FloatV there = hn::Floor(hn::MulAdd(direction, exit, origin));
-            const FloatV beside = hn::Clamp(there, hn::Sub(brick, margin), hn::Add(brick, margin));
-            const FloatV across = hn::MulAdd(axis.step, reach, brick);
-            return hn::IfThenElse(of, hn::IfThenElse(hn::Le(axis.toFace, exit), across, beside), brick);
-        };
-        brick_.x = cross(x, origin_.x, direction_.x, brick_.x);
-        brick_.y = cross(y, origin_.y, direction_.y, brick_.y);
-        brick_.z = cross(z, origin_.z, direction_.z, brick_.z);
-        // A ray that is not a number ends, as in the scalar code.
-        const FloatV to = hn::IfThenElse(hn::Eq(exit, exit), hn::Min(hn::Max(exit, distance_), end_), end_);
-        segmentEnd_ = hn::IfThenElse(of, to, segmentEnd_);
-        majorant_ = hn::IfThenElse(of, hn::Max(bound, zero), majorant_);
+        const FloatV bound = walk_.nextSegment(of, t_.bounds, t_.matter.voxels.grid);
+        majorant_ = hn::IfThenElse(of, hn::Max(bound, hn::Zero(f_)), majorant_);
     }
 
     CastRays& r_;
     const CastTables& t_;
     IntV state_, segments_;
-    FloatV distance_, end_, segmentEnd_, majorant_, pieceEnd_;
-    Lanes3 origin_, direction_, inverse_, brick_;
+    LaneWalk walk_;
+    FloatV majorant_, pieceEnd_;
 };
 
 }  // namespace
