@@ -80,6 +80,19 @@ struct Float {
     HWY_INLINE friend Mask operator==(Float a, Float b) { return {hn::Eq(a.values, b.values)}; }
 };
 
+// Bits for each lane.
+struct UintBits {
+    hn::Vec<hn::RebindToUnsigned<FloatTag>> values;
+
+    HWY_INLINE friend UintBits operator&(UintBits a, std::uint32_t b) {
+        return {hn::And(a.values, hn::Set(hn::RebindToUnsigned<FloatTag>(), b))};
+    }
+    HWY_INLINE friend Mask operator<(UintBits a, std::uint32_t b) {
+        const hn::RebindToUnsigned<FloatTag> unsigneds;
+        return {hn::RebindMask(FloatTag(), hn::Lt(a.values, hn::Set(unsigneds, b)))};
+    }
+};
+
 struct Vec2 {
     Float x, y;
 
@@ -157,6 +170,9 @@ struct GlslInVectors {
     HWY_INLINE static Vec4 clamp(Vec4 x, Vec4 low, Vec4 high) {
         return {clamp(x.x, low.x, high.x), clamp(x.y, low.y, high.y), clamp(x.z, low.z, high.z),
                 clamp(x.w, low.w, high.w)};
+    }
+    HWY_INLINE static UintBits floatBitsToUint(Float x) {
+        return {hn::BitCast(hn::RebindToUnsigned<FloatTag>(), x.values)};
     }
     // Within 2 units in the last place or 1e-7, for normal numbers above 0; something finite for others.
     // Without a division, which that of Highway has.

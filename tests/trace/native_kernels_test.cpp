@@ -1,25 +1,16 @@
 // The kernels that run on the host of a CPU device, with each instruction set that this processor has, beside
 // the shaders: both against the same maths in double.
-#include <hwy/targets.h>
 #include <cmath>
 
 #include "pipeline/trace/reference_tracer.h"
 #include "trace/gpu_scene.h"
+#include "trace/instruction_sets.h"
 #include "trace/small_scenes.h"
 
 namespace macula::trace {
 namespace {
 
 constexpr std::uint32_t kSamples = 4;
-
-// While it lives, native kernels use this instruction set.
-class OnlyTarget {
-  public:
-    explicit OnlyTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
-    OnlyTarget(const OnlyTarget&) = delete;
-    OnlyTarget& operator=(const OnlyTarget&) = delete;
-    ~OnlyTarget() { hwy::SetSupportedTargetsForTest(0); }
-};
 
 class NativeKernels : public DeviceTest {
   protected:
@@ -114,11 +105,7 @@ TEST_F(NativeKernels, DrawTheSamplesOfTheReferenceWithEveryInstructionSet) {
                 SCOPED_TRACE("shader");
                 expectTruth(pictureOn(deviceOfShaders(), scene, settings), truth);
             }
-            for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-                SCOPED_TRACE(hwy::TargetName(target));
-                const OnlyTarget only(target);
-                expectTruth(pictureOn(device(), scene, settings), truth);
-            }
+            onEachInstructionSet(true, [&] { expectTruth(pictureOn(device(), scene, settings), truth); });
         }
     }
 }
@@ -143,11 +130,7 @@ TEST_F(NativeKernels, CastTheRaysOfTheReferenceWithEveryInstructionSet) {
                     DisplayWindow{.center = 400, .width = 1000, .explanation = {}, .function = {}};
                 SCOPED_TRACE(fmt::format("{}, {} {}", scene.name, nameOf(look), int(shading)));
                 const std::vector<glm::dvec4> truth = castTruthOf(scene, settings);
-                for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-                    SCOPED_TRACE(hwy::TargetName(target));
-                    const OnlyTarget only(target);
-                    expectCast(pictureOn(device(), scene, settings), truth);
-                }
+                onEachInstructionSet(true, [&] { expectCast(pictureOn(device(), scene, settings), truth); });
             }
         }
     }

@@ -21,6 +21,8 @@ BrickCopies::BrickCopies(const PooledVoxels& voxels, const glm::ivec3& size, int
     const auto bricks = std::size_t(voxels.grid.x) * std::size_t(voxels.grid.y) * std::size_t(voxels.grid.z);
     const std::size_t copies = std::min(kMostCopies, std::bit_ceil(bricks + kHolders));
     values_ = std::make_unique_for_overwrite<std::uint16_t[]>(copies * std::size_t(kValues));
+    // Lanes that hold no copy read the first one.
+    std::fill_n(values_.get(), kValues, std::uint16_t(0));
     bricks_.assign(copies, -1);
     holders_.assign(copies, 0);
     std::fill(std::begin(held_), std::end(held_), kNone);

@@ -24,11 +24,11 @@ class BrickCopies {
     static constexpr int kValues = kLayer * kEdge + 4;    // of a copy; two at a time can be read from each
     static constexpr int kFirstCell = kLayer + kRow + 1;  // voxel 8b - 1
 
-    // `reach`, 0 or 1, says how far around its cells a brick's values are read. With 0, copies have nothing
-    // in their outermost voxels.
+    // `reach`, 0 or 1, says how far around its cells a brick's values are read. With 0, nobody sets the
+    // outermost voxels of copies.
     BrickCopies(const PooledVoxels& voxels, const glm::ivec3& size, int reach);
 
-    // Where the copy of a brick begins. It stays there until a lane that holds it holds another one.
+    // Where the copy of a brick begins. It stays there as long as a lane holds it.
     std::int32_t hold(std::size_t lane, const glm::ivec3& brick);
 
     std::size_t count() const { return bricks_.size(); }  // of copies that may exist

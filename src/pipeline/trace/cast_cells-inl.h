@@ -49,25 +49,26 @@ struct CopiedVoxels {
         const Floats f;
         const Ints i;
         const Uints u;
-        const UintV both = hn::BitCast(u, wordAt(first, values + distance));
+        const UintV both = hn::BitCast(u, wordAt(first, distance));
         return {hn::ConvertTo(f, hn::BitCast(i, hn::And(both, hn::Set(u, 0xffffu)))),
                 hn::ConvertTo(f, hn::BitCast(i, hn::ShiftRight<16>(both)))};
     }
 
     HWY_INLINE FloatV low(IntV first, int distance) const {
         const Ints i;
-        return hn::ConvertTo(Floats(), hn::And(wordAt(first, values + distance), hn::Set(i, 0xffff)));
+        return hn::ConvertTo(Floats(), hn::And(wordAt(first, distance), hn::Set(i, 0xffff)));
     }
 
   private:
-    static HWY_INLINE IntV wordAt(IntV first, const std::uint16_t* base) {
+    HWY_INLINE IntV wordAt(IntV first, int distance) const {
         const Ints i;
+        const IntV at = hn::Add(first, hn::Set(i, 2 * distance));
 #if HWY_TARGET == HWY_SCALAR
         std::int32_t word = 0;
-        std::memcpy(&word, base + hn::GetLane(first) / 2, sizeof(word));
+        std::memcpy(&word, values + hn::GetLane(at) / 2, sizeof(word));
         return hn::Set(i, word);
 #else
-        return hn::GatherOffset(i, reinterpret_cast<const std::int32_t*>(base), first);
+        return hn::GatherOffset(i, reinterpret_cast<const std::int32_t*>(values), at);
 #endif
     }
 };

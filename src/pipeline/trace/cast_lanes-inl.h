@@ -67,9 +67,7 @@ class CastLanes {
 
     // As bits.
     std::uint32_t lanesOf(Casting state) const {
-        alignas(8) std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(Ints(), lanesIn(hn::Load(Ints(), rays_.state), state), bytes);
-        return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
+        return bitsOf(lanesIn(hn::Load(Ints(), rays_.state), state));
     }
 
     void cross() {

@@ -282,7 +282,8 @@ class Round {
             }
             hn::BlendedStore(part, met, f_, s_.steep + at_);
         }
-        if (matter.gradientOpacity != nullptr) {
+        const auto isMatter = hn::And(met, hn::Gt(hn::Max(flat, dense), hn::Zero(f_)));
+        if (matter.gradientOpacity != nullptr && !hn::AllFalse(f_, isMatter)) {
             const FloatV opacity = matter.opacityByGradient(met, at);
             flat = matter.thinned(flat, opacity);
             dense = matter.steep == nullptr ? flat : matter.thinned(dense, opacity);

@@ -100,11 +100,7 @@ struct Marches {
     }
 };
 
-HWY_INLINE bool isOfMarchLanes(const SceneKind& scene) {
-    return !scene.second && !scene.tints;
-}
-
-// Used by one thread. For scenes of which isOfMarchLanes() says so.
+// Used by one thread. For scenes without a second volume and without coloured segments.
 class MarchLanes {
   public:
     MarchLanes(const HostTables<PooledVoxels>& tables, const NativeHost& host, const SceneKind& scene)
@@ -359,9 +355,8 @@ HWY_INLINE MarchLanes::Sample MarchLanes::sampleAt(FloatMask of, FloatV atMm) {
 
     Sample sample;
     sample.entry = interpolated(values, fraction);
-    const FloatV usual = matter_.extinctionOfEntry(sample.entry);
-    FloatV flat = usual;
-    FloatV dense = usual;
+    FloatV flat = matter_.extinctionOfEntry(sample.entry);
+    FloatV dense = flat;
     FloatV part = hn::Zero(f_);
     if (steep_ != nullptr) {
         LaneCorners parts;
@@ -372,7 +367,8 @@ HWY_INLINE MarchLanes::Sample MarchLanes::sampleAt(FloatMask of, FloatV atMm) {
         part = hn::Min(interpolated(parts, fraction), hn::Set(f_, 1.0f));
     }
     if (matter_.steep != nullptr) dense = matter_.steepExtinctionOfEntry(sample.entry);
-    if (matter_.gradientOpacity != nullptr) {
+    const auto isMatter = hn::And(of, hn::Gt(hn::Max(flat, dense), hn::Zero(f_)));
+    if (matter_.gradientOpacity != nullptr && !hn::AllFalse(f_, isMatter)) {
         const FloatV opacity = matter_.opacityByGradient(of, positionAt(atMm));
         flat = matter_.thinned(flat, opacity);
         dense = matter_.thinned(dense, opacity);

@@ -49,7 +49,10 @@ namespace {
 class FilmCasts {
   public:
     FilmCasts(const NativeHost& host, const NativeFilm& film, std::atomic<std::size_t>& nextBlock)
-        : host_(host), film_(film), nextBlock_(nextBlock) {}
+        : host_(host),
+          film_(film),
+          nextBlock_(nextBlock),
+          run_(std::clamp<std::size_t>(film.plan.size() / (4 * coreCount()), 1, kMostRun)) {}
 
     bool start(std::size_t lane, glm::ivec2& pixel, std::uint32_t& sample) {
         Lane& l = lanes_[lane];
@@ -76,7 +79,7 @@ class FilmCasts {
 
   private:
     static constexpr int kPixels = shared::kBlockEdge * shared::kBlockEdge;
-    static constexpr std::size_t kRun = 4;  // blocks
+    static constexpr std::size_t kMostRun = 4;
 
     struct Lane {
         glm::ivec2 pixel{0};
@@ -93,8 +96,8 @@ class FilmCasts {
                 pixel_ = 0;
             }
             if (block_ == endBlock_) {
-                block_ = nextBlock_.fetch_add(kRun);
-                endBlock_ = block_ + kRun;
+                block_ = nextBlock_.fetch_add(run_);
+                endBlock_ = block_ + run_;
             }
             if (block_ >= film_.plan.size()) return false;
             const shared::PlannedBlock& planned = film_.plan[block_];
@@ -114,6 +117,7 @@ class FilmCasts {
     NativeHost host_;
     NativeFilm film_;
     std::atomic<std::size_t>& nextBlock_;
+    std::size_t run_;  // blocks that this thread takes at once
     std::array<Lane, kRays> lanes_{};
     std::size_t block_ = 0;  // in the plan
     std::size_t endBlock_ = 0;

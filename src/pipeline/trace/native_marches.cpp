@@ -80,7 +80,7 @@ struct Packet {
 // Calls one(packet, host, lanes) for each packet. Rows are few at a time, so threads take columns.
 template <class One>
 void forEachPacket(const Rays& rays, const One& one) {
-    constexpr int kColumns = 32;
+    constexpr int kColumns = 8;  // of a task: in the middle rays take longest
     const int width = rays.params.imageSize.x;
     std::atomic<int> next{0};
     parallelFor(coreCount(), [&](std::size_t) {
@@ -122,7 +122,7 @@ void fillGuides(const gpu::NativeDispatch& dispatch, const SceneKind& scene) {
     const auto motions = dispatch.binding<glm::vec4>(18);
     const NativeHost::Fovea fovea{push.planeHalfSize, push.gaze, push.foveaRadius, push.foveaMagnification};
     const NativeHost::Eye before{push.oursMm, push.right, push.up, push.forward, fovea, push.parallelMm};
-    const bool inLanes = isOfMarchLanes(scene) && !(rays.params.lensRadiusMm > 0.0f);
+    const bool isBlurred = rays.params.lensRadiusMm > 0.0f;
     const auto tell = [&](const glm::ivec2& pixel, const NativeHost::Guide& guide) {
         const std::size_t index =
             std::size_t(pixel.y) * std::size_t(rays.params.imageSize.x) + std::size_t(pixel.x);
@@ -131,7 +131,7 @@ void fillGuides(const gpu::NativeDispatch& dispatch, const SceneKind& scene) {
         motions[index] = {guide.motion, guide.confidence, guide.beforeMm};
     };
     forEachPacket(rays, [&](const Packet& packet, NativeHost& host, MarchLanes& lanes) {
-        if (!inLanes) {
+        if (isBlurred) {
             for (std::size_t n = 0; n < packet.count; ++n)
                 tell(packet.pixels[n], host.guideOf(glm::vec2(packet.pixels[n]) + 0.5f, before));
             return;
@@ -156,13 +156,7 @@ void fillLayers(const gpu::NativeDispatch& dispatch, const SceneKind& scene) {
         pixels[std::size_t(pixel.y) * std::size_t(rays.params.imageSize.x) + std::size_t(pixel.x)] = {
             {mm[0], mm[1], mm[2], mm[3]}, {mm[4], mm[5], mm[6], mm[7]}, ray.coverage, ray.meanMm};
     };
-    const bool inLanes = isOfMarchLanes(scene);
     forEachPacket(rays, [&](const Packet& packet, NativeHost& host, MarchLanes& lanes) {
-        if (!inLanes) {
-            for (std::size_t n = 0; n < packet.count; ++n)
-                tell(packet.pixels[n], host, host.layersOf(glm::vec2(packet.pixels[n]) + 0.5f));
-            return;
-        }
         const PacketMarches marches(packet, host, lanes, true);
         for (std::size_t n = 0; n < packet.count; ++n) {
             for (int layer = 0; layer < Marches::kLayers; ++layer)
@@ -183,13 +177,24 @@ namespace macula::trace {
 HWY_EXPORT(fillGuides);
 HWY_EXPORT(fillLayers);
 
+namespace {
+
+// What lanes march through.
+bool isOfMarchLanes(const SceneKind& scene) {
+    return !scene.second && !scene.tints;
+}
+
+}  // namespace
+
 gpu::NativeKernel nativeGuides(const SceneKind& scene) {
+    if (!isOfMarchLanes(scene)) return {};
     return [scene](const gpu::NativeDispatch& dispatch) {
         HWY_DYNAMIC_DISPATCH(fillGuides)(dispatch, scene);
     };
 }
 
 gpu::NativeKernel nativeLayers(const SceneKind& scene) {
+    if (!isOfMarchLanes(scene)) return {};
     return [scene](const gpu::NativeDispatch& dispatch) {
         HWY_DYNAMIC_DISPATCH(fillLayers)(dispatch, scene);
     };

@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "pipeline/gpu/transfer.h"
+#include "pipeline/splat/native/native_adam.h"
 #include "shaders/splat.h"
 #include "shared/splat_adam_params.h"
 
@@ -75,7 +76,8 @@ Optimizer::Optimizer(const OptimizerOptions& options, gpu::Kernel kernel, SplatB
 Result<Optimizer> Optimizer::create(const std::shared_ptr<gpu::Device>& device, std::uint32_t capacity,
                                     int shDegree, const OptimizerOptions& options) {
     MACULA_TRY_VOID(check(options));
-    MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device, shaders::splat_adam_comp));
+    MACULA_TRY(gpu::Kernel kernel,
+               gpu::Kernel::create(device, shaders::splat_adam_comp, {.native = nativeAdam()}));
     MACULA_TRY(SplatBuffer first, SplatBuffer::create(device, "first moments", capacity, shDegree));
     MACULA_TRY(SplatBuffer second, SplatBuffer::create(device, "second moments", capacity, shDegree));
     MACULA_TRY(gpu::Buffer steps, zeroes(device, "steps of splats", std::uint64_t(capacity) * 4));
