@@ -157,6 +157,32 @@ TEST(NativeLoss, IsThatOfTheReference) {
     }
 }
 
+// Tiles in which both pictures are the same are left out, but not pixels beside ones that differ, and pixels
+// that are not finite count.
+TEST(NativeLoss, IsThatOfTheReferenceWhereMostIsEmpty) {
+    constexpr int kWidth = 150;
+    constexpr int kHeight = 90;
+    Pixels render = filled(kWidth, kHeight, glm::dvec4(0.0));
+    Pixels target = render;
+    const auto fill = [](Pixels& pixels, const glm::ivec2& from, const glm::ivec2& to, std::uint32_t seed) {
+        const Pixels random = randomPicture(kWidth, kHeight, seed);
+        for (int y = from.y; y < to.y; ++y)
+            for (int x = from.x; x < to.x; ++x)
+                pixels[std::size_t(y * kWidth + x)] = random[std::size_t(y * kWidth + x)];
+    };
+    fill(render, {44, 20}, {49, 33}, 1);
+    fill(target, {46, 22}, {52, 32}, 2);
+    fill(render, {100, 60}, {140, 70}, 3);
+    fill(target, {100, 60}, {140, 70}, 3);
+    fill(target, {149, 89}, {150, 90}, 4);
+    render[5 * kWidth + 120] = glm::dvec4(kNan);
+    target[40 * kWidth + 7] = glm::dvec4(kInfinity);
+    for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display})
+        for (const LossMeasure measure : {LossMeasure::similar, LossMeasure::absolute, LossMeasure::squared})
+            expectAsReference(kWidth, kHeight, render, target, {.dssimWeight = 0.4f, .encode = encode},
+                              {.measure = measure, .background = randomBackground(6)});
+}
+
 TEST(NativeLoss, EqualPicturesHaveNone) {
     const Pixels picture = randomPicture(40, 30, 5);
     for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {

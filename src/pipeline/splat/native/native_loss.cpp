@@ -60,6 +60,13 @@ HWY_INLINE void pairOf(Vec4 render, Vec4 truth, Mask known, const Parameters& pa
     difference = mix(none, difference, known);
 }
 
+// Whether no pixel of a vector shows anything.
+HWY_INLINE bool isEmpty(Vec4 pixels) {
+    const Float zero(0.0f);
+    const Mask empty = pixels.x == zero && pixels.y == zero && pixels.z == zero && pixels.w == zero;
+    return (!empty).none();
+}
+
 // The rows that a strip's pixels pass through.
 struct CompareRows {
     explicit CompareRows(std::size_t width)
@@ -73,17 +80,23 @@ struct CompareRows {
 void compareStrip(const LossCompare& work, std::size_t strip) {
     const std::size_t width = work.of.width;
     const Parameters params(work.of.params);
+    const Vec4 empty(0.0f);
+    Vec4 sumOfEmpty;
+    Vec4 noDifference;
+    pairOf(empty, empty, Mask(true), params, work.of.display, sumOfEmpty, noDifference);
     CompareRows rows(width);
     for (std::size_t y = work.of.firstRow(strip); y < work.of.endRow(strip); ++y) {
         rows.rendered.read(work.rendered + y * width * 4, width);
         rows.targets.read(work.targets + y * width * 4, width);
         rows.windows.read(work.windows + y * width, width);
         for (std::size_t x = 0; x < width; x += kLanes) {
-            Vec4 sum;
-            Vec4 difference;
-            pairOf(loadPixels(rows.rendered.data() + 4 * x), loadPixels(rows.targets.data() + 4 * x),
-                   Float::load(rows.windows.data() + x) > Float(0.0f), params, work.of.display, sum,
-                   difference);
+            Vec4 sum = sumOfEmpty;
+            Vec4 difference = noDifference;
+            const Vec4 rendered = loadPixels(rows.rendered.data() + 4 * x);
+            const Vec4 target = loadPixels(rows.targets.data() + 4 * x);
+            const Mask known = Float::load(rows.windows.data() + x) > Float(0.0f);
+            if (!isEmpty(rendered) || !isEmpty(target) || !(!known).none())
+                pairOf(rendered, target, known, params, work.of.display, sum, difference);
             storePixels(sum, rows.sums.data() + 4 * x);
             storePixels(difference, rows.differences.data() + 4 * x);
         }
@@ -96,6 +109,64 @@ void compareStrip(const LossCompare& work, std::size_t strip) {
 }
 
 namespace {
+
+// Pixels of a strip, some tiles of it.
+struct Run {
+    std::size_t first;
+    std::size_t end;
+};
+
+// Whether both pictures are the same in a tile and as far around it as windows reach: then nothing in it has
+// a part of the loss or a gradient. Much of a picture is empty in both.
+HWY_INLINE bool isEqualAround(const LossPicture& of, const float* pairs, std::size_t strip,
+                              std::size_t tile) {
+    const PixelTag tag;
+    const auto zero = hn::Zero(tag);
+    const auto before = [](std::size_t at) { return at > kWindowReach ? at - kWindowReach : 0; };
+    const std::size_t first = before(tile * kLossTile);
+    const std::size_t end = std::min(of.width, (tile + 1) * kLossTile + kWindowReach);
+    const std::size_t endRow = std::min(of.height, of.endRow(strip) + kWindowReach);
+    for (std::size_t y = before(of.firstRow(strip)); y < endRow; ++y) {
+        auto most = zero;
+        for (std::size_t x = first; x < end; ++x) {
+            const float* const difference = pairs + (y * of.width + x) * 8 + 4;
+            for (std::size_t k = 0; k < 4; k += hn::Lanes(tag))
+                most = hn::Max(most, hn::Abs(hn::LoadU(tag, difference + k)));
+        }
+        if (!hn::AllFalse(tag, hn::Gt(most, zero))) return false;
+    }
+    return true;
+}
+
+// The tiles of a strip of which that does not hold, and the others.
+struct Runs {
+    HWY_INLINE Runs(const LossPicture& of, const float* pairs, std::size_t strip) {
+        for (std::size_t tile = 0; tile < of.tiles(); ++tile) {
+            std::vector<Run>& runs = isEqualAround(of, pairs, strip, tile) ? equal : different;
+            const std::size_t first = tile * kLossTile;
+            if (runs.empty() || runs.back().end != first) runs.push_back({first, first});
+            runs.back().end = std::min(of.width, first + kLossTile);
+        }
+    }
+
+    std::vector<Run> different;
+    std::vector<Run> equal;
+};
+
+// What windows around a run read.
+HWY_INLINE Run reachOf(const Run& run, std::size_t width) {
+    return {run.first > kWindowReach ? run.first - kWindowReach : 0, std::min(width, run.end + kWindowReach)};
+}
+
+// sumColumns() of a run and what its windows read, of `numbers` for each pixel.
+HWY_INLINE void sumColumns(const WindowTaps& taps, WindowRows rows, std::size_t numbers, const Run& run,
+                           std::size_t width, float* sums, float* squares) {
+    const Run reach = reachOf(run, width);
+    const std::size_t at = reach.first * numbers;
+    for (const float*& row : rows) row += at;
+    sumColumns(taps, rows, (reach.end - reach.first) * numbers, sums + at,
+               squares == nullptr ? nullptr : squares + at);
+}
 
 struct TermRows {
     explicit TermRows(std::size_t width)
@@ -113,12 +184,12 @@ struct TermRows {
     PaddedRow columns, squares, u, v, uu, vv, window, dissimilarity;
 };
 
-// Sums a row of columns' sums, and sorts them into those of sums and those of differences.
-HWY_INLINE void sumRow(const WindowTaps& taps, float* columns, std::size_t width, PaddedRow& ofSums,
+// Sums a run of columns' sums, and sorts them into those of sums and those of differences.
+HWY_INLINE void sumRow(const WindowTaps& taps, float* columns, const Run& run, PaddedRow& ofSums,
                        PaddedRow& ofDifferences) {
     constexpr std::size_t kAtOnce = std::max<std::size_t>(kLanes, 8);  // one or two pixels
     std::array<float, kAtOnce> pixels;
-    for (std::size_t at = 0; at < width * 8; at += kAtOnce) {
+    for (std::size_t at = run.first * 8; at < run.end * 8; at += kAtOnce) {
         for (std::size_t k = 0; k < kAtOnce; k += kLanes)
             sumOfRow(taps, columns + at + k, 8).store(pixels.data() + k);
         for (std::size_t k = 0; k < kAtOnce; k += 8) {
@@ -128,9 +199,9 @@ HWY_INLINE void sumRow(const WindowTaps& taps, float* columns, std::size_t width
     }
 }
 
-HWY_INLINE void writeTerms(TermRows& rows, std::size_t width, float* terms) {
+HWY_INLINE void writeTerms(TermRows& rows, const Run& run, float* terms) {
     VectorSsim maths;
-    for (std::size_t at = 0; at < width * 4; at += kLanes) {
+    for (std::size_t at = run.first * 4; at < run.end * 4; at += kLanes) {
         const Float window = Float::load(rows.window.data() + at);
         const auto ssim = maths.ssimWindow(
             Float::load(rows.u.data() + at) * window, Float::load(rows.v.data() + at) * window,
@@ -140,7 +211,7 @@ HWY_INLINE void writeTerms(TermRows& rows, std::size_t width, float* terms) {
         (ssim.ofSum * window).store(rows.v.data() + at);
         (ssim.ofDifference * window).store(rows.uu.data() + at);
     }
-    for (std::size_t x = 0; x < width; ++x) {
+    for (std::size_t x = run.first; x < run.end; ++x) {
         copyPixel(rows.u.data() + 4 * x, terms + 12 * x);
         copyPixel(rows.v.data() + 4 * x, terms + 12 * x + 4);
         copyPixel(rows.uu.data() + 4 * x, terms + 12 * x + 8);
@@ -162,16 +233,21 @@ void sumStrip(const LossTerms& work, std::size_t strip) {
     TermRows rows(width);
     float* parts = work.parts + strip * work.of.tiles();
     std::fill_n(parts, work.of.tiles(), 0.0f);
+    const Runs runs(work.of, work.pairs, strip);
     for (std::size_t y = work.of.firstRow(strip); y < work.of.endRow(strip); ++y) {
-        sumColumns(taps, windowRows(work.pairs, 8 * width, y, work.of.height, rows.zeros.data()), 8 * width,
-                   rows.columns.data(), rows.squares.data());
-        sumRow(taps, rows.columns.data(), width, rows.u, rows.v);
-        sumRow(taps, rows.squares.data(), width, rows.uu, rows.vv);
-        for (std::size_t x = 0; x < width; ++x)
-            std::fill_n(rows.window.data() + 4 * x, 4, work.windows[y * width + x]);
-        writeTerms(rows, width, work.terms + y * width * 12);
-        for (std::size_t tile = 0; tile < work.of.tiles(); ++tile)
-            parts[tile] += sumOfTile(rows.dissimilarity.data() + 4 * kLossTile * tile);
+        float* const terms = work.terms + y * width * 12;
+        for (const Run& run : runs.equal) std::fill(terms + run.first * 12, terms + run.end * 12, 0.0f);
+        const WindowRows pairs = windowRows(work.pairs, 8 * width, y, work.of.height, rows.zeros.data());
+        for (const Run& run : runs.different) {
+            sumColumns(taps, pairs, 8, run, width, rows.columns.data(), rows.squares.data());
+            sumRow(taps, rows.columns.data(), run, rows.u, rows.v);
+            sumRow(taps, rows.squares.data(), run, rows.uu, rows.vv);
+            for (std::size_t x = run.first; x < run.end; ++x)
+                std::fill_n(rows.window.data() + 4 * x, 4, work.windows[y * width + x]);
+            writeTerms(rows, run, terms);
+            for (std::size_t tile = run.first / kLossTile; tile * kLossTile < run.end; ++tile)
+                parts[tile] += sumOfTile(rows.dissimilarity.data() + 4 * kLossTile * tile);
+        }
     }
 }
 
@@ -191,18 +267,19 @@ struct GradientRows {
     PaddedRow columns, sums, back, rendered, windows, gradients;
 };
 
-// The derivative by each compared pixel, as in gradientOf of shaders/splat/loss_setup.glsl; adds its terms of
-// the loss to the parts of tiles.
-HWY_INLINE void writeBack(GradientRows& rows, const LossGradient& work, const float* pairs, float* parts) {
+// The derivative by each compared pixel of a run, as in gradientOf of shaders/splat/loss_setup.glsl; adds its
+// terms of the loss to the parts of tiles.
+HWY_INLINE void writeBack(GradientRows& rows, const LossGradient& work, const Run& run, const float* pairs,
+                          float* parts) {
     const PixelTag tag;
     const auto l1 = hn::Set(tag, work.of.params.l1Scale);
     const auto dssim = hn::Set(tag, work.of.params.dssimScale);
     const auto square = hn::Set(tag, 2.0f * work.of.params.squareScale);
     const auto zero = hn::Zero(tag);
-    for (std::size_t first = 0; first < work.of.width; first += kLossTile, parts += 4) {
+    for (std::size_t first = run.first; first < run.end; first += kLossTile) {
         auto absolute = zero;
         auto squares = zero;
-        const std::size_t end = std::min(work.of.width, first + kLossTile);
+        const std::size_t end = std::min(run.end, first + kLossTile);
         for (std::size_t x = first; x < end; ++x) {
             for (std::size_t k = 0; k < 4; k += hn::Lanes(tag)) {
                 const auto sum = hn::LoadU(tag, pairs + 8 * x + k);
@@ -218,16 +295,22 @@ HWY_INLINE void writeBack(GradientRows& rows, const LossGradient& work, const fl
                 squares = hn::MulAdd(difference, difference, squares);
             }
         }
-        parts[0] += hn::GetLane(hn::SumOfLanes(tag, absolute));
-        parts[1] += hn::GetLane(hn::SumOfLanes(tag, squares));
+        float* const part = parts + first / kLossTile * 4;
+        part[0] += hn::GetLane(hn::SumOfLanes(tag, absolute));
+        part[1] += hn::GetLane(hn::SumOfLanes(tag, squares));
     }
 }
 
-// Takes it back to the premultiplied pixels; counts those of tiles that are not finite.
-HWY_INLINE void writeGradients(GradientRows& rows, const LossGradient& work, float* parts) {
+// Counts the rendered pixels of tiles that are not finite.
+HWY_INLINE void countBad(Mask finite, std::size_t x, float* parts) {
+    parts[x / kLossTile * 4 + 2] += static_cast<float>(kLanes - hn::CountTrue(FloatTag(), finite.bits));
+}
+
+// Takes the derivative back to the premultiplied pixels of a run.
+HWY_INLINE void writeGradients(GradientRows& rows, const LossGradient& work, const Run& run, float* parts) {
     VectorLoss maths;
     const Parameters params(work.of.params);
-    for (std::size_t x = 0; x < work.of.width; x += kLanes) {
+    for (std::size_t x = run.first; x < run.end; x += kLanes) {
         const Vec4 render = loadPixels(rows.rendered.data() + 4 * x);
         const Mask finite = isFinite(render);
         const Mask known = Float::load(rows.windows.data() + x) > Float(0.0f);
@@ -236,7 +319,7 @@ HWY_INLINE void writeGradients(GradientRows& rows, const LossGradient& work, flo
         const Vec4 gradient = maths.comparedPixelBack(over, loadPixels(rows.back.data() + 4 * x),
                                                       params.background, params.exposure, work.of.display);
         storePixels(mix(Vec4(0.0f), gradient, known && finite), rows.gradients.data() + 4 * x);
-        parts[x / kLossTile * 4 + 2] += static_cast<float>(kLanes - hn::CountTrue(FloatTag(), finite.bits));
+        countBad(finite, x, parts);
     }
 }
 
@@ -248,18 +331,29 @@ void differentiateStrip(const LossGradient& work, std::size_t strip) {
     GradientRows rows(width);
     float* parts = work.parts + strip * work.of.tiles() * 4;
     std::fill_n(parts, work.of.tiles() * 4, 0.0f);
+    const Runs runs(work.of, work.pairs, strip);
     for (std::size_t y = work.of.firstRow(strip); y < work.of.endRow(strip); ++y) {
-        if (work.of.similar) {
-            sumColumns(taps, windowRows(work.terms, 12 * width, y, work.of.height, rows.zeros.data()),
-                       12 * width, rows.columns.data(), nullptr);
-            for (std::size_t at = 0; at < 12 * width; at += kLanes)
-                sumOfRow(taps, rows.columns.data() + at, 12).store(rows.sums.data() + at);
-        }
         rows.rendered.read(work.rendered + y * width * 4, width);
         rows.windows.read(work.windows + y * width, width);
-        writeBack(rows, work, work.pairs + y * width * 8, parts);
-        writeGradients(rows, work, parts);
-        std::copy_n(rows.gradients.data(), width * 4, work.gradients + y * width * 4);
+        float* const gradients = work.gradients + y * width * 4;
+        for (const Run& run : runs.equal) {
+            for (std::size_t x = run.first; x < run.end; x += kLanes)
+                countBad(isFinite(loadPixels(rows.rendered.data() + 4 * x)), x, parts);
+            std::fill(gradients + run.first * 4, gradients + run.end * 4, 0.0f);
+        }
+        for (const Run& run : runs.different) {
+            if (work.of.similar) {
+                const WindowRows terms =
+                    windowRows(work.terms, 12 * width, y, work.of.height, rows.zeros.data());
+                sumColumns(taps, terms, 12, run, width, rows.columns.data(), nullptr);
+                for (std::size_t at = run.first * 12; at < run.end * 12; at += kLanes)
+                    sumOfRow(taps, rows.columns.data() + at, 12).store(rows.sums.data() + at);
+            }
+            writeBack(rows, work, run, work.pairs + y * width * 8, parts);
+            writeGradients(rows, work, run, parts);
+            std::copy(rows.gradients.data() + run.first * 4, rows.gradients.data() + run.end * 4,
+                      gradients + run.first * 4);
+        }
     }
 }
 
