@@ -110,9 +110,10 @@ NativeLoss run(int width, int height, const Pixels& render, const Pixels& target
     return result;
 }
 
-// Values to 5e-5, gradients to 1e-4 of the largest one, as on the device.
+// Values to 5e-5, gradients to 1e-4 of the largest one, as on the device; a few percent of the pixels may be
+// at kinks, unless pictures are equal in parts.
 void expectAsReference(int width, int height, const Pixels& render, const Pixels& target,
-                       const LossOptions& options, const LossStep& step) {
+                       const LossOptions& options, const LossStep& step, double leastCompared = 0.98) {
     const ReferenceLoss expected = referenceLoss(width, height, render, target, options, step);
     const double rounding = roundingOfOnePixel(render, target, options, step);
     const double tolerance = (1e-4 + rounding) * largest(expected.gradient);
@@ -132,7 +133,7 @@ void expectAsReference(int width, int height, const Pixels& render, const Pixels
                 ASSERT_NEAR(found.gradient[i][c], expected.gradient[i][c], tolerance)
                     << "pixel " << i << " " << c;
         }
-        EXPECT_GE(compared * 100, render.size() * 98);
+        EXPECT_GE(double(compared), double(render.size()) * leastCompared);
     });
 }
 
@@ -180,7 +181,7 @@ TEST(NativeLoss, IsThatOfTheReferenceWhereMostIsEmpty) {
     for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display})
         for (const LossMeasure measure : {LossMeasure::similar, LossMeasure::absolute, LossMeasure::squared})
             expectAsReference(kWidth, kHeight, render, target, {.dssimWeight = 0.4f, .encode = encode},
-                              {.measure = measure, .background = randomBackground(6)});
+                              {.measure = measure, .background = randomBackground(6)}, 0.7);
 }
 
 TEST(NativeLoss, EqualPicturesHaveNone) {

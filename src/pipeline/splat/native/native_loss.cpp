@@ -55,9 +55,12 @@ HWY_INLINE void pairOf(Vec4 render, Vec4 truth, Mask known, const Parameters& pa
         y = Vec4(x.x, x.y, x.z, y.w);
         difference = Vec4(Vec3(0.0f), difference.w);
     }
+    // Compilers may round x otherwise than y: where the pixels are the same, there is no difference.
+    const Mask same =
+        render.x == truth.x && render.y == truth.y && render.z == truth.z && render.w == truth.w;
     const Vec4 none(0.0f);
     sum = mix(none, x + y, known);
-    difference = mix(none, difference, known);
+    difference = mix(none, difference, known && !same);
 }
 
 // Whether no pixel of a vector shows anything.
