@@ -52,8 +52,8 @@ inline bool atKink(const glm::dvec4& render, const glm::dvec4& target, const Los
     return std::min({off.x, off.y, off.z, off.w}) < distance;
 }
 
-// How far off SSIM and its relative gradient may be in a picture of one pixel: its variances are differences of
-// equal squares, so all that floats leave of them is rounding, over the constant C2 of SSIM. 0 for others.
+// How far off SSIM and its relative gradient may be in a picture of one pixel: its variances are differences
+// of equal squares, so all that floats leave of them is rounding, over the constant C2 of SSIM. 0 for others.
 inline double roundingOfOnePixel(const Pixels& render, const Pixels& target, const LossOptions& options,
                                  const LossStep& step) {
     if (render.size() != 1) return 0.0;
