@@ -81,8 +81,8 @@ void BrickCopies::copy(const glm::ivec3& brick, std::uint16_t* to) const {
     repeatOuter(brick.z, last_.z, kLayer, to);
 }
 
-// Repeats the volume's outer voxels along the axis on which neighbours are `stride` values apart. Reads
-// values that are not set yet where other axes are still to be repeated, and these replace them.
+// Repeats the volume's outer voxels along the axis on which neighbours are `stride` values apart. Where
+// another axis is still to be repeated, this copies voxels that nobody has set; that axis then sets them.
 void BrickCopies::repeatOuter(int brick, int last, int stride, std::uint16_t* to) const {
     const int lowest = brick == 0 ? 2 : 0;
     const int highest = std::min(last - (8 * brick - 2), kEdge - 1);

@@ -175,7 +175,7 @@ class BrickSearch {
         r_.brick.store(walk_.cell);
     }
 
-    // leastBound() of cast.glsl.
+    // The bound that a brick must exceed to change the result, as leastBound() of cast.glsl has it.
     HWY_INLINE FloatV leastBound() const {
         const FloatV zero = hn::Zero(f_);
         const FloatV best = hn::Load(f_, r_.best);
@@ -200,7 +200,8 @@ class BrickSearch {
         }
     }
 
-    // nextCut() of clip.glsl, at the latest the end of the segment.
+    // Returns where the next cut begins, as nextCut() of clip.glsl does; at the latest the end of the
+    // segment.
     HWY_INLINE FloatV nextCut() const {
         FloatV at = walk_.segmentEnd;
         for (int cut = 0; cut < NativeHost::kCuts; ++cut) {

@@ -151,7 +151,7 @@ class Round {
     HWY_INLINE bool anyMoving() const { return !hn::AllFalse(i_, is(kMoving)); }
     HWY_INLINE std::size_t countMet() const { return hn::CountTrue(i_, is(kMet)); }
 
-    // Collides rays with matter that LaneMatter knows.
+    // Decides the tentative collisions of rays with matter whose extinction LaneMatter computes.
     HWY_INLINE void collide() {
         const auto met = asFloats(is(kMet));
         const FloatV eight = hn::Set(f_, float(NativeHost::kBrickEdge));
@@ -267,7 +267,8 @@ class Round {
         return t_.matter.voxels.at(there.x, there.y, there.z);
     }
 
-    // steepByChance() and extinctionAt() of gradient.glsl.
+    // The extinction per mm at these points; it draws the steep part of the matter at random, as
+    // steepByChance() of gradient.glsl does.
     HWY_INLINE FloatV extinctionAt(FloatMask met, Lanes3 at, FloatV entry) {
         const LaneMatter& matter = t_.matter;
         FloatV flat = matter.extinctionOfEntry(entry);

@@ -229,7 +229,8 @@ void MarchLanes::store(Marches& found) const {
     hn::Store(colour_.z, f_, found.albedo[2]);
 }
 
-// nextSegment(): lanes at the end of their ray are no longer active.
+// Moves seeking lanes on to their next segment with matter, as nextSegment() does; lanes at the end of their
+// ray are no longer active.
 HWY_INLINE void MarchLanes::seek(FloatMask seeking, FloatMask& active) {
     walk_.distance = hn::IfThenElse(seeking, walk_.segmentEnd, walk_.distance);
     auto goes = hn::And(seeking, hn::Lt(walk_.distance, walk_.end));
@@ -402,7 +403,7 @@ HWY_INLINE FloatMask MarchLanes::isCut(FloatV atMm) const {
     return is;
 }
 
-// albedoAt(), weighted by opacity.
+// Adds the albedo of samples, as albedoAt() has it, weighted by the opacity that they add.
 HWY_INLINE void MarchLanes::addAlbedo(const Sample& sample, FloatV seen) {
     const IntV nearest = hn::ConvertTo(i_, hn::Add(sample.entry, hn::Set(f_, 0.5f)));
     const IntV first = hn::ShiftLeft<2>(nearest);

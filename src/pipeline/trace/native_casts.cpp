@@ -8,35 +8,17 @@
 #include <memory>
 #include <vector>
 
-#include "base/glsl_in_cpp.h"
 #include "base/parallel.h"
-#include "pipeline/trace/clip_params.h"
 #include "pipeline/trace/native_film.h"
 #include "pipeline/trace/native_tables.h"
-#include "shared/indirect_light.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pipeline/trace/native_casts.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
+// After it, in this order.
+#include "pipeline/trace/native_host-inl.h"
 
-HWY_BEFORE_NAMESPACE();
-namespace macula::trace {
-namespace HWY_NAMESPACE {
-namespace {
-#define MACULA_HOST NativeHost
-#define MACULA_REAL float
-#define MACULA_VOXELS PooledVoxels
-#include "pipeline/trace/shader_host.inl"
-#undef MACULA_HOST
-#undef MACULA_REAL
-#undef MACULA_VOXELS
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace macula::trace
-HWY_AFTER_NAMESPACE();
-
-// Needs NativeHost.
 #include "pipeline/trace/cast_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -12,30 +12,8 @@
 #include <array>
 #include <bit>
 
-#include "base/glsl_in_cpp.h"
-#include "pipeline/trace/clip_params.h"
-#include "pipeline/trace/host_tables.h"
-#include "pipeline/trace/settings.h"
-#include "shared/indirect_light.h"
-#include "shared/trace_params.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace macula::trace {
-namespace HWY_NAMESPACE {
-namespace {
-#define MACULA_HOST NativeHost
-#define MACULA_REAL float
-#define MACULA_VOXELS PooledVoxels
-#include "pipeline/trace/shader_host.inl"
-#undef MACULA_HOST
-#undef MACULA_REAL
-#undef MACULA_VOXELS
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace macula::trace
-HWY_AFTER_NAMESPACE();
-
-// Needs NativeHost.
+#include "pipeline/trace/native_host-inl.h"
+// After it.
 #include "pipeline/trace/flights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
