@@ -12,6 +12,8 @@ if(Python3_FOUND)
     set(CMAKE_UNITY_BUILD ON)
     # Of a class in a source, whose members have types of its unnamed namespace: there, it has been included.
     list(APPEND MACULA_WARNINGS $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    # GCC 12 takes an optional value for uninitialised where it inlines what another source of the unit defines.
+    list(APPEND MACULA_WARNINGS $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     # Clang finds that a local constant hides one of another source of the unit.
     list(APPEND MACULA_WARNINGS $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow>)
 endif()
