@@ -19,6 +19,7 @@ enum class ErrorCode {
     deviceLost,       // the device stopped responding; another can be opened, see gpu::LastingDevice
     outOfMemory,      // out of host or device memory, or over a limit of the device
     outputNotWritable,
+    archiveNotUsable,  // a PACS that cannot be reached, refuses, or answers what no archive should
     cancelled,
 };
 

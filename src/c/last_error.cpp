@@ -35,6 +35,8 @@ macula_status statusOf(ErrorCode code) {
             return MACULA_CANCELLED;
         case ErrorCode::outputNotWritable:
             return MACULA_OUTPUT;
+        case ErrorCode::archiveNotUsable:
+            return MACULA_ARCHIVE;
     }
     return MACULA_FAULT;
 }

@@ -67,6 +67,7 @@ TEST(CBoundary, EachErrorHasItsStatus) {
     EXPECT_EQ(statusOf(ErrorCode::deviceLost), MACULA_DEVICE);
     EXPECT_EQ(statusOf(ErrorCode::outOfMemory), MACULA_MEMORY);
     EXPECT_EQ(statusOf(ErrorCode::outputNotWritable), MACULA_OUTPUT);
+    EXPECT_EQ(statusOf(ErrorCode::archiveNotUsable), MACULA_ARCHIVE);
     EXPECT_EQ(statusOf(ErrorCode::cancelled), MACULA_CANCELLED);
     EXPECT_STREQ(lastError().message, "A sentence.");
     EXPECT_STREQ(lastError().place, "a place");
