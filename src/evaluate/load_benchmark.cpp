@@ -14,7 +14,7 @@
 #include "base/plugin.h"
 #include "dicom/read/dataset.h"
 #include "dicom/read/folder.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 #include "dicom/scan.h"
 
 namespace macula::evaluate {
@@ -55,7 +55,7 @@ void readWithDcmtk(const fs::path& file) {
 
 Result<HeaderBenchmark> benchmarkHeaders(const fs::path& path, std::size_t threads, int rounds,
                                          Progress& progress) try {
-    dicom::silenceToolkit();
+    silenceToolkit();
     MACULA_TRY(const dicom::FolderListing listing, dicom::listFiles(path, progress));
     std::vector<fs::path> files;
     for (const fs::path& file : listing.files) {  // warms the cache too

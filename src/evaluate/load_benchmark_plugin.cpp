@@ -22,7 +22,7 @@
 #include <thread>
 
 #include "dicom/read/dataset.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 #include "evaluate/measurement.h"
 
 namespace macula::evaluate {
@@ -154,7 +154,7 @@ bool readWithDcmtk(const std::vector<fs::path>& files, std::size_t threads,
 namespace {
 
 Result<LoadBenchmark> measure(const LoadBenchmarkOptions& options, Progress& progress) try {
-    dicom::silenceToolkit();
+    silenceToolkit();
     itk::Object::GlobalWarningDisplayOff();
     DcmRLEDecoderRegistration::registerCodecs();
     DJDecoderRegistration::registerCodecs();

@@ -16,7 +16,7 @@
 
 #include "bytes.h"
 #include "dicom/read/dataset.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom::test {
 

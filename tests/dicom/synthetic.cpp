@@ -12,7 +12,7 @@
 #include <random>
 
 #include "dicom/read/dataset.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 #include "support.h"
 
 namespace macula::dicom::test {

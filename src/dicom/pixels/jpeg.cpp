@@ -15,7 +15,7 @@
 #include <new>
 #include <optional>
 
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom {
 

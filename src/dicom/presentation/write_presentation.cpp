@@ -17,7 +17,7 @@
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/srgb_profile.h"
 #include "dicom/read/presentation_tags.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/stack/examination.h"
 #include "dicom/write/decimal_string.h"

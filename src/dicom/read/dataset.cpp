@@ -13,7 +13,7 @@
 #include "dicom/read/character_set.h"
 #include "dicom/read/element_tree.h"
 #include "dicom/read/outline.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 #include "dicom/read/values.h"
 
 namespace macula::dicom {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "dicom/read/dataset.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom {
 

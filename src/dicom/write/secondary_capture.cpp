@@ -8,7 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 #include "dicom/stack/examination.h"
 #include "dicom/write/object_owner.h"
 #include "dicom/write/uid.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "dicom/read/folder.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 #include "dicom/read/values.h"
 #include "support.h"
 

@@ -9,7 +9,7 @@
 
 #include "base/phantom.h"
 #include "dicom/pixels/decoders.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 #include "dicom/scan.h"
 #include "dicom/write/series_writer.h"
 #include "formats/volume_file.h"

@@ -1,6 +1,6 @@
 // Segmentations land on the voxels they were drawn on, or are refused.
 #include "dicom/segmentation/segmentation.h"
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcrleerg.h>

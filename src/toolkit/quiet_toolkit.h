@@ -2,7 +2,7 @@
 // which Macula may be a guest.
 #pragma once
 
-namespace macula::dicom {
+namespace macula {
 
 // While such an object exists, nothing that DCMTK logs in this thread reaches the root logger's appenders.
 // The logs of other threads, and of this one before and after, stay as they are.
@@ -17,4 +17,4 @@ class QuietToolkit {
 // Switches the log off in the whole process: for programs of our own, never for what others embed.
 void silenceToolkit();
 
-}  // namespace macula::dicom
+}  // namespace macula

@@ -1,4 +1,4 @@
-#include "dicom/read/quiet_toolkit.h"
+#include "toolkit/quiet_toolkit.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/oflog/appender.h>
@@ -7,23 +7,23 @@
 
 #include <mutex>
 
-namespace macula::dicom {
+namespace macula {
 
 namespace {
 
-namespace toolkit = dcmtk::log4cplus;
+namespace logging = dcmtk::log4cplus;
 
 thread_local int quiet = 0;
 
 // Drops the events of this thread: a logger calls its appenders in the thread that logs.
-class OfThisThread : public toolkit::spi::Filter {
+class OfThisThread : public logging::spi::Filter {
   public:
-    toolkit::spi::FilterResult decide(const toolkit::spi::InternalLoggingEvent& /*event*/) const override {
-        return quiet > 0 ? toolkit::spi::DENY : toolkit::spi::NEUTRAL;
+    logging::spi::FilterResult decide(const logging::spi::InternalLoggingEvent& /*event*/) const override {
+        return quiet > 0 ? logging::spi::DENY : logging::spi::NEUTRAL;
     }
 };
 
-bool isThere(toolkit::spi::FilterPtr filter) {
+bool isThere(logging::spi::FilterPtr filter) {
     for (; filter.get() != nullptr; filter = filter->next) {
         if (dynamic_cast<const OfThisThread*>(filter.get()) != nullptr) return true;
     }
@@ -32,10 +32,10 @@ bool isThere(toolkit::spi::FilterPtr filter) {
 
 // Installs the filter first in the chain of each appender, because a host's appenders may come and go.
 void installFilters() {
-    for (const toolkit::SharedAppenderPtr& appender : toolkit::Logger::getRoot().getAllAppenders()) {
-        const toolkit::thread::MutexGuard lock(appender->access_mutex);
+    for (const logging::SharedAppenderPtr& appender : logging::Logger::getRoot().getAllAppenders()) {
+        const logging::thread::MutexGuard lock(appender->access_mutex);
         if (isThere(appender->getFilter())) continue;
-        const toolkit::spi::FilterPtr filter(new OfThisThread);
+        const logging::spi::FilterPtr filter(new OfThisThread);
         filter->next = appender->getFilter();
         appender->setFilter(filter);
     }
@@ -56,4 +56,4 @@ void silenceToolkit() {
     std::call_once(once, [] { OFLog::configure(OFLogger::OFF_LOG_LEVEL); });
 }
 
-}  // namespace macula::dicom
+}  // namespace macula

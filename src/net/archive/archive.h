@@ -1,0 +1,67 @@
+// An archive: what every protocol offers.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "net/archive/query.h"
+#include "net/archive/receiver.h"
+#include "net/archive/source.h"
+
+namespace macula::net {
+
+// A step of a test of a source, in the order in which a connection is made: name, port, TLS, AE titles or
+// sign-in, search, retrieval.
+struct TestStep {
+    Text name;
+    bool passed = false;
+    Text detail;  // what was found, or why it failed
+    Text advice;  // what to do; empty if it passed
+};
+
+// An instance that the archive did not take.
+struct NotSent {
+    std::filesystem::path file;
+    Text why;
+    Text advice;
+};
+
+struct Sent {
+    std::size_t stored = 0;
+    std::vector<NotSent> notSent;
+};
+
+// Every call connects by itself, blocks, may be made from any thread and by several at once. Cancelling tells
+// the peer so (C-CANCEL, or the connection is closed) and ends within a second of the peer's next byte, or
+// five seconds. Errors: archiveNotUsable with what to do; cancelled; what the receiver returns. No text of
+// them holds an identifier.
+class Archive {
+  public:
+    virtual ~Archive() = default;
+
+    virtual Result<StudyAnswers> findStudies(const StudyQuery& query, Progress& progress) = 0;
+    virtual Result<std::vector<FoundSeries>> findSeries(const std::string& studyInstanceUid,
+                                                        Progress& progress) = 0;
+    // Of one series, or of the whole study if `seriesInstanceUid` is empty.
+    virtual Result<std::vector<FoundInstance>> findInstances(const std::string& studyInstanceUid,
+                                                             const std::string& seriesInstanceUid,
+                                                             Progress& progress) = 0;
+
+    // A connection that breaks is made again, three times without an instance in between, and goes on with
+    // what is missing. What was received stays, whatever the result.
+    virtual Result<Fetched> fetch(const Wanted& wanted, Receiver& receiver, Progress& progress) = 0;
+
+    // Files of PS3.10, unchanged.
+    virtual Result<Sent> send(std::span<const std::filesystem::path> files, Progress& progress) = 0;
+
+    // Never fails: the last step says what did. Steps behind one that failed are not tried.
+    virtual std::vector<TestStep> test(Progress& progress) = 0;
+};
+
+}  // namespace macula::net

@@ -1,0 +1,14 @@
+// Makes the archive of a source.
+#pragma once
+
+#include <memory>
+
+#include "net/archive/archive.h"
+
+namespace macula::net {
+
+// Checks the settings and opens no connection. Fails with usage where they cannot work: no host, an AE title
+// longer than 16 characters, an address that is not http or https, a password over http to another machine.
+Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& secrets);
+
+}  // namespace macula::net

@@ -1,0 +1,3 @@
+#include "net/connect.h"
+
+#include <gtest/gtest.h>
