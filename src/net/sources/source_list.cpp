@@ -1,0 +1,210 @@
+#include "net/sources/source_list.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "base/user_folder.h"
+#include "net/sources/source_json.h"
+
+namespace macula::net {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path managedFile() {
+    const char* folders = std::getenv("XDG_CONFIG_DIRS");
+    std::istringstream list(folders != nullptr && *folders != '\0' ? folders : "/etc/xdg");
+    for (std::string folder; std::getline(list, folder, ':');) {
+        const fs::path file = fs::path(folder) / "macula" / "sources.json";
+        std::error_code failure;
+        if (file.is_absolute() && fs::exists(file, failure)) return file;
+    }
+    return "/etc/xdg/macula/sources.json";
+}
+
+Result<std::vector<Source>> readSources(const fs::path& file) {
+    std::error_code failure;
+    if (!fs::exists(file, failure)) return std::vector<Source>();
+    MACULA_TRY(const std::string text, readText(file));
+    auto sources = sourcesFromJson(text);
+    if (sources) return sources;
+    Error error = sources.error();
+    error.code = ErrorCode::inputNotUsable;
+    error.where = file.string();
+    return error;
+}
+
+// Nobody else may read it, not even for a moment: the folder is private before the file is there.
+Result<void> writePrivately(const fs::path& file, const nlohmann::json& json) {
+    std::error_code failure;
+    const bool isNew = fs::create_directories(file.parent_path(), failure);
+    if (failure)
+        return Error{ErrorCode::outputNotWritable,
+                     Text("The folder for the list of archives cannot be made."), file.string(),
+                     Text("Check the permissions of your data folder.")};
+    if (isNew) fs::permissions(file.parent_path(), fs::perms::owner_all, failure);
+    return writeAtomically(file, [&](const fs::path& written) -> Result<void> {
+        std::error_code refused;
+        fs::permissions(written, fs::perms::owner_read | fs::perms::owner_write, refused);
+        if (refused)
+            return Error{ErrorCode::outputNotWritable, Text("The file cannot be made private."),
+                         file.string(),
+                         Text("Choose a data folder on a disk with permissions: XDG_DATA_HOME names it.")};
+        std::ofstream stream(written, std::ios::binary);
+        stream << json.dump(2) << '\n';
+        stream.close();
+        if (!stream)
+            return Error{ErrorCode::outputNotWritable, Text("The list of archives could not be written."),
+                         file.string(), Text("Check free space and permissions.")};
+        return {};
+    });
+}
+
+Result<nlohmann::json> readSecrets(const fs::path& file) {
+    struct stat state {};
+    if (stat(file.c_str(), &state) != 0) return nlohmann::json::object();
+    if ((state.st_mode & (S_IRWXG | S_IRWXO)) != 0)
+        return Error{ErrorCode::inputNotUsable,
+                     Text("Others can read the file with the passwords of archives."), file.string(),
+                     Text("Run chmod 600 on it, and change the passwords if others use this machine.")};
+    MACULA_TRY(const std::string text, readText(file));
+    nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object())
+        return Error{ErrorCode::inputNotUsable, Text("The file with the passwords of archives is damaged."),
+                     file.string(), Text("Remove it, and enter the passwords again.")};
+    return json;
+}
+
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return lower;
+}
+
+std::string namesOf(const std::vector<Source>& sources) {
+    std::string names;
+    for (const Source& source : sources) names += (names.empty() ? "" : ", ") + source.name;
+    return names;
+}
+
+auto named(std::vector<Source>& sources, std::string_view name) {
+    return std::find_if(sources.begin(), sources.end(),
+                        [&](const Source& source) { return source.name == name; });
+}
+
+}  // namespace
+
+SourceFiles SourceFiles::ofUser() {
+    const fs::path folder = userDataFolder();
+    return {.managed = managedFile(), .own = folder / "sources.json", .secrets = folder / "secrets.json"};
+}
+
+Result<SourceList> SourceList::read(SourceFiles files) {
+    SourceList list(std::move(files));
+    MACULA_TRY_VOID(list.readAgain());
+    return list;
+}
+
+Result<void> SourceList::readAgain() {
+    MACULA_TRY(all_, readSources(files_.managed));
+    for (Source& source : all_) source.isManaged = true;
+    MACULA_TRY(own_, readSources(files_.own));
+    for (const Source& source : own_) {
+        if (named(all_, source.name) == all_.end()) all_.push_back(source);
+    }
+    return {};
+}
+
+Result<Source> SourceList::find(std::string_view name) const {
+    std::vector<Source> fitting;
+    for (const Source& source : all_) {
+        if (source.name == name) return source;
+        if (lowerCase(source.name) == lowerCase(name)) fitting.push_back(source);
+    }
+    if (fitting.size() == 1) return fitting.front();
+    if (all_.empty())
+        return Error{ErrorCode::usage,
+                     Text("No archive has been set up."),
+                     {},
+                     Text("Set one up with macula pacs add.")};
+    return Error{ErrorCode::usage,
+                 Text("There is no archive of that name."),
+                 {},
+                 Text("These are there: {}.", namesOf(all_))};
+}
+
+Result<void> SourceList::refuseManaged(std::string_view name) const {
+    const auto found =
+        std::find_if(all_.begin(), all_.end(), [&](const Source& source) { return source.name == name; });
+    if (found == all_.end() || !found->isManaged) return {};
+    return Error{ErrorCode::usage,
+                 Text("The administrator has set up this archive; it cannot be changed here."),
+                 {},
+                 Text("Ask your administrator, or choose another name.")};
+}
+
+Result<void> SourceList::put(const Source& source) {
+    MACULA_TRY_VOID(checkSource(source));
+    MACULA_TRY_VOID(readAgain());
+    MACULA_TRY_VOID(refuseManaged(source.name));
+    if (const auto before = named(own_, source.name); before != own_.end()) {
+        *before = source;
+    } else {
+        own_.push_back(source);
+    }
+    MACULA_TRY_VOID(writePrivately(files_.own, toJson(own_)));
+    return readAgain();
+}
+
+Result<void> SourceList::remove(std::string_view name) {
+    MACULA_TRY_VOID(readAgain());
+    MACULA_TRY(const Source source, find(name));
+    MACULA_TRY_VOID(refuseManaged(source.name));
+    MACULA_TRY_VOID(keep(source, {}));
+    own_.erase(named(own_, source.name));
+    MACULA_TRY_VOID(writePrivately(files_.own, toJson(own_)));
+    return readAgain();
+}
+
+Result<Secrets> SourceList::secretsOf(const Source& source) const {
+    MACULA_TRY(const nlohmann::json all, readSecrets(files_.secrets));
+    const auto entry = all.find(source.name);
+    Secrets secrets;
+    if (entry == all.end() || !entry->is_object()) return secrets;
+    const auto read = [&](const char* name, std::string& value) {
+        const auto member = entry->find(name);
+        if (member != entry->end() && member->is_string()) value = *member;
+    };
+    read("password", secrets.password);
+    read("token", secrets.token);
+    read("keyPassphrase", secrets.keyPassphrase);
+    return secrets;
+}
+
+Result<void> SourceList::keep(const Source& source, const Secrets& secrets) {
+    MACULA_TRY(nlohmann::json all, readSecrets(files_.secrets));
+    nlohmann::json entry = nlohmann::json::object();
+    if (!secrets.password.empty()) entry["password"] = secrets.password;
+    if (!secrets.token.empty()) entry["token"] = secrets.token;
+    if (!secrets.keyPassphrase.empty()) entry["keyPassphrase"] = secrets.keyPassphrase;
+    if (entry.empty() && !all.contains(source.name)) return {};
+    if (entry.empty()) {
+        all.erase(source.name);
+    } else {
+        all[source.name] = std::move(entry);
+    }
+    return writePrivately(files_.secrets, all);
+}
+
+}  // namespace macula::net
