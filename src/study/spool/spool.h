@@ -1,0 +1,58 @@
+// The private place of studies that were fetched from archives (docs/privacy.md).
+//
+// A folder for each study, 0700, in which each instance is a file, 0600, as the archive sent it. Names are
+// keyed digests of UIDs. A file gets its name once it is whole, so whatever kills the program leaves a spool
+// that opens; what was half there is removed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/installation_key.h"
+#include "base/result.h"
+#include "study/spool/spool_limits.h"
+#include "study/spool/spooled_study.h"
+
+namespace macula::study {
+
+// What the spool has of a study.
+struct SpoolEntry {
+    std::filesystem::path folder;
+    SpoolRecord record;
+    std::size_t instances = 0;
+    std::uintmax_t bytes = 0;
+    std::filesystem::file_time_type used{};  // last written or opened
+};
+
+class Spool {
+  public:
+    // Makes the folder if it is missing. Fails with outputNotWritable.
+    static Result<Spool> open(const std::filesystem::path& folder = userDataFolder() / "fetched",
+                              SpoolLimits limits = {});
+
+    // Studies whose record can be read, those used last first.
+    std::vector<SpoolEntry> entries() const;
+
+    // To fetch the study into. Fails with usage while another program fetches it.
+    Result<std::unique_ptr<SpooledStudy>> study(const std::string& studyInstanceUid);
+    // Where the study lies or would lie.
+    std::filesystem::path folderOf(const std::string& studyInstanceUid) const;
+
+    // Removes studies until `mostBytes` are kept, those used longest ago first, and none that is being
+    // fetched. Returns how many.
+    Result<std::size_t> purge(std::uintmax_t mostBytes);
+    Result<std::size_t> purge() { return purge(limits_.mostBytes); }
+
+  private:
+    Spool(std::filesystem::path folder, InstallationKey key, SpoolLimits limits)
+        : folder_(std::move(folder)), key_(key), limits_(limits) {}
+
+    std::filesystem::path folder_;
+    InstallationKey key_;
+    SpoolLimits limits_;
+};
+
+}  // namespace macula::study

@@ -1,0 +1,63 @@
+#include "study/spool/spool_record.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+
+namespace macula::study {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kMostBytesOfRecord = 64u << 20;
+
+std::string textOf(const Json& json, const char* name) {
+    const auto member = json.find(name);
+    return member != json.end() && member->is_string() ? member->get<std::string>() : std::string();
+}
+
+std::vector<std::string> textsOf(const Json& json, const char* name) {
+    std::vector<std::string> texts;
+    const auto member = json.find(name);
+    if (member == json.end() || !member->is_array()) return texts;
+    for (const Json& each : *member) {
+        if (each.is_string()) texts.push_back(each);
+    }
+    return texts;
+}
+
+}  // namespace
+
+Result<SpoolRecord> readSpoolRecord(const std::filesystem::path& folder) {
+    MACULA_TRY(const std::string text, readText(folder / kSpoolRecordName, kMostBytesOfRecord));
+    const Json json = Json::parse(text, nullptr, false);
+    SpoolRecord record;
+    if (json.is_object()) {
+        record.studyInstanceUid = textOf(json, "studyInstanceUid");
+        record.source = textOf(json, "source");
+        const auto promised = json.find("promised");
+        if (promised != json.end() && promised->is_number_unsigned()) record.promised = *promised;
+        record.never = textsOf(json, "never");
+        record.fetchedAt = textOf(json, "fetchedAt");
+        record.isComplete = json.value("isComplete", Json()) == true;
+    }
+    if (record.studyInstanceUid.empty())
+        return Error{ErrorCode::inputNotUsable, Text("The notes on a fetched study are damaged."),
+                     folder.string(), Text("Fetch the study again.")};
+    return record;
+}
+
+Result<void> writeSpoolRecord(const std::filesystem::path& folder, const SpoolRecord& record) {
+    const Json json{{"version", 1},
+                    {"studyInstanceUid", record.studyInstanceUid},
+                    {"source", record.source},
+                    {"promised", record.promised},
+                    {"never", record.never},
+                    {"isComplete", record.isComplete},
+                    {"fetchedAt", record.fetchedAt}};
+    const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return writeTextAtomically(folder / kSpoolRecordName, text);
+}
+
+}  // namespace macula::study

@@ -1,0 +1,29 @@
+// What the spool notes of a study beside its files.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace macula::study {
+
+// Names a patient, as the files beside it do.
+struct SpoolRecord {
+    std::string studyInstanceUid;
+    std::string source;              // the name of the archive it came from
+    std::size_t promised = 0;        // instances that the archive said it has
+    std::vector<std::string> never;  // SOP Instance UIDs of those that did not come
+    bool isComplete = false;         // all that was promised is there, and on the disk
+    std::string fetchedAt;           // UTC, ISO 8601
+};
+
+inline constexpr const char* kSpoolRecordName = "study.json";
+
+// Of the folder of a study. Fails with inputNotUsable where there is none or it is damaged.
+Result<SpoolRecord> readSpoolRecord(const std::filesystem::path& folder);
+Result<void> writeSpoolRecord(const std::filesystem::path& folder, const SpoolRecord& record);
+
+}  // namespace macula::study

@@ -1,0 +1,78 @@
+// A study in the spool, into which instances are received.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "base/draft.h"
+#include "base/installation_key.h"
+#include "net/archive/receiver.h"
+#include "study/open/identity.h"
+#include "study/spool/spool_limits.h"
+#include "study/spool/spool_record.h"
+
+namespace macula::study {
+
+// Keeps a file only if the bounded walk of dicom/read/outline.h can read its header, and if it is an instance
+// of this study and of this patient: what an archive answers for one patient is never kept with another's.
+// Locked against other programs while it exists.
+class SpooledStudy : public net::Receiver {
+  public:
+    // Makes the folder if it is missing, removes what was left half received, and reads which instances are
+    // there.
+    static Result<std::unique_ptr<SpooledStudy>> open(std::filesystem::path folder,
+                                                      std::string studyInstanceUid, InstallationKey key,
+                                                      const SpoolLimits& limits);
+    ~SpooledStudy() override;
+
+    const std::filesystem::path& folder() const { return folder_; }
+
+    // Whose study it is, as the archive answered; without it, the patient of the first file. Files already
+    // there of somebody else make this fail with inputNotUsable.
+    Result<void> expect(const Identity& patient);
+    // Called after each instance that was kept, by the thread that received it.
+    void onKept(std::function<void()> listener) { kept_ = std::move(listener); }
+
+    std::set<std::string> instances() const;                        // SOP Instance UIDs
+    std::size_t ofOtherStudies() const { return ofOtherStudies_; }  // refused: of another study or patient
+    std::size_t unreadable() const { return unreadable_; }
+
+    // Writes all files to the disk, then the record.
+    Result<void> finish(SpoolRecord record);
+
+    Result<std::filesystem::path> place() override;
+    Result<Verdict> take(const std::filesystem::path& file, const net::InstanceKey& promised) override;
+    void drop(const std::filesystem::path& file) noexcept override;
+    std::uintmax_t mostBytesOfInstance() const override;
+
+  private:
+    struct Locked;  // the folder, against other programs
+
+    SpooledStudy(std::filesystem::path folder, std::string studyInstanceUid, InstallationKey key,
+                 const SpoolLimits& limits);
+    Result<void> readInstances();
+    bool isOfThisPatient(const Identity& patient);
+    std::filesystem::path fileOf(const std::string& sopInstanceUid) const;
+
+    const std::filesystem::path folder_;
+    const std::string studyInstanceUid_;
+    const InstallationKey key_;
+    const SpoolLimits limits_;
+    std::unique_ptr<Locked> locked_;
+    std::function<void()> kept_;
+    mutable std::mutex mutex_;
+    std::map<std::filesystem::path, Draft> drafts_;
+    std::set<std::string> instances_;
+    std::optional<Identity> patient_;
+    std::atomic<std::size_t> ofOtherStudies_{0};
+    std::atomic<std::size_t> unreadable_{0};
+};
+
+}  // namespace macula::study
