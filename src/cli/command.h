@@ -20,6 +20,10 @@ void addPhantom(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
 void addSessions(CLI::App& app, Action& action);
 void addTrain(CLI::App& app, Action& action);
+void addPacs(CLI::App& app, Action& action);
+void addFind(CLI::App& app, Action& action);
+void addFetch(CLI::App& app, Action& action);
+void addSend(CLI::App& app, Action& action);
 void addXr(CLI::App& app, Action& action);
 void addSessionsVerify(CLI::App& sessions, Action& action);  // a subcommand of sessions
 void addSessionsGc(CLI::App& sessions, Action& action);      // likewise

@@ -18,6 +18,10 @@ void addVerbs(CLI::App& app, macula::cli::Action& action) {
     cli::addPhantom(app, action);
     cli::addTrain(app, action);
     cli::addSessions(app, action);
+    cli::addPacs(app, action);
+    cli::addFind(app, action);
+    cli::addFetch(app, action);
+    cli::addSend(app, action);
     cli::addXr(app, action);
 }
 

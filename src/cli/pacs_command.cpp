@@ -1,0 +1,156 @@
+// macula pacs: the archives that are set up, and what was fetched from them.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/printable.h"
+#include "cli/archive_options.h"
+#include "cli/command.h"
+#include "cli/pacs_options.h"
+#include "cli/shared/interrupt.h"
+#include "cli/shared/json_text.h"
+#include "cli/shared/report.h"
+#include "net/sources/source_json.h"
+#include "study/archive/archive_json.h"
+#include "study/spool/spool.h"
+
+namespace macula::cli {
+
+namespace {
+
+std::string addressOf(const net::Source& source) {
+    if (const auto* web = std::get_if<net::WebPeer>(&source.peer)) return "DICOMweb  " + web->url;
+    const auto& peer = std::get<net::DimsePeer>(source.peer);
+    return fmt::format("DIMSE{}  {}@{}:{}, as {}", peer.tls.isOn ? " over TLS" : "", peer.calledAe, peer.host,
+                       peer.port, peer.callingAe);
+}
+
+Result<void> listArchives(const ArchiveOptions& options) {
+    MACULA_TRY(const net::SourceList list, readSourceList());
+    if (options.json) {
+        auto json = nlohmann::ordered_json::array();
+        for (const net::Source& source : list.all()) {
+            json.push_back(net::toJson(source));
+            json.back()["isManaged"] = source.isManaged;
+        }
+        fmt::print("{}\n", jsonText(json));
+        return {};
+    }
+    for (const net::Source& source : list.all())
+        fmt::print("{}  {}{}\n", printable(source.name), printable(addressOf(source)),
+                   source.isManaged ? "  (set up by the administrator)" : "");
+    if (list.all().empty()) fmt::print("No archive has been set up. macula pacs add sets one up.\n");
+    return {};
+}
+
+Result<void> addArchiveToList(const PacsOptions& options) {
+    MACULA_TRY(net::SourceList list, readSourceList());
+    MACULA_TRY(const net::Source source, sourceOf(options));
+    net::Secrets secrets;
+    if (options.askPassword) {
+        MACULA_TRY(secrets, readSecrets(source));
+    }
+    MACULA_TRY(auto archive, net::archiveOf(source, secrets));  // which checks the settings
+    MACULA_TRY_VOID(list.put(source));
+    MACULA_TRY_VOID(list.keep(source, secrets));
+    printNote(Text("Added. macula pacs test tries whether it answers."));
+    return {};
+}
+
+Result<void> testArchive(const ArchiveOptions& options) {
+    MACULA_TRY(const OpenArchive open, openArchive(options));
+    Progress progress({}, interruptToken());
+    const std::vector<net::TestStep> steps = open.archive->test(progress);
+    if (options.json) fmt::print("{}\n", jsonText(study::toJson(steps)));
+    bool passed = !steps.empty();
+    for (const net::TestStep& step : steps) {
+        passed = passed && step.passed;
+        if (!options.json)
+            fmt::print("{}  {}: {}{}{}\n", step.passed ? "ok    " : "FAILED", step.name.english(),
+                       printable(step.detail.english()), step.advice.empty() ? "" : " ",
+                       step.advice.english());
+    }
+    if (passed) return {};
+    return Error{ErrorCode::archiveNotUsable,
+                 Text("The archive cannot be used."),
+                 {},
+                 Text("The step that failed says what to do.")};
+}
+
+Result<void> removeArchive(const ArchiveOptions& options) {
+    MACULA_TRY(net::SourceList list, readSourceList());
+    MACULA_TRY_VOID(list.remove(options.archive));
+    printNote(Text("Removed. Studies that were fetched from it stay."));
+    return {};
+}
+
+Result<void> listFetched(const ArchiveOptions& options) {
+    MACULA_TRY(const study::Spool spool, study::Spool::open());
+    auto json = nlohmann::ordered_json::array();
+    for (const study::SpoolEntry& entry : spool.entries()) {
+        json.push_back({{"folder", entry.folder.string()},
+                        {"source", entry.record.source},
+                        {"instances", entry.instances},
+                        {"promised", entry.record.promised},
+                        {"isComplete", entry.record.isComplete},
+                        {"bytes", entry.bytes},
+                        {"fetchedAt", entry.record.fetchedAt}});
+        if (!options.json)
+            fmt::print("{}  {}  {} images, {} MB  {}{}\n", entry.folder.string(),
+                       printable(entry.record.source), entry.instances, entry.bytes / 1'000'000,
+                       entry.record.fetchedAt, entry.record.isComplete ? "" : "  incomplete");
+    }
+    if (options.json) fmt::print("{}\n", jsonText(json));
+    if (json.empty() && !options.json) fmt::print("Nothing has been fetched.\n");
+    return {};
+}
+
+Result<void> purgeFetched(double gigabytes) {
+    MACULA_TRY(study::Spool spool, study::Spool::open());
+    MACULA_TRY(const std::size_t removed, spool.purge(static_cast<std::uintmax_t>(gigabytes * 1e9)));
+    printNote(Text("{} fetched studies removed.", removed));
+    return {};
+}
+
+CLI::App* addNamed(CLI::App& pacs, const char* verb, const char* help, ArchiveOptions& options) {
+    CLI::App* command = pacs.add_subcommand(verb, help);
+    addArchive(*command, options);
+    return command;
+}
+
+}  // namespace
+
+void addPacs(CLI::App& app, Action& action) {
+    auto* pacs = app.add_subcommand("pacs", "Archives (PACS): set up, test, and what was fetched");
+    pacs->require_subcommand(1);
+
+    auto added = std::make_shared<PacsOptions>();
+    auto* add = pacs->add_subcommand("add", "Set up an archive, or change one");
+    addPacsOptions(*add, *added);
+    add->callback([added, &action] { action = [added] { return addArchiveToList(*added); }; });
+
+    auto options = std::make_shared<ArchiveOptions>();
+    auto* list = pacs->add_subcommand("list", "Archives that are set up");
+    list->add_flag("--json", options->json, "Print JSON");
+    list->callback([options, &action] { action = [options] { return listArchives(*options); }; });
+    addNamed(*pacs, "test", "Try an archive step by step, and say what fails", *options)
+        ->callback([options, &action] { action = [options] { return testArchive(*options); }; });
+    addNamed(*pacs, "remove", "Forget an archive and its password", *options)->callback([options, &action] {
+        action = [options] { return removeArchive(*options); };
+    });
+    auto* fetched = pacs->add_subcommand("fetched", "Studies that were fetched, the latest first");
+    fetched->add_flag("--json", options->json, "Print JSON");
+    fetched->callback([options, &action] { action = [options] { return listFetched(*options); }; });
+
+    auto gigabytes = std::make_shared<double>(0.0);
+    auto* purge = pacs->add_subcommand("purge", "Remove fetched studies, those used longest ago first");
+    purge->add_option("--keep", *gigabytes, "How many GB to keep")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
+    purge->callback([gigabytes, &action] { action = [gigabytes] { return purgeFetched(*gigabytes); }; });
+}
+
+}  // namespace macula::cli
