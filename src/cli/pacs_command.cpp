@@ -33,7 +33,7 @@ Result<void> listArchives(const ArchiveOptions& options) {
     if (options.json) {
         auto json = nlohmann::ordered_json::array();
         for (const net::Source& source : list.all()) {
-            json.push_back(net::toJson(source));
+            json.push_back(nlohmann::ordered_json(net::toJson(source)));
             json.back()["isManaged"] = source.isManaged;
         }
         fmt::print("{}\n", jsonText(json));
