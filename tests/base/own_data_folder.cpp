@@ -21,6 +21,7 @@ class OwnDataFolder {
         setenv("XDG_DATA_HOME", folder_.c_str(), 1);
         // Not that of the person either, and not below: tests look at all that is there.
         setenv("MACULA_KERNELS", kernels().c_str(), 1);
+        setenv("XDG_CONFIG_DIRS", (folder_ / "no-administrator").c_str(), 1);
         unsetenv("MACULA_SESSIONS");
         unsetenv("MACULA_KEEP_DAYS");
     }
