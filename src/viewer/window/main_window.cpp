@@ -7,6 +7,8 @@
 #include <chrono>
 #include <utility>
 
+#include "viewer/archive/archive_controller.h"
+#include "viewer/archive/archive_panel.h"
 #include "viewer/browser/browser_controller.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_handles_tool.h"
@@ -147,6 +149,11 @@ void MainWindow::makePanels() {
     QDockWidget* studies =
         panels_->add(Qt::LeftDockWidgetArea, &browser_->browser(), tr("Studies"), "studies-panel", key(0));
     browser_->setShownAction(*studies->toggleViewAction());
+    archive_ = new ArchiveController(context_, *opening_);
+    QDockWidget* archive =
+        panels_->add(Qt::LeftDockWidgetArea, &archive_->panel(), tr("Archive"), "archive-panel");
+    archive_->setShownAction(*archive->toggleViewAction());
+    panels_->sharePlace(studies, archive);
     QDockWidget* first = panels_->add(kRight, transfer_, tr("Transfer Function"), "transfer-panel", key(1));
     QDockWidget* second = panels_->add(kRight, clips_->makePanel(), tr("Clip"), "clip-panel", key(2));
     clips_->setDock(*second);

@@ -27,6 +27,7 @@
 
 namespace macula::viewer {
 
+class ArchiveController;
 class BrowserController;
 class ClipsController;
 class HeadsetController;
@@ -184,6 +185,7 @@ class MainWindow : public QMainWindow {
     PresetsController* presets_ = nullptr;
     TransferFunctionEditor* transfer_ = nullptr;
     SegmentationsController* segmentations_ = nullptr;
+    ArchiveController* archive_ = nullptr;
     BrowserController* browser_ = nullptr;
     SecondVolumeController* second_ = nullptr;
     QualityController* quality_ = nullptr;

@@ -5,6 +5,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include "viewer/archive/archive_controller.h"
 #include "viewer/browser/browser_controller.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/clip/clips_controller.h"
@@ -52,6 +53,7 @@ void MainWindow::makeFileMenu() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     file->setToolTipsVisible(true);
     opening_->addActions(*file);
+    archive_->addAction(*file);
     file->addMenu(&browser_->recent());
     opening_->addPhantomAction(*file);
     second_->addFileActions(*file);
@@ -116,8 +118,8 @@ void MainWindow::makeToolBar() {
 }
 
 void MainWindow::makeStatusBar() {
-    for (WorkBar* bar : {opening_->bar(), table_->bar(), segmentations_->bar(), pictures_->bar(),
-                         movies_->bar(), models_->bar(), quality_->bar(), clips_->bar()})
+    for (WorkBar* bar : {opening_->bar(), archive_->bar(), table_->bar(), segmentations_->bar(),
+                         pictures_->bar(), movies_->bar(), models_->bar(), quality_->bar(), clips_->bar()})
         statusBar()->addWidget(bar);
     status_->addTo(*statusBar());
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/slices/opening_planes.h"
+#include "viewer/archive/archive_controller.h"
 #include "viewer/browser/browser_controller.h"
 #include "viewer/clip/clips_controller.h"
 #include "viewer/clip/voxel_cutting.h"
@@ -66,6 +67,7 @@ void MainWindow::showNames(bool shown) {
     viewport_->showNames(shown);
     panes_->showNames(shown);
     browser_->showNames(shown);
+    archive_->showNames(shown);
     segmentations_->panel().showNames(shown);
     names_->setChecked(shown);
     status_->showTexts();

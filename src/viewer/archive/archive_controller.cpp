@@ -1,0 +1,152 @@
+#include "viewer/viewport/viewport.h"  // before Qt, see vulkan_window.h
+
+#include "viewer/archive/archive_controller.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenu>
+#include <utility>
+
+#include "net/connect.h"
+#include "viewer/archive/archive_panel.h"
+#include "viewer/archive/source_dialog.h"
+#include "viewer/jobs/newest_posted.h"
+#include "viewer/keys/keys.h"
+#include "viewer/language/window_language.h"
+#include "viewer/status/notifications.h"
+#include "viewer/status/status_widgets.h"
+#include "viewer/volume/opening_controller.h"
+
+namespace macula::viewer {
+
+namespace {
+
+struct Way {
+    net::Source source;
+    net::Secrets secrets;
+};
+
+Result<Way> wayTo(const net::SourceList& sources, const QString& name) {
+    MACULA_TRY(net::Source source, sources.find(name.toStdString()));
+    MACULA_TRY(net::Secrets secrets, sources.secretsOf(source));
+    return Way{std::move(source), std::move(secrets)};
+}
+
+}  // namespace
+
+ArchiveController::ArchiveController(const WindowContext& context, OpeningController& opening)
+    : QObject(&context.window),
+      context_(context),
+      opening_(opening),
+      panel_(new ArchivePanel),
+      bar_(new WorkBar),
+      search_(this, {.ended =
+                         [this](const Result<net::StudyAnswers>& answers) {
+                             panel_->setSearching(false);
+                             if (answers)
+                                 panel_->setAnswers(*answers);
+                             else
+                                 panel_->setRemark(inWindowsLanguage(answers.error()));
+                         }}),
+      fetch_(this, {.progressed =
+                        [this](const ProgressUpdate& update) {
+                            bar_->setProgress(inWindowsLanguage(update.stage), update.fraction);
+                        },
+                    .ended = [this](const Result<study::FetchedStudy>& fetched) { showWhole(fetched); }}) {
+    connect(panel_, &ArchivePanel::searchAsked, this, &ArchiveController::search);
+    connect(panel_, &ArchivePanel::openAsked, this, &ArchiveController::fetch);
+    connect(panel_, &ArchivePanel::setUpAsked, this, &ArchiveController::setUp);
+    connect(bar_, &WorkBar::cancelClicked, this, [this] {
+        if (!fetch_.cancel()) return;
+        bar_->hide();
+        panel_->setRemark(
+            tr("Fetching was cancelled. What came is kept; opening the study again goes on from there."));
+    });
+    readSources();
+}
+
+void ArchiveController::addAction(QMenu& file) {
+    QAction* open = file.addAction(tr("Open from an &Archive…"), this, [this] {
+        if (!shown_->isChecked()) shown_->trigger();
+        readSources();
+        panel_->focusSearch();
+    });
+    open->setShortcut(keyOf(KeyAction::openArchive));
+    open->setToolTip(tr("Search a PACS, and fetch a study from it"));
+}
+
+void ArchiveController::showNames(bool shown) {
+    panel_->showNames(shown);
+}
+
+void ArchiveController::readSources() {
+    auto read = net::SourceList::read(net::SourceFiles::ofUser());
+    if (!read) {
+        panel_->setRemark(inWindowsLanguage(read.error()));
+        return;
+    }
+    sources_ = *std::move(read);
+    panel_->setSources(sources_->all());
+}
+
+void ArchiveController::setUp() {
+    if (!sources_) return;
+    context_.viewport.window().endDrag();
+    SourceDialog dialog(*sources_, &context_.window);
+    dialog.exec();
+    readSources();
+}
+
+void ArchiveController::search(const net::StudyQuery& query) {
+    if (!sources_) return;
+    auto way = wayTo(*sources_, panel_->source());
+    if (!way) return panel_->setRemark(inWindowsLanguage(way.error()));
+    panel_->setSearching(true);
+    panel_->setRemark(tr("Searching…"));
+    search_.start([way = *std::move(way), query](Progress& progress) -> Result<net::StudyAnswers> {
+        MACULA_TRY(const auto archive, net::archiveOf(way.source, way.secrets));
+        return archive->findStudies(query, progress);
+    });
+}
+
+void ArchiveController::fetch(const net::FoundStudy& study) {
+    if (!sources_) return;
+    auto way = wayTo(*sources_, panel_->source());
+    if (!way) return panel_->setRemark(inWindowsLanguage(way.error()));
+    shownInstances_ = 0;
+    panel_->setRemark(QString());
+    bar_->begin(tr("Fetching a study"));
+    const NewestPosted<study::Arrival> arrived(this,
+                                               [this](const study::Arrival& arrival) { show(arrival); });
+    fetch_.start([way = *std::move(way), uid = study.studyInstanceUid,
+                  arrived](Progress& progress) -> Result<study::FetchedStudy> {
+        MACULA_TRY(const auto archive, net::archiveOf(way.source, way.secrets));
+        MACULA_TRY(study::Spool spool, study::Spool::open());
+        return study::fetchStudy(*archive, way.source.name, {.studyInstanceUid = uid}, spool, progress,
+                                 arrived);
+    });
+}
+
+// Opening takes as long as reading the folder: each time there are twice as many images, all openings
+// together read each image twice.
+void ArchiveController::show(const study::Arrival& arrival) {
+    if (!fetch_.running() || opening_.loader().loading()) return;
+    if (arrival.instances < 2 * shownInstances_) return;
+    shownInstances_ = arrival.instances;
+    opening_.open(arrival.folder);
+}
+
+void ArchiveController::showWhole(const Result<study::FetchedStudy>& fetched) {
+    bar_->hide();
+    if (!fetched) {
+        panel_->setRemark(inWindowsLanguage(fetched.error()));
+        context_.notifications.failUnlessCancelled(fetched.error());
+        return;
+    }
+    opening_.open(fetched->folder);
+    QStringList told{tr("%n images fetched", nullptr, int(fetched->counts.kept))};
+    for (const Message& message : fetched->messages) told.append(inWindowsLanguage(message));
+    panel_->setRemark(told.join(QStringLiteral("\n")));
+}
+
+}  // namespace macula::viewer

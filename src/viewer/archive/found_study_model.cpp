@@ -1,0 +1,101 @@
+#include "viewer/archive/found_study_model.h"
+
+#include <QStringList>
+#include <utility>
+
+#include "study/open/identity.h"
+
+namespace macula::viewer {
+
+namespace {
+
+bool namesSomebody(int column) {
+    return column == FoundStudyModel::patient || column == FoundStudyModel::patientId ||
+           column == FoundStudyModel::birthDate || column == FoundStudyModel::accession;
+}
+
+}  // namespace
+
+void FoundStudyModel::setStudies(std::vector<net::FoundStudy> studies) {
+    beginResetModel();
+    studies_ = std::move(studies);
+    endResetModel();
+}
+
+void FoundStudyModel::showNames(bool shown) {
+    namesShown_ = shown;
+    if (!studies_.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCountOf - 1));
+}
+
+int FoundStudyModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : int(studies_.size());
+}
+
+int FoundStudyModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : int(columnCountOf);
+}
+
+QString FoundStudyModel::text(const net::FoundStudy& study, int column) const {
+    if (!namesShown_ && namesSomebody(column)) return tr("hidden");
+    switch (column) {
+        case patient:
+            return QString::fromStdString(study::nameForPeople(study.patientName));
+        case patientId:
+            return QString::fromStdString(study.patientId);
+        case birthDate:
+            return QString::fromStdString(study::dateForPeople(study.patientBirthDate));
+        case date:
+            return QString::fromStdString(study::dateForPeople(study.date));
+        case modalities: {
+            QStringList list;
+            for (const std::string& modality : study.modalities)
+                list.append(QString::fromStdString(modality));
+            return list.join(QStringLiteral(", "));
+        }
+        case description:
+            return QString::fromStdString(study.description);
+        case accession:
+            return QString::fromStdString(study.accessionNumber);
+        case images:
+            return study.instanceCount ? QString::number(*study.instanceCount) : QString();
+        default:
+            return {};
+    }
+}
+
+QVariant FoundStudyModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) return {};
+    const net::FoundStudy& study = studies_[std::size_t(index.row())];
+    if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return text(study, index.column()).simplified();
+    if (role != sortRole) return {};
+    // Later studies of a day stand behind earlier ones.
+    if (index.column() == date) return QString::fromStdString(study.date + study.time);
+    if (index.column() == images) return study.instanceCount ? int(*study.instanceCount) : -1;
+    return text(study, index.column());
+}
+
+QVariant FoundStudyModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (role != Qt::DisplayRole || orientation != Qt::Horizontal) return {};
+    switch (section) {
+        case patient:
+            return tr("Patient");
+        case patientId:
+            return tr("Patient ID");
+        case birthDate:
+            return tr("Born");
+        case date:
+            return tr("Study date");
+        case modalities:
+            return tr("Modalities");
+        case description:
+            return tr("Description");
+        case accession:
+            return tr("Accession number");
+        case images:
+            return tr("Images");
+        default:
+            return {};
+    }
+}
+
+}  // namespace macula::viewer
