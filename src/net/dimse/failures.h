@@ -1,0 +1,42 @@
+// All that can go wrong between this program and an archive, in plain words, with what to do.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "base/result.h"
+
+namespace macula::net {
+
+Error archiveError(Text message, Text hint);
+Error cancelledError();
+
+// Of the network.
+Error unknownHost();
+Error connectionRefused();
+Error hostUnreachable();
+Error noAnswerToConnection();
+Error noAnswer();          // connected, then silent
+Error closedMidway();      // by the peer or the network
+Error notWhatDicomSays();  // bytes that no archive should send
+// `code`: errno of a connection that could not be made.
+Error errorOfConnecting(int code);
+
+// Of A-ASSOCIATE-RJ (PS3.8 9.3.4): its result, source and reason.
+struct Rejection {
+    unsigned result = 1;  // 1: for good, 2: for now
+    unsigned source = 1;
+    unsigned reason = 1;
+};
+Error errorOfRejection(const Rejection& rejection, const std::string& callingAe, const std::string& calledAe);
+
+// What the archive was asked to do; the same status means different things.
+enum class Service { echo, find, get, move, store };
+bool isPending(std::uint16_t status);
+bool isWarning(std::uint16_t status);
+// Of a status that is neither success, pending nor a warning (PS3.7 annex C, PS3.4 annexes B and C).
+Error errorOfStatus(Service service, std::uint16_t status);
+// The archive accepts the association, but not this service.
+Error serviceNotOffered(Service service);
+
+}  // namespace macula::net

@@ -1,0 +1,38 @@
+// Where an archive sends the instances that it was asked to by C-MOVE: a provider of the storage service that
+// exists only while they are fetched.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "net/dimse/connector.h"
+#include "net/dimse/heartbeat.h"
+#include "net/dimse/incoming.h"
+
+namespace macula::net {
+
+class MoveReceiver {
+  public:
+    // Waits until no other fetch of this process listens at the port. Accepts only who calls it by its AE
+    // title, eight associations at most.
+    static Result<std::unique_ptr<MoveReceiver>> start(const Connector& connector, Incoming& incoming,
+                                                       std::shared_ptr<Heartbeat> heartbeat,
+                                                       const CancelToken& cancel);
+    ~MoveReceiver();
+
+    std::size_t openAssociations() const;
+
+  private:
+    struct State;
+    explicit MoveReceiver(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+// The AE title by which the archive knows it.
+const std::string& receiverTitle(const DimsePeer& peer);
+
+}  // namespace macula::net
