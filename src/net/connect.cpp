@@ -3,15 +3,18 @@
 #include <variant>
 
 #include "net/dimse/dimse_archive.h"
+#include "net/web/web_archive.h"
+#include "net/web/web_peer.h"
 
 namespace macula::net {
 
 Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& secrets) {
-    if (const auto* peer = std::get_if<DimsePeer>(&source.peer)) {
-        MACULA_TRY_VOID(checkDimsePeer(*peer));
+    if (const auto* dimse = std::get_if<DimsePeer>(&source.peer)) {
+        MACULA_TRY_VOID(checkDimsePeer(*dimse));
         return makeDimseArchive(source, secrets);
     }
-    return Error{ErrorCode::usage, Text("This build cannot speak with archives over DICOMweb."), {}, {}};
+    MACULA_TRY_VOID(checkWebPeer(std::get<WebPeer>(source.peer), secrets));
+    return makeWebArchive(source, secrets);
 }
 
 }  // namespace macula::net

@@ -283,6 +283,7 @@ int main(int count, char** arguments) {
     writeValues(corpus);
     writeVolumeFiles(corpus);
     writeSeriesSeeds(corpus);
+    macula::fuzz::writeArchiveSeeds(corpus);
     macula::fuzz::writeDatabaseSeeds(corpus);
     macula::fuzz::writePresetSeeds(corpus);
     macula::fuzz::writeStateSeeds(corpus);

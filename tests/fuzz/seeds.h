@@ -12,6 +12,7 @@ inline void save(const std::filesystem::path& file, const std::string& bytes) {
     std::ofstream(file, std::ios::binary) << bytes;
 }
 
+void writeArchiveSeeds(const std::filesystem::path& corpus);
 void writeDatabaseSeeds(const std::filesystem::path& corpus);
 void writePresetSeeds(const std::filesystem::path& corpus);
 void writeStateSeeds(const std::filesystem::path& corpus);

@@ -124,7 +124,7 @@ TEST_F(SourceListTest, SettingsThatCannotWorkAreRefused) {
     SourceList all = list();
     Source source = hospital();
     std::get<DimsePeer>(source.peer).calledAe = "SEVENTEEN LETTERS";
-    expectUsage(all.put(source), "16 characters");
+    expectUsage(all.put(source), "AE title");
     source = hospital();
     std::get<DimsePeer>(source.peer).host.clear();
     expectUsage(all.put(source), "host");

@@ -7,6 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "net/dimse/dimse_archive.h"
+#include "net/web/web_address.h"
+
 namespace macula::net {
 
 namespace {
@@ -14,7 +17,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kVersion = 1;
-constexpr std::size_t kLongestTitle = 16;
+constexpr std::size_t kLongestName = 64;
 
 Error unusableSources(Text why) {
     return {ErrorCode::inputNotUsable,
@@ -208,58 +211,20 @@ Json jsonOf(const WebPeer& peer) {
     return json;
 }
 
-bool isTitle(const std::string& title) {
-    const bool plain = std::all_of(title.begin(), title.end(), [](unsigned char letter) {
-        return letter >= ' ' && letter <= '~' && letter != '\\';
-    });
-    return plain && title.size() <= kLongestTitle && title.find_first_not_of(' ') != std::string::npos;
-}
-
-Error wrongSetting(Text why, Text advice) {
-    return {ErrorCode::usage, std::move(why), {}, std::move(advice)};
-}
-
-Result<void> check(const DimsePeer& peer) {
-    if (peer.host.empty() || peer.port == 0)
-        return wrongSetting(Text("An archive needs a host and a port."),
-                            Text("Ask the administrator of the archive for both."));
-    const bool titlesFit = isTitle(peer.calledAe) && isTitle(peer.callingAe) &&
-                           (peer.receiverAe.empty() || isTitle(peer.receiverAe));
-    if (!titlesFit)
-        return wrongSetting(Text("An AE title has 1 to 16 characters of ASCII, and no backslash."),
-                            Text("Ask the administrator of the archive for its title, and tell them yours."));
-    if (peer.retrieve == Retrieve::move && peer.receiverPort == 0)
-        return wrongSetting(Text("C-MOVE needs a port at which Macula receives."),
-                            Text("Set a port, and have it set at the archive for your AE title."));
-    return {};
-}
-
-Result<void> check(const WebPeer& peer) {
-    const std::size_t scheme = peer.url.starts_with("https://") ? 8 : peer.url.starts_with("http://") ? 7 : 0;
-    if (scheme == 0 || peer.url.size() <= scheme)
-        return wrongSetting(
-            Text("The address of a DICOMweb archive begins with https:// or http://."),
-            Text("Ask the administrator of the archive for the address of its DICOMweb service."));
-    if (peer.signIn == SignIn::basic && peer.user.empty())
-        return wrongSetting(Text("To sign in with a password, the archive needs a user."),
-                            Text("Set the user."));
-    if (peer.signIn == SignIn::clientCredentials && (peer.tokenUrl.empty() || peer.clientId.empty()))
-        return wrongSetting(Text("To sign in as a client, the archive needs the address of its token service "
-                                 "and a client ID."),
-                            Text("Ask the administrator of the archive for both."));
-    return {};
-}
-
 }  // namespace
 
 Result<void> checkSource(const Source& source) {
     const bool plain = std::none_of(source.name.begin(), source.name.end(), [](unsigned char letter) {
         return letter < ' ' || letter == '/' || letter == 127;
     });
-    if (source.name.empty() || source.name.size() > 64 || !plain)
-        return wrongSetting(Text("The name of an archive has 1 to 64 characters, and no slash."),
-                            Text("Choose another name."));
-    return std::visit([](const auto& peer) { return check(peer); }, source.peer);
+    if (source.name.empty() || source.name.size() > kLongestName || !plain)
+        return Error{ErrorCode::usage,
+                     Text("The name of an archive has 1 to 64 characters, and no slash."),
+                     {},
+                     Text("Choose another name.")};
+    if (const auto* dimse = std::get_if<DimsePeer>(&source.peer)) return checkDimsePeer(*dimse);
+    MACULA_TRY([[maybe_unused]] const WebAddress address, webAddressOf(std::get<WebPeer>(source.peer).url));
+    return {};
 }
 
 Result<std::vector<Source>> sourcesFromJson(std::string_view text) {

@@ -16,9 +16,8 @@ Result<std::vector<Source>> sourcesFromJson(std::string_view text);
 nlohmann::json toJson(const std::vector<Source>& sources);
 nlohmann::json toJson(const Source& source);
 
-// What makes a source unusable: no name or a name that cannot be typed, no host, an AE title that is empty or
-// longer than 16 characters (PS3.5 6.2, AE), an address that is not http or https. Says nothing of whether
-// the archive is there.
+// Whether it has a name that can be typed, and an address that can work. archiveOf (connect.h) checks the
+// rest, for which it needs the secrets. Says nothing of whether the archive is there.
 Result<void> checkSource(const Source& source);
 
 }  // namespace macula::net

@@ -237,6 +237,10 @@ void SourceDialog::say(const Result<void>& outcome, const QString& told) {
 
 bool SourceDialog::save() {
     const net::Source changed = source();
+    if (const auto archive = net::archiveOf(changed, secrets()); !archive) {
+        remark_->setText(inWindowsLanguage(archive.error()));
+        return false;
+    }
     Result<void> done = sources_.put(changed);
     if (done) done = sources_.keep(changed, secrets());
     // Under another name it is another archive; the former one goes.

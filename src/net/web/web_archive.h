@@ -1,0 +1,13 @@
+// An archive that speaks DICOMweb (PS3.18).
+#pragma once
+
+#include <memory>
+
+#include "net/archive/archive.h"
+
+namespace macula::net {
+
+// Of a source whose peer is a WebPeer, and whose settings were checked (web_peer.h).
+std::unique_ptr<Archive> makeWebArchive(const Source& source, const Secrets& secrets);
+
+}  // namespace macula::net
