@@ -15,6 +15,8 @@ namespace {
 constexpr int kTries = 3;
 constexpr std::chrono::milliseconds kPauseBetweenTries{100};
 constexpr std::size_t kInstancesOfRequest = 200;
+// That many responses one after the other, without anything that comes, are no sign of life any more.
+constexpr std::size_t kMostIdleResponses = 20000;
 constexpr std::size_t kMostBytesOfFailures = std::size_t{1} << 20;
 // How long what an archive says it has sent may still be under way.
 constexpr std::chrono::seconds kPatienceForStragglers{3};
@@ -255,7 +257,10 @@ Result<void> Fetch::request(Association& association, const AcceptedContext& con
 Result<void> Fetch::receiveResponses(Association& association, const AcceptedContext& context,
                                      std::uint16_t messageId, Way way) {
     const CommandField field = way == Way::get ? CommandField::getResponse : CommandField::moveResponse;
-    while (true) {
+    std::size_t arrived = incoming_.arrived();
+    for (std::size_t idle = 0; idle < kMostIdleResponses; ++idle) {
+        if (arrived != incoming_.arrived()) idle = 0;
+        arrived = incoming_.arrived();
         if (const auto failure = incoming_.failure()) return *failure;
         MACULA_TRY(const ReceivedCommand received, receiveCommand(association));
         if (way == Way::get && received.command.field == CommandField::storeRequest) {
@@ -268,6 +273,7 @@ Result<void> Fetch::receiveResponses(Association& association, const AcceptedCon
         MACULA_TRY(const bool isLast, takeResponse(association, context, received.command, way));
         if (isLast) return {};
     }
+    return notWhatDicomSays();
 }
 
 Result<bool> Fetch::takeResponse(Association& association, const AcceptedContext& context,
