@@ -206,6 +206,7 @@ Result<void> Fetch::attempt() {
         std::string(modelOf(*way == Way::get ? Service::get : Service::move, patientRoot)));
     const std::size_t before = incoming_.arrived();
     refusal_.reset();
+    told_ = 0;
     std::unique_ptr<MoveReceiver> receiver;
     if (*way == Way::move) {
         MACULA_TRY(receiver, MoveReceiver::start(connector_, incoming_, heartbeat_, progress_.token()));
@@ -282,9 +283,9 @@ Result<bool> Fetch::takeResponse(Association& association, const AcceptedContext
         MACULA_TRY(const auto ignored, receiveSmallDataset(association, context.id, kMostBytesOfFailures));
     }
     const std::size_t done = std::size_t{response.completed.value_or(0)} + response.withWarning.value_or(0);
-    told_ = std::max(told_, done + response.failed.value_or(0) + response.remaining.value_or(0));
     const std::uint16_t status = *response.status;
     if (isPending(status)) return false;
+    told_ += done + response.failed.value_or(0) + response.remaining.value_or(0);
     if (way == Way::move) sentByMove_ += done;
     if (status != 0 && !isWarning(status))
         refusal_ = errorOfStatus(way == Way::get ? Service::get : Service::move, status);
