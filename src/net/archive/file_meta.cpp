@@ -102,6 +102,24 @@ class MetaSource {
     int descriptor_;
 };
 
+// Of Macula, made once from a random UUID.
+constexpr std::string_view kImplementation = "2.25.286042193577302957205894186322590127461";
+constexpr std::string_view kImplementationVersion = "MACULA";
+
+void appendNumber(std::string& bytes, std::size_t value, int count) {
+    for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xffu);
+}
+
+void appendMeta(std::string& bytes, unsigned element, std::string_view representation, std::string value) {
+    if (value.size() % 2 != 0) value += representation == "UI" ? '\0' : ' ';
+    appendNumber(bytes, 0x0002, 2);
+    appendNumber(bytes, element, 2);
+    bytes += representation;
+    if (representation == "OB") appendNumber(bytes, 0, 2);
+    appendNumber(bytes, value.size(), representation == "OB" ? 4 : 2);
+    bytes += value;
+}
+
 }  // namespace
 
 bool isUid(std::string_view text) {
@@ -141,6 +159,22 @@ Result<FileMeta> readFileMeta(const std::filesystem::path& file) {
     if (auto meta = fileMetaOf(*bytes)) return *std::move(meta);
     return Error{ErrorCode::inputNotUsable, Text("The file does not begin as a DICOM file does."),
                  file.string(), Text("Choose files of DICOM with file meta information.")};
+}
+
+std::string fileMetaBytes(const FileMeta& meta) {
+    std::string group;
+    appendMeta(group, 0x0001, "OB", std::string("\x00\x01", 2));
+    appendMeta(group, 0x0002, "UI", meta.sopClassUid);
+    appendMeta(group, 0x0003, "UI", meta.sopInstanceUid);
+    appendMeta(group, 0x0010, "UI", meta.transferSyntaxUid);
+    appendMeta(group, 0x0012, "UI", std::string(kImplementation));
+    appendMeta(group, 0x0013, "SH", std::string(kImplementationVersion));
+    std::string bytes(kPreambleBytes, '\0');
+    bytes += "DICM";
+    std::string length;
+    appendNumber(length, group.size(), 4);
+    appendMeta(bytes, 0x0000, "UL", length);
+    return bytes + group;
 }
 
 }  // namespace macula::net

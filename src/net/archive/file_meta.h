@@ -21,6 +21,10 @@ struct FileMeta {
     std::string sopInstanceUid;       // (0002,0003)
     std::string transferSyntaxUid;    // (0002,0010)
     std::uint64_t datasetOffset = 0;  // of the first byte behind group 2
+
+    bool isWhole() const {
+        return !sopClassUid.empty() && !sopInstanceUid.empty() && !transferSyntaxUid.empty();
+    }
 };
 
 constexpr std::size_t kMostMetaBytes = std::size_t{64} << 10;
@@ -34,5 +38,8 @@ std::optional<FileMeta> fileMetaOf(std::span<const std::byte> beginning);
 
 // Fails with inputNotUsable where the file cannot be read, or is not one of DICOM.
 Result<FileMeta> readFileMeta(const std::filesystem::path& file);
+
+// The preamble and all that stands before the dataset, for a file that is received without it.
+std::string fileMetaBytes(const FileMeta& meta);
 
 }  // namespace macula::net

@@ -165,11 +165,16 @@ Association::Association(std::unique_ptr<Toolkit> toolkit) : toolkit_(std::move(
 
 Association::~Association() {
     const QuietToolkit quiet;
-    if (end_ == End::none) {
-        toolkit_->wire->finishWithin(kPatienceForAbort);
-        ASC_abortAssociation(toolkit_->association);
-    }
+    abort();
     toolkit_.reset();
+}
+
+void Association::abort() {
+    if (end_ != End::none) return;
+    const QuietToolkit quiet;
+    toolkit_->wire->finishWithin(kPatienceForAbort);
+    ASC_abortAssociation(toolkit_->association);
+    end_ = End::broken;
 }
 
 Wire& Association::wire() {
@@ -239,7 +244,10 @@ Result<std::unique_ptr<Association>> Association::request(std::unique_ptr<Wire> 
             titles.callingAe, titles.calledAe);
     }
     if (toolkit->association != nullptr) parameters.release();  // it has them now
-    if (requested.bad()) return errorOfWire(*toolkit->wire);
+    if (requested.bad()) {
+        const WireTrouble trouble = toolkit->wire->trouble();
+        return trouble == WireTrouble::closed ? closedAtOnce() : errorOfWire(*toolkit->wire);
+    }
     std::unique_ptr<Association> association(new Association(std::move(toolkit)));
     association->keepContexts();
     return association;

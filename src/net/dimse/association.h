@@ -72,6 +72,8 @@ class Association {
 
     // Ends in order: waits two seconds at most for the peer to agree. Without it, the association is aborted.
     void release();
+    // Ends at once, as after what no archive should send.
+    void abort();
 
   private:
     enum class End { none, released, broken };

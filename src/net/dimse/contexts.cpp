@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "net/archive/file_meta.h"
+
 namespace macula::net {
 
 namespace {
@@ -84,11 +86,6 @@ constexpr std::array kUsualClasses = std::to_array<UsualClass>({
 });
 
 }  // namespace
-
-bool isUid(std::string_view text) {
-    return !text.empty() && text.size() <= 64 &&
-           std::ranges::all_of(text, [](char c) { return c == '.' || (c >= '0' && c <= '9'); });
-}
 
 bool knowsTransferSyntax(std::string_view uid) {
     return std::ranges::find(kPlain, uid) != kPlain.end() ||

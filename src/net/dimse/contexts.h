@@ -19,8 +19,6 @@ inline constexpr std::string_view kImplicitLittleEndian = "1.2.840.10008.1.2";
 inline constexpr std::string_view kExplicitBigEndian = "1.2.840.10008.1.2.2";
 inline constexpr std::string_view kDeflated = "1.2.840.10008.1.2.1.99";
 
-// Digits and dots, 1 to 64 of them (PS3.5 9.1), more lenient than the standard.
-bool isUid(std::string_view text);
 // Whether instances in this transfer syntax are accepted and written: those that Macula reads, and those of
 // which it says what they are.
 bool knowsTransferSyntax(std::string_view uid);

@@ -45,6 +45,12 @@ Error closedMidway() {
                         Text("Try again. If this goes on, ask whoever runs the archive what its log says."));
 }
 
+Error closedAtOnce() {
+    return archiveError(Text("The archive closed the connection without an answer."),
+                        Text("Check whether this port expects TLS, and whether it is that of the archive's "
+                             "DICOM service."));
+}
+
 Error notWhatDicomSays() {
     return archiveError(
         Text("What answered does not speak DICOM as the standard says."),

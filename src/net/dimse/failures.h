@@ -18,6 +18,7 @@ Error hostUnreachable();
 Error noAnswerToConnection();
 Error noAnswer();          // connected, then silent
 Error closedMidway();      // by the peer or the network
+Error closedAtOnce();      // when an association was asked for
 Error notWhatDicomSays();  // bytes that no archive should send
 // `code`: errno of a connection that could not be made.
 Error errorOfConnecting(int code);

@@ -15,6 +15,8 @@ namespace {
 constexpr int kTries = 3;
 constexpr std::chrono::milliseconds kPauseBetweenTries{100};
 constexpr std::size_t kInstancesOfRequest = 200;
+// That many responses one after the other, without anything that comes, are no sign of life any more.
+constexpr std::size_t kMostIdleResponses = 20000;
 constexpr std::size_t kMostBytesOfFailures = std::size_t{1} << 20;
 // How long what an archive says it has sent may still be under way.
 constexpr std::chrono::seconds kPatienceForStragglers{3};
@@ -204,6 +206,7 @@ Result<void> Fetch::attempt() {
         std::string(modelOf(*way == Way::get ? Service::get : Service::move, patientRoot)));
     const std::size_t before = incoming_.arrived();
     refusal_.reset();
+    told_ = 0;
     std::unique_ptr<MoveReceiver> receiver;
     if (*way == Way::move) {
         MACULA_TRY(receiver, MoveReceiver::start(connector_, incoming_, heartbeat_, progress_.token()));
@@ -255,7 +258,10 @@ Result<void> Fetch::request(Association& association, const AcceptedContext& con
 Result<void> Fetch::receiveResponses(Association& association, const AcceptedContext& context,
                                      std::uint16_t messageId, Way way) {
     const CommandField field = way == Way::get ? CommandField::getResponse : CommandField::moveResponse;
-    while (true) {
+    std::size_t arrived = incoming_.arrived();
+    for (std::size_t idle = 0; idle < kMostIdleResponses; ++idle) {
+        if (arrived != incoming_.arrived()) idle = 0;
+        arrived = incoming_.arrived();
         if (const auto failure = incoming_.failure()) return *failure;
         MACULA_TRY(const ReceivedCommand received, receiveCommand(association));
         if (way == Way::get && received.command.field == CommandField::storeRequest) {
@@ -268,6 +274,7 @@ Result<void> Fetch::receiveResponses(Association& association, const AcceptedCon
         MACULA_TRY(const bool isLast, takeResponse(association, context, received.command, way));
         if (isLast) return {};
     }
+    return notWhatDicomSays();
 }
 
 Result<bool> Fetch::takeResponse(Association& association, const AcceptedContext& context,
@@ -276,9 +283,9 @@ Result<bool> Fetch::takeResponse(Association& association, const AcceptedContext
         MACULA_TRY(const auto ignored, receiveSmallDataset(association, context.id, kMostBytesOfFailures));
     }
     const std::size_t done = std::size_t{response.completed.value_or(0)} + response.withWarning.value_or(0);
-    told_ = std::max(told_, done + response.failed.value_or(0) + response.remaining.value_or(0));
     const std::uint16_t status = *response.status;
     if (isPending(status)) return false;
+    told_ += done + response.failed.value_or(0) + response.remaining.value_or(0);
     if (way == Way::move) sentByMove_ += done;
     if (status != 0 && !isWarning(status))
         refusal_ = errorOfStatus(way == Way::get ? Service::get : Service::move, status);

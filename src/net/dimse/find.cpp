@@ -173,6 +173,8 @@ Result<void> Finder::ask(const Keys& keys, const Take& take) {
     Result<void> received = receiveAnswers(*context, messageId, take);
     if (!received && received.error().code == ErrorCode::cancelled)
         endRequest(*association_, context->id, messageId);
+    // In the middle of who knows what, nothing can be ended in order.
+    if (!received && received.error().message == notWhatDicomSays().message) association_->abort();
     return received;
 }
 

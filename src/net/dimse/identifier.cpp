@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "base/utf8.h"
+#include "net/archive/file_meta.h"
 #include "net/dimse/contexts.h"
 #include "net/dimse/elements.h"
 #include "toolkit/quiet_toolkit.h"

@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <utility>
 
+#include "net/archive/file_meta.h"
 #include "net/dimse/contexts.h"
 #include "net/dimse/elements.h"
-#include "net/dimse/part10.h"
 
 namespace macula::net {
 
@@ -175,7 +175,7 @@ Incoming::Stored Incoming::write(Association& association, const ReceivedCommand
     if (!place) return fail(place.error());
     InstanceFile file(*place);
     const std::string meta =
-        metaBytes({command.sopClassUid, command.sopInstanceUid, context->transferSyntax});
+        fileMetaBytes({command.sopClassUid, command.sopInstanceUid, context->transferSyntax});
     bool isWritten = file.write(meta.data(), meta.size());
     bool isTooLarge = false;
     std::vector<unsigned char> head;

@@ -39,11 +39,16 @@ void Sending::note(const Outgoing& outgoing, const Error& error) {
 
 void Sending::readAll() {
     for (const std::filesystem::path& file : files_) {
-        const Result<FileMeta> meta = readMeta(file);
-        if (meta)
-            left_.push_back({file, *meta});
-        else
+        const Result<FileMeta> meta = readFileMeta(file);
+        if (!meta)
             note({file, {}}, meta.error());
+        else if (!meta->isWhole())
+            note({file, {}}, {ErrorCode::inputNotUsable,
+                              Text("The file does not name the object that it holds."),
+                              {},
+                              Text("Leave it out, or write it again with the program that made it.")});
+        else
+            left_.push_back({file, *meta});
     }
 }
 

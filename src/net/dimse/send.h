@@ -12,8 +12,8 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "net/archive/archive.h"
+#include "net/archive/file_meta.h"
 #include "net/dimse/connector.h"
-#include "net/dimse/part10.h"
 
 namespace macula::net {
 
