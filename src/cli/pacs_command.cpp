@@ -69,9 +69,9 @@ Result<void> testArchive(const ArchiveOptions& options) {
     for (const net::TestStep& step : steps) {
         passed = passed && step.passed;
         if (!options.json)
-            fmt::print("{}  {}: {}{}{}\n", step.passed ? "ok    " : "FAILED", step.name.english(),
-                       printable(step.detail.english()), step.advice.empty() ? "" : " ",
-                       step.advice.english());
+            fmt::print("{}  {}{}{}{}{}\n", step.passed ? "ok    " : "FAILED", step.name.english(),
+                       step.detail.empty() ? "" : ": ", printable(step.detail.english()),
+                       step.advice.empty() ? "" : " ", step.advice.english());
     }
     if (passed) return {};
     return Error{ErrorCode::archiveNotUsable,

@@ -195,7 +195,7 @@ TEST_F(SpoolTest, PurgesWhatWasUsedLongestAgo) {
         const auto age = std::chrono::hours(std::string(uid).back() == '1'   ? 1
                                             : std::string(uid).back() == '2' ? 3
                                                                              : 2);
-        fs::last_write_time(study->folder() / kSpoolRecordName, fs::file_time_type::clock::now() - age);
+        fs::last_write_time(spoolRecordFile(study->folder()), fs::file_time_type::clock::now() - age);
     }
     const std::uintmax_t each = spool.entries().front().bytes;
     EXPECT_EQ(*spool.purge(2 * each + each / 2), 1u);

@@ -17,7 +17,7 @@ Result<SpoolEntry> entryOf(const fs::path& folder) {
     entry.folder = folder;
     MACULA_TRY(entry.record, readSpoolRecord(folder));
     std::error_code failure;
-    entry.used = fs::last_write_time(folder / kSpoolRecordName, failure);
+    entry.used = fs::last_write_time(spoolRecordFile(folder), failure);
     for (fs::directory_iterator file(folder, failure), end; !failure && file != end;
          file.increment(failure)) {
         std::error_code gone;
@@ -47,6 +47,8 @@ std::vector<SpoolEntry> Spool::entries() const {
     std::error_code failure;
     for (fs::directory_iterator each(folder_, failure), end; !failure && each != end;
          each.increment(failure)) {
+        std::error_code gone;
+        if (!each->is_directory(gone)) continue;
         if (auto entry = entryOf(each->path()); entry) entries.push_back(*std::move(entry));
     }
     std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.used > b.used; });
@@ -73,6 +75,7 @@ Result<std::size_t> Spool::purge(std::uintmax_t mostBytes) {
         if (!locked || (*locked)->folder() != entry.folder) continue;
         std::error_code failure;
         fs::remove_all(entry.folder, failure);
+        if (!failure) fs::remove(spoolRecordFile(entry.folder), failure);
         if (failure)
             return Error{ErrorCode::outputNotWritable, Text("A fetched study cannot be removed."),
                          entry.folder.string(), Text("Check its permissions.")};

@@ -29,8 +29,12 @@ std::vector<std::string> textsOf(const Json& json, const char* name) {
 
 }  // namespace
 
+std::filesystem::path spoolRecordFile(const std::filesystem::path& folder) {
+    return folder.parent_path() / (folder.filename().string() + ".json");
+}
+
 Result<SpoolRecord> readSpoolRecord(const std::filesystem::path& folder) {
-    MACULA_TRY(const std::string text, readText(folder / kSpoolRecordName, kMostBytesOfRecord));
+    MACULA_TRY(const std::string text, readText(spoolRecordFile(folder), kMostBytesOfRecord));
     const Json json = Json::parse(text, nullptr, false);
     SpoolRecord record;
     if (json.is_object()) {
@@ -57,7 +61,7 @@ Result<void> writeSpoolRecord(const std::filesystem::path& folder, const SpoolRe
                     {"isComplete", record.isComplete},
                     {"fetchedAt", record.fetchedAt}};
     const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    return writeTextAtomically(folder / kSpoolRecordName, text);
+    return writeTextAtomically(spoolRecordFile(folder), text);
 }
 
 }  // namespace macula::study

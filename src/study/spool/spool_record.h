@@ -20,7 +20,8 @@ struct SpoolRecord {
     std::string fetchedAt;           // UTC, ISO 8601
 };
 
-inline constexpr const char* kSpoolRecordName = "study.json";
+// Beside the folder of the study, in which only instances lie.
+std::filesystem::path spoolRecordFile(const std::filesystem::path& folder);
 
 // Of the folder of a study. Fails with inputNotUsable where there is none or it is damaged.
 Result<SpoolRecord> readSpoolRecord(const std::filesystem::path& folder);
