@@ -11,6 +11,7 @@
 #include <QSortFilterProxyModel>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "viewer/archive/found_study_model.h"
 #include "viewer/menus/controls.h"
@@ -19,6 +20,7 @@ namespace macula::viewer {
 
 namespace {
 
+constexpr int kWidestColumnPx = 160;  // at first; a person can make columns wider
 constexpr const char* kModalities[] = {"CT", "MR", "PT", "NM", "CR", "DX", "MG", "US", "XA", "RF"};
 
 // "2026-11-30" or "20261130" as DICOM has it; nothing for what is no day.
@@ -183,8 +185,10 @@ std::optional<net::FoundStudy> ArchivePanel::selected() const {
 
 void ArchivePanel::setAnswers(const net::StudyAnswers& answers) {
     model_->setStudies(answers.studies);
-    for (int column = 0; column < FoundStudyModel::columnCountOf; ++column)
+    for (int column = 0; column < FoundStudyModel::columnCountOf; ++column) {
         list_->resizeColumnToContents(column);
+        list_->setColumnWidth(column, std::min(list_->columnWidth(column), kWidestColumnPx));
+    }
     QString remark = tr("%n studies", nullptr, int(answers.studies.size()));
     if (answers.isCutShort) remark += tr("; there are more. Narrow the search.");
     if (answers.studies.empty()) remark = tr("No study matches.");

@@ -8,18 +8,19 @@
 
 namespace macula::viewer {
 
-// A row for each study. Sorting is a proxy's: sortRole has dates and numbers as such.
+// A row for each study; what tells most apart comes first, since a panel is narrow. Sorting is a proxy's:
+// sortRole has dates and numbers as such.
 class FoundStudyModel : public QAbstractTableModel {
     Q_OBJECT
 
   public:
     enum Column {
         patient,
-        patientId,
-        birthDate,
         date,
         modalities,
         description,
+        patientId,
+        birthDate,
         accession,
         images,
         columnCountOf

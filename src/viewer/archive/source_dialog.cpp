@@ -85,8 +85,8 @@ SourceDialog::SourceDialog(net::SourceList& sources, QWidget* parent)
     column->addWidget(makeButtons());
     connect(kind_, &QComboBox::currentIndexChanged, peers_, &QStackedWidget::setCurrentIndex);
     connect(chosen_, &QComboBox::activated, this, [this](int index) {
-        if (index == 0) return show(std::nullopt);
-        if (const auto found = sources_.find(chosen_->currentText().toStdString())) show(*found);
+        if (index == 0) return showSource(std::nullopt);
+        if (const auto found = sources_.find(chosen_->currentText().toStdString())) showSource(*found);
     });
     listSources({});
 }
@@ -148,10 +148,10 @@ void SourceDialog::listSources(const QString& chosen) {
     const int place = std::max(0, chosen_->findText(chosen));
     chosen_->setCurrentIndex(place);
     const auto found = sources_.find(chosen.toStdString());
-    show(place > 0 && found ? std::optional(*found) : std::nullopt);
+    showSource(place > 0 && found ? std::optional(*found) : std::nullopt);
 }
 
-void SourceDialog::show(const std::optional<net::Source>& source) {
+void SourceDialog::showSource(const std::optional<net::Source>& source) {
     job_.cancel();
     test_->setEnabled(true);
     shown_ = source.value_or(net::Source());

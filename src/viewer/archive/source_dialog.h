@@ -33,7 +33,7 @@ class SourceDialog : public QDialog {
     QWidget* makeWeb();
     QWidget* makeButtons();
     void listSources(const QString& chosen);
-    void show(const std::optional<net::Source>& source);
+    void showSource(const std::optional<net::Source>& source);
     void showPeer(const net::DimsePeer& peer);
     void showPeer(const net::WebPeer& peer);
     net::Source source() const;
