@@ -28,13 +28,7 @@ float squareOfLuminance(vec3 radiance) {
     return l * l;
 }
 
-// Tests the exponent bits: a compiler that assumes finite numbers may remove a comparison.
-bool isFinite(vec4 v) {
-    uint special = 0x7f800000u;
-    return (floatBitsToUint(v.x) & special) != special && (floatBitsToUint(v.y) & special) != special &&
-           (floatBitsToUint(v.z) & special) != special && (floatBitsToUint(v.w) & special) != special;
-}
-
+#include "lib/finite.glsl"
 #include "lib/tone_neutral.glsl"
 
 // OKLab (Ottosson 2020, "A perceptual color space for image processing") of linear sRGB: lightness, and two

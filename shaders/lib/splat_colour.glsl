@@ -12,7 +12,8 @@ vec3 directionTo(vec3 position, SplatView view) {
     vec3 fromEye = position - view.eyeMm;
     float far = lengthOf(fromEye);
     float scale = scaleFor(far);
-    return far > float(0.0) ? fromEye * scale / (far * scale) : vec3(float(0.0), float(0.0), float(1.0));
+    return mix(vec3(float(0.0), float(0.0), float(1.0)), fromEye * scale / (far * scale),
+               bvec3(far > float(0.0)));
 }
 
 vec3 colourOfBand0(vec3 dc) {
@@ -60,8 +61,9 @@ vec3 visibleColour(vec3 sum) {
 // Turns the derivative of the loss with respect to the visible colour into that with respect to the sum of
 // the bands: 0 where the sum was clamped.
 vec3 sumGradient(vec3 sum, vec3 byColour) {
-    return vec3(sum.x > float(0.0) ? byColour.x : float(0.0), sum.y > float(0.0) ? byColour.y : float(0.0),
-                sum.z > float(0.0) ? byColour.z : float(0.0));
+    return vec3(mix(float(0.0), byColour.x, sum.x > float(0.0)),
+                mix(float(0.0), byColour.y, sum.y > float(0.0)),
+                mix(float(0.0), byColour.z, sum.z > float(0.0)));
 }
 
 // The derivatives of the loss with respect to the coefficients s1, s2, s3.
@@ -82,11 +84,12 @@ Band1Gradient band1Gradient(vec3 d, vec3 bySum) {
 // The derivative of the loss with respect to the position, through the direction of view; for bands up to
 // degree 1.
 vec3 colourPositionGradient(vec3 position, SplatView view, vec3 s1, vec3 s2, vec3 s3, vec3 bySum) {
+    if (view.parallel != 0) return vec3(float(0.0));
     vec3 fromEye = position - view.eyeMm;
     float far = lengthOf(fromEye);
-    if (view.parallel != 0 || !(far > float(0.0))) return vec3(float(0.0));
     float scale = scaleFor(far);
     vec3 d = fromEye * scale / (far * scale);
     vec3 byDirection = vec3(-dot(s3, bySum), -dot(s1, bySum), dot(s2, bySum)) * float(SH_1);
-    return (byDirection - d * dot(d, byDirection)) * scale / (far * scale);
+    vec3 byPosition = (byDirection - d * dot(d, byDirection)) * scale / (far * scale);
+    return mix(vec3(float(0.0)), byPosition, bvec3(far > float(0.0)));
 }

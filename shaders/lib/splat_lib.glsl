@@ -7,4 +7,5 @@
 #include "lib/splat_projection_backward.glsl"
 #include "lib/splat_colour.glsl"
 #include "lib/splat_blend.glsl"
+#include "lib/splat_least_power.glsl"
 #include "lib/splat_tile.glsl"

@@ -22,7 +22,7 @@
 // product of J's rows, scaled to the splat's axes, and that cross product has a closed form: so a disc seen
 // edge-on and a needle lose no digits.
 //
-// Needs splat_types.glsl, splat_shape.glsl, picture.glsl.
+// Needs splat_types.glsl, splat_shape.glsl, finite.glsl.
 
 // Intermediate results that the projection and its derivative share.
 struct SplatSight {
@@ -50,7 +50,7 @@ struct SplatSight {
 // A factor for a vector and its length before one is divided by the other, which keeps divisors below 2^126:
 // beyond it graphics cards may return 0 (Vulkan, "Precision of core SPIR-V Instructions").
 float scaleFor(float size) {
-    return size > float(1e30) ? float(7.888609052210118e-31) : float(1.0);  // 2^-100
+    return mix(float(1.0), float(7.888609052210118e-31), size > float(1e30));  // 2^-100
 }
 
 // v / z, for any z above 0.
@@ -61,10 +61,9 @@ vec2 overDepth(vec2 v, float z) {
 
 float lengthOf(vec3 v) {
     float most = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(most > float(1e-30))) return float(0.0);
     float scale = scaleFor(most);
     vec3 scaled = v * scale / (most * scale);
-    return most * sqrt(dot(scaled, scaled));
+    return mix(float(0.0), most * sqrt(dot(scaled, scaled)), most > float(1e-30));
 }
 
 vec3 inCamera(vec3 position, SplatView view) {
@@ -86,7 +85,7 @@ float lowPassSlope(float minor, SplatView view) {
     return -max(float(1.0) - minor / (float(2.0) * room), float(0.0));
 }
 
-// The projection of a splat in front of the eye.
+// The projection of a splat in front of the eye. For others the numbers have no meaning.
 SplatSight sightOf(Splat splat, SplatView view) {
     SplatSight sight;
     sight.inCamera = inCamera(splat.position, view);
@@ -120,7 +119,7 @@ SplatSight sightOf(Splat splat, SplatView view) {
     float yy = dot(sight.spreadY, sight.spreadY);
     sight.xy = dot(sight.spreadX, sight.spreadY);
     sight.major = float(0.5) * (xx + yy) + lengthOf(vec3(float(0.5) * (xx - yy), sight.xy, float(0.0)));
-    sight.minor = sight.major > float(0.0) ? sight.area * (sight.area / sight.major) : float(0.0);
+    sight.minor = mix(float(0.0), sight.area * (sight.area / sight.major), sight.major > float(0.0));
     float s = lowPassOf(sight.minor, view);
     sight.lowPass = s;
     sight.xx = xx + s;
@@ -149,39 +148,27 @@ ScreenSplat noSplat() {
 // Opacity 0 for a splat with numbers that are not finite, in front of the near plane, too faint, or without a
 // pixel centre in reach.
 ScreenSplat projectSplat(Splat splat, SplatView view) {
-    ScreenSplat screen = noSplat();
-    if (!isFinite(vec4(splat.position, splat.opacityLogit)) || !isFinite(vec4(splat.logScale, float(0.0))) ||
-        !isFinite(splat.rotation))
-        return screen;
-    float z = inCamera(splat.position, view).z;
-    if (!(z >= view.nearMm)) return screen;
-
+    bool known = isFinite(vec4(splat.position, splat.opacityLogit)) &&
+                 isFinite(vec4(splat.logScale, float(0.0))) && isFinite(splat.rotation);
     SplatSight sight = sightOf(splat, view);
+    float z = sight.inCamera.z;
     float opacity = opacityOf(splat.opacityLogit) * compensationOf(sight, view);
     vec2 mean = sight.slope * view.focalPx + view.principalPx;
-    if (!(opacity > view.minAlpha)) return screen;
 
     // A little too large, to allow for rounding here and where alpha is computed.
     float reach = sqrt(float(2.0) * log(opacity / view.minAlpha)) * float(1.0001) + float(0.001);
     vec2 extent = vec2(sqrt(sight.xx), sqrt(sight.yy)) * reach;
     vec2 last = vec2(view.sizePx) - vec2(float(0.5));
-    if (!(mean.x + extent.x >= float(0.5) && mean.y + extent.y >= float(0.5) && mean.x - extent.x <= last.x &&
-          mean.y - extent.y <= last.y))
-        return screen;
+    bool shows = known && z >= view.nearMm && opacity > view.minAlpha && mean.x + extent.x >= float(0.5) &&
+                 mean.y + extent.y >= float(0.5) && mean.x - extent.x <= last.x &&
+                 mean.y - extent.y <= last.y;
+    vec3 conic = vec3(float(1.0) / sight.height, -sight.xy / sight.yy, float(1.0) / sight.yy);
 
-    screen.mean = mean;
-    screen.conic = vec3(float(1.0) / sight.height, -sight.xy / sight.yy, float(1.0) / sight.yy);
-    screen.opacity = opacity;
-    screen.depthMm = z;
-    screen.extent = extent;
+    ScreenSplat screen = noSplat();
+    screen.mean = mix(screen.mean, mean, bvec2(shows));
+    screen.conic = mix(screen.conic, conic, bvec3(shows));
+    screen.opacity = mix(screen.opacity, opacity, shows);
+    screen.depthMm = mix(screen.depthMm, z, shows);
+    screen.extent = mix(screen.extent, extent, bvec2(shows));
     return screen;
-}
-
-// The columns and rows that a visible splat may touch: first <= pixel < end.
-void pixelsOf(ScreenSplat screen, ivec2 sizePx, OUT(ivec2) first, OUT(ivec2) end) {
-    vec2 size = vec2(sizePx);
-    vec2 low = clamp(screen.mean - screen.extent - vec2(float(0.5)), vec2(float(0.0)), size);
-    vec2 high = clamp(screen.mean + screen.extent + vec2(float(0.5)), vec2(float(0.0)), size);
-    first = ivec2(int(ceil(low.x)), int(ceil(low.y)));
-    end = ivec2(int(floor(high.x)), int(floor(high.y)));
 }

@@ -33,8 +33,8 @@ vec3 perspectivePositionGradient(SplatView view, SplatSight sight, ScreenGradien
     vec2 scale = overDepth(view.focalPx, z);
     float bySlopeX = scale.x * (scale.y * dot(view.right, byNormal) - dot(view.forward, byRowX));
     float bySlopeY = scale.y * (scale.x * dot(view.down, byNormal) - dot(view.forward, byRowY));
-    if (sight.slope.x != sight.slopeClamped.x) bySlopeX = float(0.0);
-    if (sight.slope.y != sight.slopeClamped.y) bySlopeY = float(0.0);
+    bySlopeX = mix(bySlopeX, float(0.0), sight.slope.x != sight.slopeClamped.x);
+    bySlopeY = mix(bySlopeY, float(0.0), sight.slope.y != sight.slopeClamped.y);
     bySlopeX += g.mean.x * view.focalPx.x;
     bySlopeY += g.mean.y * view.focalPx.y;
     float bySlopeAndRows = dot(sight.rowX, byRowX) + dot(sight.rowY, byRowY) +
@@ -74,12 +74,12 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     // one of its subgradients.
     float byLowPass = byYy + byDet * (sight.xx + sight.yy - s);
     float byMinor = byLowPass * lowPassSlope(sight.minor, view);
-    float perMajor = sight.major > float(0.0) ? float(1.0) / sight.major : float(0.0);
+    float perMajor = mix(float(0.0), float(1.0) / sight.major, sight.major > float(0.0));
     byArea += byMinor * two * sight.area * perMajor;
     float byMajor = -byMinor * sight.minor * perMajor;
     float halfGap = float(0.5) * (sight.xx - sight.yy);
     float radius = lengthOf(vec3(halfGap, sight.xy, float(0.0)));
-    float perRadius = radius > float(0.0) ? float(1.0) / radius : float(0.0);
+    float perRadius = mix(float(0.0), float(1.0) / radius, radius > float(0.0));
     byXx += byMajor * float(0.5) * (float(1.0) + halfGap * perRadius);
     byYy += byMajor * float(0.5) * (float(1.0) - halfGap * perRadius);
     byXy += byMajor * sight.xy * perRadius;
@@ -88,7 +88,7 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     vec3 bySpreadY = sight.spreadY * (two * byYy) + sight.spreadX * byXy;
     // At area 0 (a splat without volume, seen along its plane) the length has no derivative; 0 is one of its
     // subgradients.
-    vec3 byAreas = sight.area > float(0.0) ? sight.areas * (byArea / sight.area) : vec3(float(0.0));
+    vec3 byAreas = mix(vec3(float(0.0)), sight.areas * (byArea / sight.area), bvec3(sight.area > float(0.0)));
 
     // Scale: a spread is proportional to one of the three deviations, an area to two of them.
     vec3 ofAreas = byAreas * sight.areas;

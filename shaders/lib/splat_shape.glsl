@@ -1,4 +1,8 @@
 // Scale, rotation and opacity of a splat from its trained parameters; and their derivatives.
+//
+// In this file, and in those about projection and colour, what differs from splat to splat has no ?: and no
+// branch, but mix(a, b, condition), b where it is true: so that it is also C++ where float is a vector of
+// several splats (base/vector_in_glsl.h).
 
 // As Splats::kMaxLogScale: limit of a log scale, so that nothing below overflows.
 #define MAX_LOG_SCALE 20.0
@@ -19,20 +23,21 @@ vec3 deviationsMm(vec3 logScale) {
 }
 
 float gateOfLogScale(float logScale, float gradient) {
-    return abs(logScale) > float(MAX_LOG_SCALE) ? float(0.0) : gradient;
+    return mix(gradient, float(0.0), abs(logScale) > float(MAX_LOG_SCALE));
 }
 
 float lengthOf(vec4 q) {
     float most = max(max(abs(q.x), abs(q.y)), max(abs(q.z), abs(q.w)));
-    if (!(most > float(MIN_QUATERNION))) return float(0.0);
     vec4 scaled = q / most;
-    return most * sqrt(dot(scaled, scaled));
+    return mix(float(0.0), most * sqrt(dot(scaled, scaled)), most > float(MIN_QUATERNION));
 }
 
 vec4 unitQuaternion(vec4 q) {
     float most = max(max(abs(q.x), abs(q.y)), max(abs(q.z), abs(q.w)));
-    if (!(most > float(MIN_QUATERNION))) return vec4(float(1.0), float(0.0), float(0.0), float(0.0));
+    bool isTurn = most > float(MIN_QUATERNION);
     vec4 scaled = q / most;
+    scaled = vec4(mix(float(1.0), scaled.x, isTurn), mix(float(0.0), scaled.y, isTurn),
+                  mix(float(0.0), scaled.z, isTurn), mix(float(0.0), scaled.w, isTurn));
     return scaled / sqrt(dot(scaled, scaled));
 }
 
@@ -61,7 +66,6 @@ vec3 fromAxes(SplatAxes axes, vec3 along) {
 // The derivative with respect to the stored quaternion, from that with respect to the axes.
 vec4 quaternionGradient(vec4 q, SplatAxes g) {
     float norm = lengthOf(q);
-    if (!(norm > float(0.0))) return vec4(float(0.0));
     vec4 unit = unitQuaternion(q);
     float w = unit.x;
     float x = unit.y;
@@ -74,13 +78,16 @@ vec4 quaternionGradient(vec4 q, SplatAxes g) {
              x * (g.x.y + g.y.x) + z * (g.y.z + g.z.y) + w * (g.z.x - g.x.z) - two * y * (g.x.x + g.z.z),
              x * (g.x.z + g.z.x) + y * (g.y.z + g.z.y) + w * (g.x.y - g.y.x) - two * z * (g.x.x + g.y.y));
     byUnit = byUnit * two;
-    return (byUnit - unit * dot(unit, byUnit)) / norm;
+    bool isTurn = norm > float(0.0);
+    vec4 byStored = (byUnit - unit * dot(unit, byUnit)) / norm;
+    return vec4(mix(float(0.0), byStored.x, isTurn), mix(float(0.0), byStored.y, isTurn),
+                mix(float(0.0), byStored.z, isTurn), mix(float(0.0), byStored.w, isTurn));
 }
 
 // 1 / (1 + exp(-logit)), and its derivative, without overflow or cancellation.
 float opacityOf(float logit) {
     float e = exp(-abs(logit));
-    return (logit < float(0.0) ? e : float(1.0)) / (float(1.0) + e);
+    return mix(float(1.0), e, logit < float(0.0)) / (float(1.0) + e);
 }
 float opacitySlope(float logit) {
     float e = exp(-abs(logit));

@@ -1,30 +1,17 @@
 // Whether a splat shows anywhere in a rectangle of pixels. Exact except for rounding, which errs towards yes.
 //
 // One kernel counts a splat's tiles and another lists them, and both must get the same answers: so the
-// compiler must not contract or reorder anything here in one of them only.
+// compiler must not contract or reorder anything here, or in splat_least_power.glsl, in one of them only.
 //
-// Needs splat_blend.glsl.
+// Needs splat_least_power.glsl, splat_types.glsl.
 
-// A lower bound of powerAt in spite of rounding: subtracts the error of u, relative to its terms.
-float leastPowerAt(vec3 conic, vec2 offset) {
-    PRECISE float sheared = conic.y * offset.y;
-    PRECISE float error = float(1e-6) * (abs(offset.x) + abs(sheared));
-    PRECISE float u = max(abs(offset.x + sheared) - error, float(0.0));
-    PRECISE float power = float(0.5) * (conic.x * u * u + conic.z * offset.y * offset.y) * float(0.99999);
-    return power;
-}
-
-// The least power over the rectangle low to high, in offsets from the mean. The power is convex and least at
-// 0, so over a rectangle that does not hold 0 it is least on a side that faces 0; on a line it is a parabola.
-float leastPowerIn(vec3 conic, vec2 low, vec2 high) {
-    vec2 nearest = clamp(vec2(float(0.0)), low, high);
-    // On the side of constant x.
-    PRECISE float y = -conic.x * conic.y * nearest.x / (conic.x * conic.y * conic.y + conic.z);
-    float onColumn = leastPowerAt(conic, vec2(nearest.x, clamp(y, low.y, high.y)));
-    // On the side of constant y.
-    PRECISE float x = -conic.y * nearest.y;
-    float onRow = leastPowerAt(conic, vec2(clamp(x, low.x, high.x), nearest.y));
-    return min(onColumn, onRow);
+// The columns and rows that a visible splat may touch: first <= pixel < end.
+void pixelsOf(ScreenSplat screen, ivec2 sizePx, OUT(ivec2) first, OUT(ivec2) end) {
+    vec2 size = vec2(sizePx);
+    vec2 low = clamp(screen.mean - screen.extent - vec2(float(0.5)), vec2(float(0.0)), size);
+    vec2 high = clamp(screen.mean + screen.extent + vec2(float(0.5)), vec2(float(0.0)), size);
+    first = ivec2(int(ceil(low.x)), int(ceil(low.y)));
+    end = ivec2(int(floor(high.x)), int(floor(high.y)));
 }
 
 // The largest power at which a splat, with an opacity above 0, still shows.

@@ -35,7 +35,6 @@ void write(int component, int splat, vec3 value) {
 void main() {
     if (gl_GlobalInvocationID.x >= frame.count) return;
     int index = int(gl_GlobalInvocationID.x);
-    SplatView view = frame.view;
     uvec2 range = texelFetch(pairRangeTexels, index).xy;
     float sums[kPairValues];
     [[unroll]] for (int v = 0; v < kPairValues; ++v) sums[v] = 0.0;
@@ -51,30 +50,19 @@ void main() {
     g.opacity = sums[5];
     g.colour = vec3(sums[6], sums[7], sums[8]);
 
-    Splat splat = fetchSplat(index);
-    Shown shown = fetchShown(index);
-    SplatGradient bySplat = projectionGradient(splat, view, shown.screen, g);
-    vec3 direction = directionTo(splat.position, view);
-    vec3 bySum = sumGradient(colourSumOf(index, direction), g.colour);
-    if (kDegree == 1) {
-        vec3 s1 = fetchSh(0, index);
-        vec3 s2 = fetchSh(1, index);
-        vec3 s3 = fetchSh(2, index);
-        bySplat.position += colourPositionGradient(splat.position, view, s1, s2, s3, bySum);
-    }
+    ParametersGradient by = parametersGradient(index, frame.view, fetchShown(index).screen, g);
     visible[index] = shows ? 1u : 0u;
     if (!shows) return;
-    write(kSplatPosition, index, bySplat.position);
-    write(kSplatLogScale, index, bySplat.logScale);
-    write(kSplatRotation, index, bySplat.rotation.x);
-    write(kSplatRotation + 1, index, bySplat.rotation.yzw);
-    write(kSplatOpacity, index, bySplat.opacityLogit);
-    write(kSplatDc, index, bySum * band0Slope());
+    write(kSplatPosition, index, by.shape.position);
+    write(kSplatLogScale, index, by.shape.logScale);
+    write(kSplatRotation, index, by.shape.rotation.x);
+    write(kSplatRotation + 1, index, by.shape.rotation.yzw);
+    write(kSplatOpacity, index, by.shape.opacityLogit);
+    write(kSplatDc, index, by.dc);
     if (kDegree == 1) {
-        Band1Gradient bySh = band1Gradient(direction, bySum);
-        write(kSplatSh, index, bySh.s1);
-        write(kSplatSh + 3, index, bySh.s2);
-        write(kSplatSh + 6, index, bySh.s3);
+        write(kSplatSh, index, by.sh.s1);
+        write(kSplatSh + 3, index, by.sh.s2);
+        write(kSplatSh + 6, index, by.sh.s3);
     }
     SplatStatistics known = statistics[index];
     known.views += 1.0;

@@ -16,14 +16,10 @@ layout(binding = 1, scalar) writeonly buffer Screen {
 void main() {
     if (gl_GlobalInvocationID.x >= frame.count) return;
     int index = int(gl_GlobalInvocationID.x);
-    SplatView view = frame.view;
-    Splat splat = fetchSplat(index);
-    ScreenSplat s = projectSplat(splat, view);
-    vec3 sum = colourSumOf(index, directionTo(splat.position, view));
-    if (!isFinite(vec4(sum, 0.0))) s = noSplat();
-    vec3 colour = visibleColour(sum);
+    ColouredSplat projected = projectColoured(index, frame.view);
+    ScreenSplat s = projected.screen;
     int first = index * kScreenTexels;
     screen[first] = vec4(s.mean, s.conic.xy);
     screen[first + 1] = vec4(s.conic.z, s.opacity, s.depthMm, s.extent.x);
-    screen[first + 2] = vec4(colour, s.extent.y);
+    screen[first + 2] = vec4(projected.colour, s.extent.y);
 }

@@ -17,6 +17,7 @@ struct GlslInCpp {
     using vec2 = glm::vec<2, Real>;
     using vec3 = glm::vec<3, Real>;
     using vec4 = glm::vec<4, Real>;
+    using bvec2 = glm::bvec2;
     using bvec3 = glm::bvec3;
     using ivec2 = glm::ivec2;
     using ivec3 = glm::ivec3;
@@ -46,6 +47,7 @@ struct GlslInCpp {
     static Real mix(Real a, Real b, Real t) { return a * (Real(1) - t) + b * t; }
     static vec3 mix(const vec3& a, const vec3& b, Real t) { return glm::mix(a, b, t); }
     static Real mix(Real a, Real b, bool isSecond) { return isSecond ? b : a; }
+    static vec2 mix(const vec2& a, const vec2& b, const bvec2& isSecond) { return glm::mix(a, b, isSecond); }
     static vec3 mix(const vec3& a, const vec3& b, const bvec3& isSecond) { return glm::mix(a, b, isSecond); }
     static Real abs(Real x) { return std::abs(x); }
     static vec4 abs(const vec4& x) { return glm::abs(x); }

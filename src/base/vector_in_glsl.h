@@ -78,6 +78,7 @@ struct Float {
     HWY_INLINE friend Mask operator>(Float a, Float b) { return {hn::Gt(a.values, b.values)}; }
     HWY_INLINE friend Mask operator>=(Float a, Float b) { return {hn::Ge(a.values, b.values)}; }
     HWY_INLINE friend Mask operator==(Float a, Float b) { return {hn::Eq(a.values, b.values)}; }
+    HWY_INLINE friend Mask operator!=(Float a, Float b) { return {hn::Ne(a.values, b.values)}; }
 };
 
 // Bits for each lane.
@@ -91,6 +92,10 @@ struct UintBits {
         const hn::RebindToUnsigned<FloatTag> unsigneds;
         return {hn::RebindMask(FloatTag(), hn::Lt(a.values, hn::Set(unsigneds, b)))};
     }
+    HWY_INLINE friend Mask operator!=(UintBits a, std::uint32_t b) {
+        const hn::RebindToUnsigned<FloatTag> unsigneds;
+        return {hn::RebindMask(FloatTag(), hn::Ne(a.values, hn::Set(unsigneds, b)))};
+    }
 };
 
 struct Vec2 {
@@ -102,7 +107,9 @@ struct Vec2 {
 
     HWY_INLINE friend Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
     HWY_INLINE friend Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+    HWY_INLINE friend Vec2 operator*(Vec2 a, Vec2 b) { return {a.x * b.x, a.y * b.y}; }
     HWY_INLINE friend Vec2 operator*(Vec2 a, Float b) { return {a.x * b, a.y * b}; }
+    HWY_INLINE friend Vec2 operator/(Vec2 a, Float b) { return a * (Float(1.0f) / b); }
     HWY_INLINE Vec2& operator+=(Vec2 b) { return *this = *this + b; }
     HWY_INLINE Vec2& operator-=(Vec2 b) { return *this = *this - b; }
 };
@@ -132,11 +139,19 @@ struct Vec4 {
     HWY_INLINE explicit Vec4(Float all) : x(all), y(all), z(all), w(all) {}
     HWY_INLINE Vec4(Float x_, Float y_, Float z_, Float w_) : x(x_), y(y_), z(z_), w(w_) {}
     HWY_INLINE Vec4(Vec3 v, Float w_) : x(v.x), y(v.y), z(v.z), w(w_) {}
+    HWY_INLINE Vec4(Float x_, Vec3 v) : x(x_), y(v.x), z(v.y), w(v.z) {}
 
     HWY_INLINE friend Vec4 operator+(Vec4 a, Vec4 b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
     HWY_INLINE friend Vec4 operator-(Vec4 a, Vec4 b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
     HWY_INLINE friend Vec4 operator*(Vec4 a, Float b) { return {a.x * b, a.y * b, a.z * b, a.w * b}; }
+    HWY_INLINE friend Vec4 operator/(Vec4 a, Float b) { return a * (Float(1.0f) / b); }
     HWY_INLINE Vec4& operator+=(Vec4 b) { return *this = *this + b; }
+};
+
+struct BVec2 {
+    Mask x, y;
+
+    HWY_INLINE explicit BVec2(Mask all) : x(all), y(all) {}
 };
 
 struct BVec3 {
@@ -146,6 +161,8 @@ struct BVec3 {
 };
 
 struct GlslInVectors {
+    using uint = std::uint32_t;
+    using bvec2 = BVec2;
     using bvec3 = BVec3;
     using vec2 = Vec2;
     using vec3 = Vec3;
@@ -162,11 +179,17 @@ struct GlslInVectors {
     HWY_INLINE static Float mix(Float a, Float b, Mask isSecond) {
         return hn::IfThenElse(isSecond.bits, b.values, a.values);
     }
+    HWY_INLINE static Vec2 mix(Vec2 a, Vec2 b, BVec2 isSecond) {
+        return {mix(a.x, b.x, isSecond.x), mix(a.y, b.y, isSecond.y)};
+    }
     HWY_INLINE static Vec3 mix(Vec3 a, Vec3 b, BVec3 isSecond) {
         return {mix(a.x, b.x, isSecond.x), mix(a.y, b.y, isSecond.y), mix(a.z, b.z, isSecond.z)};
     }
     HWY_INLINE static Vec3 mix(Vec3 a, Vec3 b, Float t) { return a * (Float(1.0f) - t) + b * t; }
     HWY_INLINE static Vec3 max(Vec3 a, Vec3 b) { return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)}; }
+    HWY_INLINE static Vec2 clamp(Vec2 x, Vec2 low, Vec2 high) {
+        return {clamp(x.x, low.x, high.x), clamp(x.y, low.y, high.y)};
+    }
     HWY_INLINE static Vec4 clamp(Vec4 x, Vec4 low, Vec4 high) {
         return {clamp(x.x, low.x, high.x), clamp(x.y, low.y, high.y), clamp(x.z, low.z, high.z),
                 clamp(x.w, low.w, high.w)};

@@ -1,7 +1,6 @@
 // shaders/lib/splat_*.glsl gives the same on a device as in C++, whatever the splat: before any kernel is
 // built on it.
 #include <cmath>
-#include <limits>
 
 #include "gpu/gpu_test.h"
 #include "gpu/shared_layout.h"
@@ -11,6 +10,7 @@
 #include "pipeline/splat/draw/reference_host.h"
 #include "shaders/test_splat.h"
 #include "splat/draw/reference_scenes.h"
+#include "splat/draw/splat_kinds.h"
 
 namespace macula::splat {
 namespace {
@@ -31,66 +31,6 @@ struct Twofold : reference::HostTwofold {
 #undef INOUT
 
 using shared::SplatView;
-
-// Ordinary splats, and then what raster_extremes_test.cpp is about.
-std::vector<Single::Splat> splatsOfAllKinds() {
-    std::vector<Single::Splat> splats;
-    Dice dice(17);
-    for (int i = 0; i < 400; ++i) {
-        Single::Splat splat{dice.vec3(-50, 50), dice.vec3(-2, 3), dice.quaternion(),
-                            float(dice.uniform(-4, 6))};
-        if (i % 4 == 1) splat.logScale.x = 6.0f;    // needles
-        if (i % 4 == 2) splat.logScale.y = -12.0f;  // discs
-        if (i % 8 == 3) splat.position.y = float(dice.uniform(-520, -480));
-        if (i % 8 == 7) splat.position *= 6.0f;
-        splats.push_back(splat);
-    }
-    const Single::Splat plain{{0, 0, 0}, {0, 1, 2}, {1, 0, 0, 0}, 1.0f};
-    const auto with = [&](auto change) {
-        Single::Splat splat = plain;
-        change(splat);
-        splats.push_back(splat);
-    };
-    for (const float logScale : {-100.0f, -20.0f, 20.0f, 100.0f}) {
-        with([&](Single::Splat& s) { s.logScale = glm::vec3(logScale); });
-        with([&](Single::Splat& s) { s.logScale.x = logScale; });
-    }
-    for (const float length : {0.0f, 1e-35f, 1e-6f, 1e6f, 1e37f})
-        with([&](Single::Splat& s) { s.rotation = glm::vec4(length, -length, 0.5f * length, 0); });
-    for (const float logit : {-80.0f, 80.0f, 1e38f}) with([&](Single::Splat& s) { s.opacityLogit = logit; });
-    for (const float far : {-1e30f, -501.0f, -500.0f, 1e5f, 1e20f, 1e38f})
-        with([&](Single::Splat& s) { s.position.y = far; });
-    return splats;
-}
-
-// The last of the list above: those that may not be drawn.
-std::vector<Single::Splat> splatsNotFinite() {
-    std::vector<Single::Splat> splats;
-    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                            -std::numeric_limits<float>::infinity()}) {
-        for (int k = 0; k < 11; ++k) {
-            Single::Splat splat{{0, 0, 0}, {0, 1, 2}, {1, 0, 0, 0}, 1.0f};
-            (k < 3    ? splat.position[k]
-             : k < 6  ? splat.logScale[k - 3]
-             : k < 10 ? splat.rotation[k - 6]
-                      : splat.opacityLogit) = bad;
-            splats.push_back(splat);
-        }
-    }
-    return splats;
-}
-
-RasterView someView() {
-    RasterView view = frontView({160, 120});
-    view.focalPx = {1000, 900};
-    return view;
-}
-
-RasterView someParallelView() {
-    RasterView view = parallelFrontView({160, 120});
-    view.focalPx = {2.0, 1.8};
-    return view;
-}
 
 class SplatDevice : public gpu::GpuTest {
   protected:
@@ -113,16 +53,6 @@ class SplatDevice : public gpu::GpuTest {
         return gpu::expectOk(gpu::read<Single::Outcome>(out));
     }
 };
-
-// The largest difference of two vectors, relative to the length of the second, or to `least`.
-template <int n, class Real>
-double differenceOf(const glm::vec<n, float>& a, const glm::vec<n, Real>& b, double least = 1e-6) {
-    const glm::vec<n, double> exact(b);
-    return glm::length(glm::vec<n, double>(a) - exact) / std::max(glm::length(exact), least);
-}
-double differenceOf(float a, double b) {
-    return differenceOf(glm::vec1(a), glm::dvec1(b));
-}
 
 class SplatDeviceOfViews : public SplatDevice, public testing::WithParamInterface<bool> {};
 INSTANTIATE_TEST_SUITE_P(Rays, SplatDeviceOfViews, testing::Bool());

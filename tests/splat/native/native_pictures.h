@@ -1,8 +1,7 @@
-// Runs the native kernels of pictures without a device, on each instruction set that this machine has.
+// Runs the native kernels of pictures without a device.
 #pragma once
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <array>
 #include <cstddef>
@@ -16,19 +15,9 @@
 #include "pipeline/splat/native/native_raster_back.h"
 #include "shared/splat_frame.h"
 #include "splat/draw/reference_scenes.h"
+#include "splat/instruction_sets.h"
 
 namespace macula::splat {
-
-// Calls check() once for each of them.
-template <class Check>
-void onEachInstructionSet(const Check& check) {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        SCOPED_TRACE(hwy::TargetName(target));
-        hwy::SetSupportedTargetsForTest(target);
-        check();
-    }
-    hwy::SetSupportedTargetsForTest(0);
-}
 
 template <class T>
 void bindTo(gpu::NativeDispatch& dispatch, std::uint32_t number, std::vector<T>& values) {

@@ -6,6 +6,8 @@
 
 #include "base/check.h"
 #include "pipeline/splat/draw/radix_sort.h"
+#include "pipeline/splat/native/native_gather.h"
+#include "pipeline/splat/native/native_project.h"
 #include "pipeline/splat/native/native_raster.h"
 #include "pipeline/splat/native/native_raster_back.h"
 #include "shaders/splat.h"
@@ -41,7 +43,8 @@ Result<RasterKernels> RasterKernels::create(const std::shared_ptr<gpu::Device>& 
     std::vector<gpu::Specialization> degreeSlots = degree;
     degreeSlots.emplace_back("kSlots", slots);
     MACULA_TRY(gpu::Kernel project,
-               gpu::Kernel::create(device, shaders::splat_project_comp, {.specializations = degree}));
+               gpu::Kernel::create(device, shaders::splat_project_comp,
+                                   {.specializations = degree, .native = nativeProject(shDegree)}));
     MACULA_TRY(gpu::Kernel raster, gpu::Kernel::create(device, shaders::splat_raster_comp,
                                                        {.specializations = tile, .native = nativeRaster()}));
     RasterKernels kernels{.project = std::move(project), .raster = std::move(raster), .slots = slots};
@@ -56,8 +59,9 @@ Result<RasterKernels> RasterKernels::create(const std::shared_ptr<gpu::Device>& 
                                    {.specializations = tileSlots,
                                     .subgroupSize = asked,
                                     .native = nativeRasterBack({.slots = slots, .rowsOfSlot = slotRows})}));
-    MACULA_TRY(kernels.gather,
-               gpu::Kernel::create(device, shaders::splat_gather_comp, {.specializations = degreeSlots}));
+    MACULA_TRY(kernels.gather, gpu::Kernel::create(device, shaders::splat_gather_comp,
+                                                   {.specializations = degreeSlots,
+                                                    .native = nativeGather(shDegree, slots)}));
     return kernels;
 }
 

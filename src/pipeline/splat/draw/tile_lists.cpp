@@ -10,6 +10,7 @@
 
 #include "base/parallel.h"
 #include "pipeline/splat/draw/reference_host.h"
+#include "pipeline/splat/draw/shown_tiles.h"
 #include "shared/splat_frame.h"
 
 namespace macula::splat {
@@ -120,19 +121,24 @@ void forEachTile(Host& host, const Host::ScreenSplat& s, const glm::ivec2& sizeP
     host.pixelsOf(s, sizePx, first, end);
     if (first.x >= end.x || first.y >= end.y) return;
     const glm::ivec2 firstTile = first / tileSize;
-    const glm::ivec2 lastTile = (end - 1) / tileSize;
-    const bool one = firstTile == lastTile;
-    const float most = one ? 0.0f : host.mostPower(s, host.frame);
-    for (int y = firstTile.y; y <= lastTile.y; ++y) {
-        for (int x = firstTile.x; x <= lastTile.x; ++x) {
-            const glm::ivec2 low = glm::ivec2(x, y) * tileSize;
-            const glm::ivec2 high = glm::min(low + tileSize, sizePx);
-            // Does what showsIn does, but computes its logarithm once for all tiles.
-            if (!one && !(host.leastPowerIn(s.conic, glm::vec2(low) + 0.5f - s.mean,
-                                            glm::vec2(high) - 0.5f - s.mean) <= most))
-                continue;
-            take(static_cast<std::uint32_t>(y * tileColumns + x));
-        }
+    const glm::ivec2 endTile = (end - 1) / tileSize + 1;
+    if (endTile == firstTile + 1) {
+        take(static_cast<std::uint32_t>(firstTile.y * tileColumns + firstTile.x));
+        return;
+    }
+    // Does what showsIn does, but computes its logarithm once for all tiles.
+    const SearchedTiles searched{.mean = s.mean,
+                                 .conic = s.conic,
+                                 .most = host.mostPower(s, host.frame),
+                                 .sizePx = sizePx,
+                                 .tileSize = tileSize,
+                                 .tileColumns = tileColumns,
+                                 .first = firstTile,
+                                 .end = endTile};
+    ShownTiles shown;
+    for (std::size_t from = 0; from < searched.count(); from += ShownTiles::kMost) {
+        findShownTiles(searched, from, shown);
+        for (std::size_t n = 0; n < shown.count; ++n) take(shown.tiles[n]);
     }
 }
 

@@ -5,20 +5,13 @@
 #include <hwy/foreach_target.h>  // first
 #include <hwy/highway.h>
 
-#include <algorithm>
-#include <array>
 #include <atomic>
-#include <cstring>
 
-#include "base/glsl_in_cpp.h"
-#include "base/parallel.h"
-#include "base/vector_in_glsl.h"
+#include "pipeline/splat/native/neighbours.h"
 #include "shared/splat_adam_params.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace macula::splat::HWY_NAMESPACE {
-
-using namespace macula::HWY_NAMESPACE;
 
 namespace {
 
@@ -27,15 +20,12 @@ namespace {
 
 struct VectorAdam : GlslInVectors {
 #include "lib/splat_adam.glsl"
+
+#include "lib/splat_shape.glsl"
 };
 
 #undef float
 #undef bool
-
-struct SplatShape : GlslInCpp<float> {
-#include "lib/splat_shape.glsl"
-};
-
 #undef MAX_LOG_SCALE
 #undef MIN_QUATERNION
 
@@ -63,30 +53,11 @@ struct AdamWork {
     std::uint32_t* skipped;
 };
 
-using Numbers = std::array<float, kLanes>;
-
-// One number of each of a few neighbouring splats: fewer than a vector has lanes where there are no more.
-struct Neighbours {
-    std::size_t count;
-
-    HWY_INLINE Float load(const float* from) const {
-        if (count == kLanes) return Float::load(from);
-        Numbers numbers{};
-        std::copy_n(from, count, numbers.begin());
-        return Float::load(numbers.data());
-    }
-    HWY_INLINE void store(Float value, Mask where, float* to) const {
-        Numbers numbers;
-        GlslInVectors::mix(load(to), value, where).store(numbers.data());
-        std::copy_n(numbers.begin(), count, to);
-    }
-};
-
-// A step for the splats from `first` on that showed.
+// A step for those of neighbouring splats that showed.
 class AdamStepper {
   public:
-    HWY_INLINE AdamStepper(const AdamWork& work, std::size_t first)
-        : w_(work), first_(first), splats_{std::min(kLanes, std::size_t(work.params.count) - first)} {
+    HWY_INLINE AdamStepper(const AdamWork& work, std::size_t first, const Neighbours& splats)
+        : w_(work), first_(first), splats_(splats) {
         for (std::size_t lane = 0; lane < splats_.count; ++lane)
             if (w_.visible[first_ + lane] != 0) seen_[lane] = 1.0f;
     }
@@ -103,9 +74,9 @@ class AdamStepper {
         // Positions first, along the axes for which the gradients were computed.
         movePositions(usable, correction);
         for (int k = shared::kSplatLogScale; k < w_.params.components; ++k) {
-            const Float change =
-                learnt(k, splats_.load(w_.gradients + at(k)), Float(w_.params.rates[k]), correction, usable);
-            splats_.store(splats_.load(w_.parameters + at(k)) + change, usable, w_.parameters + at(k));
+            move(k,
+                 learnt(k, splats_.load(w_.gradients + at(k)), Float(w_.params.rates[k]), correction, usable),
+                 usable);
         }
     }
 
@@ -140,42 +111,35 @@ class AdamStepper {
     }
 
     HWY_INLINE void movePositions(Mask usable, Vec2 correction) {
-        std::array<SplatShape::SplatAxes, kLanes> axes;
-        std::array<Numbers, 3> gradients{};
-        std::array<Numbers, 3> rates{};
-        for (std::size_t lane = 0; lane < splats_.count; ++lane) {
-            const auto three = [&](const float* from, int component) {
-                const float* const x = from + at(component) + lane;
-                return glm::vec3(x[0], x[w_.params.capacity], x[2 * std::size_t(w_.params.capacity)]);
-            };
-            const glm::vec3 turn = three(w_.parameters, shared::kSplatRotation);
-            axes[lane] = shape_.axesOf(
-                shape_.unitQuaternion({turn, w_.parameters[at(shared::kSplatRotation + 3) + lane]}));
-            const glm::vec3 along = shape_.alongAxes(axes[lane], three(w_.gradients, shared::kSplatPosition));
-            const glm::vec3 deviations = shape_.deviationsMm(three(w_.parameters, shared::kSplatLogScale));
-            for (int k = 0; k < 3; ++k) {
-                gradients[std::size_t(k)][lane] = along[k];
-                rates[std::size_t(k)][lane] = deviations[k] * w_.params.rates[shared::kSplatPosition + k];
-            }
-        }
-        std::array<Numbers, 3> changes;
-        for (int k = 0; k < 3; ++k)
-            learnt(shared::kSplatPosition + k, Float::load(gradients[std::size_t(k)].data()),
-                   Float::load(rates[std::size_t(k)].data()), correction, usable)
-                .store(changes[std::size_t(k)].data());
-        for (std::size_t lane = 0; lane < splats_.count; ++lane) {
-            if (!(usable_[lane] > 0.0f)) continue;
-            const glm::vec3 moved =
-                shape_.fromAxes(axes[lane], {changes[0][lane], changes[1][lane], changes[2][lane]});
-            for (int k = 0; k < 3; ++k) w_.parameters[at(shared::kSplatPosition + k) + lane] += moved[k];
-        }
+        const auto three = [&](const float* from, int component) {
+            return Vec3(splats_.load(from + at(component)), splats_.load(from + at(component + 1)),
+                        splats_.load(from + at(component + 2)));
+        };
+        constexpr int kFirst = shared::kSplatPosition;
+        const Float w = splats_.load(w_.parameters + at(shared::kSplatRotation));
+        const Vec3 turn = three(w_.parameters, shared::kSplatRotation + 1);
+        const VectorAdam::SplatAxes axes = maths_.axesOf(maths_.unitQuaternion(Vec4(w, turn)));
+        const Vec3 along = maths_.alongAxes(axes, three(w_.gradients, kFirst));
+        const Vec3 rates = maths_.deviationsMm(three(w_.parameters, shared::kSplatLogScale)) *
+                           Float(w_.params.rates[kFirst]);
+        const Vec3 moved =
+            maths_.fromAxes(axes, Vec3(learnt(kFirst, along.x, rates.x, correction, usable),
+                                       learnt(kFirst + 1, along.y, rates.y, correction, usable),
+                                       learnt(kFirst + 2, along.z, rates.z, correction, usable)));
+        move(kFirst, moved.x, usable);
+        move(kFirst + 1, moved.y, usable);
+        move(kFirst + 2, moved.z, usable);
+    }
+
+    HWY_INLINE void move(int component, Float change, Mask usable) {
+        float* const parameter = w_.parameters + at(component);
+        splats_.store(splats_.load(parameter) + change, usable, parameter);
     }
 
     const AdamWork& w_;
     std::size_t first_;
     Neighbours splats_;
     VectorAdam maths_;
-    SplatShape shape_;
     Numbers seen_{};    // 1 where the splat showed
     Numbers usable_{};  // and has finite gradients
     std::array<Numbers, 2> corrections_{};
@@ -184,12 +148,9 @@ class AdamStepper {
 }  // namespace
 
 void stepAdam(const gpu::NativeDispatch& dispatch) {
-    constexpr std::size_t kAtOnce = 1024;  // splats for a thread, a multiple of a vector's lanes
     const AdamWork work(dispatch);
-    const std::size_t count = work.params.count;
-    parallelFor((count + kAtOnce - 1) / kAtOnce, [&](std::size_t n) {
-        const std::size_t end = std::min(count, (n + 1) * kAtOnce);
-        for (std::size_t first = n * kAtOnce; first < end; first += kLanes) AdamStepper(work, first).run();
+    forNeighbours(work.params.count, [&](std::size_t first, const Neighbours& splats) {
+        AdamStepper(work, first, splats).run();
     });
 }
 

@@ -43,7 +43,7 @@ void begin(OpenPixels& tile, const glm::ivec2& firstPixel) {
 HWY_INLINE void blend(OpenPixels& tile, const VectorRange& vectors, const ShownSplat& shown,
                       const VectorBlend::SplatView& view) {
     VectorBlend maths;
-    for (std::size_t v = vectors.first; v < vectors.end; ++v) {
+    for (auto v = std::size_t(vectors.first); v < std::size_t(vectors.end); ++v) {
         if (tile.open[v] == 0) continue;
         float* pixel = tile.block.at(v * kLanes);
         Float transmittance = loaded(pixel, kTransmittance);
@@ -95,6 +95,7 @@ void write(OpenPixels& tile, const glm::ivec2& sizePx, const NativePicture& to) 
 void drawTiles(const NativeTiles& tiles, std::size_t part, const NativePicture& to) {
     const VectorBlend::SplatView view = viewOf(tiles.frame.view);
     OpenPixels tile(tiles.frame.tileRows, kPlanes);
+    ShownVectors shown;
     const std::size_t end = std::min(tiles.count, (part + 1) * NativeTiles::kAtOnce);
     for (std::size_t n = part * NativeTiles::kAtOnce; n < end; ++n) {
         const glm::ivec2 at = tiles.tileOf(n);
@@ -102,8 +103,10 @@ void drawTiles(const NativeTiles& tiles, std::size_t part, const NativePicture& 
         begin(tile, firstPixel);
         const glm::uvec2 range = tiles.entriesOf(at);
         for (std::uint32_t i = range.x; i < range.y && tile.openCount > 0; ++i) {
+            const std::size_t lane = (i - range.x) % kLanes;
+            if (lane == 0) shown.find(tiles, i, range.y, firstPixel, tile.rows);
             const float* texels = tiles.screenOf(tiles.entries[i].x);
-            blend(tile, vectorsOf(rowsOf(texels, firstPixel.y, tile.rows)), ShownSplat(texels), view);
+            blend(tile, shown.of(lane), ShownSplat(texels), view);
         }
         write(tile, tiles.frame.view.sizePx, to);
     }

@@ -42,12 +42,6 @@ class PixelBlock {
     hwy::AlignedFreeUniquePtr<float[]> values_;
 };
 
-// The rows of a block in which a splat may show, first <= row < end.
-struct RowRange {
-    int first;
-    int end;
-};
-
 // The bindings that raster.comp and raster_back.comp share.
 struct NativeTiles {
     explicit NativeTiles(const gpu::NativeDispatch& dispatch)
@@ -80,18 +74,5 @@ struct NativeTiles {
         return &screen[std::size_t(splat) * shared::kScreenTexels * 4];
     }
 };
-
-// As pixelsOf in shaders/lib/splat_projection.glsl, for a splat's numbers from NativeTiles::screenOf. All
-// rows if a number is not one.
-inline RowRange rowsOf(const float* screen, int firstRow, int rows) {
-    const float mean = screen[1] - static_cast<float>(firstRow);
-    const float extent = screen[11];
-    const float low = mean - extent - 0.5f;
-    const float high = mean + extent + 0.5f;
-    const auto most = static_cast<float>(rows);
-    int first = low > 0.0f ? static_cast<int>(std::min(low, most)) : 0;
-    if (static_cast<float>(first) < low) ++first;
-    return {first, high < most ? static_cast<int>(std::max(high, 0.0f)) : rows};
-}
 
 }  // namespace macula::splat

@@ -8,6 +8,8 @@
 #endif
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "base/vector_in_glsl.h"
@@ -60,14 +62,68 @@ struct ShownSplat {
 
 // The vectors of a block in which a splat may show, first <= vector < end.
 struct VectorRange {
-    std::size_t first;
-    std::size_t end;
+    std::int32_t first;
+    std::int32_t end;
 };
-HWY_INLINE VectorRange vectorsOf(const RowRange& rows) {
-    constexpr std::size_t kColumns = shared::kTileColumns;
-    return {static_cast<std::size_t>(rows.first) * kColumns / kLanes,
-            (static_cast<std::size_t>(rows.end) * kColumns + kLanes - 1) / kLanes};
-}
+
+// The vectors of the block of a tile, or of a part of its rows, in which splats may show, for as many splats
+// as a vector has lanes.
+class ShownVectors {
+  public:
+    // Of the entries of a tile from `entry` on, before `end`.
+    HWY_INLINE void find(const NativeTiles& tiles, std::uint32_t entry, std::uint32_t end,
+                         const glm::ivec2& firstPixel, int rows) {
+        const std::size_t count = std::min<std::size_t>(kLanes, end - entry);
+        std::array<std::array<float, kLanes>, 6> numbers{};
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            const float* const texels = tiles.screenOf(tiles.entries[entry + lane].x);
+            for (std::size_t k = 0; k < 5; ++k) numbers[k][lane] = texels[k];
+            numbers[5][lane] = texels[11];
+        }
+        const auto number = [&](std::size_t k) { return Float::load(numbers[k].data()); };
+        const Vec2 mean = Vec2(number(0), number(1)) - Vec2(Float(firstPixel.x), Float(firstPixel.y));
+        find(mean, Vec3(number(2), number(3), number(4)), number(5), Float(rows));
+    }
+
+    HWY_INLINE VectorRange of(std::size_t n) const { return {firsts_[n], ends_[n]}; }
+
+  private:
+    // A splat shows where cx (x + cy y)^2 + cz y^2 <= s, at offsets from its mean: an ellipse, as high as the
+    // extent, whose top and bottom lie at x = -cy y. If a column of the tile goes through the top, the top is
+    // the highest place; else it is where the side of the tile that is nearer to the top crosses the ellipse.
+    // The extent is larger than it need be (projectSplat), and so is s, by more than all rounding here.
+    HWY_INLINE void find(Vec2 mean, Vec3 conic, Float extent, Float rows) {
+        using Glsl = GlslInVectors;
+        const Float low = Float(0.5f) - mean.x;
+        const Float high = Float(shared::kTileColumns - 0.5f) - mean.x;
+        const Float s = conic.z * extent * extent;
+        const Float a = conic.x * conic.y * conic.y + conic.z;
+        const Float perA = Float(1.0f) / a;
+        // With y < 0 and `sign` -1, or y > 0 and 1. Not a number where rounding leaves nothing of an ellipse,
+        // and then all rows are taken, as for a splat with such numbers.
+        const auto highest = [&](Float sign) {
+            const Float x = Glsl::clamp(-conic.y * extent * sign, low, high);
+            return (sign * Glsl::sqrt(a * s - conic.x * conic.z * x * x) - conic.x * conic.y * x) * perA;
+        };
+        const Float top = mean.y + highest(Float(-1.0f)) - Float(0.5f);
+        const Float bottom = mean.y + highest(Float(1.0f)) + Float(0.5f);
+        constexpr auto kPerRow = static_cast<float>(shared::kTileColumns) / static_cast<float>(kLanes);
+        const Float first =
+            Glsl::mix(Float(0.0f), Glsl::min(Float(hn::Ceil(top.values)), rows), top > Float(0.0f));
+        const Float end =
+            Glsl::mix(rows, Glsl::max(Float(hn::Floor(bottom.values)), Float(0.0f)), bottom < rows);
+        store(Float(hn::Floor((first * Float(kPerRow)).values)), firsts_);
+        store(Float(hn::Ceil((end * Float(kPerRow)).values)), ends_);
+    }
+    using Integers = std::array<std::int32_t, kLanes>;
+    static HWY_INLINE void store(Float value, Integers& to) {
+        const hn::Rebind<std::int32_t, FloatTag> tag;
+        hn::StoreU(hn::ConvertTo(tag, value.values), tag, to.data());
+    }
+
+    Integers firsts_;
+    Integers ends_;
+};
 
 // The centres of a block's pixels, px: the first two of their numbers. A block goes from tile to tile.
 inline void writeCentres(PixelBlock& block) {
