@@ -21,12 +21,12 @@ const std::map<std::string, net::SignIn> kSignInWords{{"none", net::SignIn::none
                                                       {"bearer", net::SignIn::bearer},
                                                       {"client", net::SignIn::clientCredentials}};
 
-// "ARCHIVE@pacs.hospital:104"; an IPv6 address stands in brackets.
+// "ARCHIVE@pacs.example.org:104"; an IPv6 address stands in brackets.
 Result<void> readAddress(const std::string& text, net::DimsePeer& peer) {
     const Error wrong{ErrorCode::usage,
                       Text("An archive of DIMSE is written as AE@HOST:PORT."),
                       {},
-                      Text("For example --dimse ARCHIVE@pacs.hospital:104.")};
+                      Text("For example --dimse ARCHIVE@pacs.example.org:104.")};
     const std::size_t at = text.find('@');
     const std::size_t colon = text.rfind(':');
     if (at == std::string::npos || colon == std::string::npos || colon < at) return wrong;
@@ -64,9 +64,9 @@ class WithoutEcho {
 void addPacsOptions(CLI::App& command, PacsOptions& options) {
     command.add_option("NAME", options.name, "What you call it")->required();
     command.add_option("--dimse", options.dimse,
-                       "AE title, host and port of the archive: ARCHIVE@pacs.hospital:104");
+                       "AE title, host and port of the archive: ARCHIVE@pacs.example.org:104");
     command.add_option("--web", options.url,
-                       "Address of its DICOMweb service: https://pacs.hospital/dicom-web");
+                       "Address of its DICOMweb service: https://pacs.example.org/dicom-web");
     command.add_option("--calling", options.peer.callingAe, "Our AE title, as the archive knows it")
         ->capture_default_str();
     command.add_option("--retrieve", options.retrieve, "C-GET, C-MOVE, or what the archive accepts")

@@ -7,6 +7,8 @@
 #include <QMenu>
 #include <utility>
 
+#include "dicom/best_volume.h"
+#include "dicom/scan.h"
 #include "net/connect.h"
 #include "viewer/archive/archive_panel.h"
 #include "viewer/archive/source_dialog.h"
@@ -52,7 +54,10 @@ ArchiveController::ArchiveController(const WindowContext& context, OpeningContro
                         [this](const ProgressUpdate& update) {
                             bar_->setProgress(inWindowsLanguage(update.stage), update.fraction);
                         },
-                    .ended = [this](const Result<study::FetchedStudy>& fetched) { showWhole(fetched); }}) {
+                    .ended = [this](const Result<study::FetchedStudy>& fetched) { showWhole(fetched); }}),
+      look_(this, {.ended = [this](const Result<std::filesystem::path>& folder) {
+                if (folder && !folder->empty() && fetch_.running()) opening_.open(*folder);
+            }}) {
     connect(panel_, &ArchivePanel::searchAsked, this, &ArchiveController::search);
     connect(panel_, &ArchivePanel::openAsked, this, &ArchiveController::fetch);
     connect(panel_, &ArchivePanel::setUpAsked, this, &ArchiveController::setUp);
@@ -113,11 +118,11 @@ void ArchiveController::fetch(const net::FoundStudy& study) {
     if (!sources_) return;
     auto way = wayTo(*sources_, panel_->source());
     if (!way) return panel_->setRemark(inWindowsLanguage(way.error()));
-    shownInstances_ = 0;
+    lookedAt_ = 0;
     panel_->setRemark(QString());
     bar_->begin(tr("Fetching a study"));
     const NewestPosted<study::Arrival> arrived(this,
-                                               [this](const study::Arrival& arrival) { show(arrival); });
+                                               [this](const study::Arrival& arrival) { lookAt(arrival); });
     fetch_.start([way = *std::move(way), uid = study.studyInstanceUid,
                   arrived](Progress& progress) -> Result<study::FetchedStudy> {
         MACULA_TRY(const auto archive, net::archiveOf(way.source, way.secrets));
@@ -127,17 +132,21 @@ void ArchiveController::fetch(const net::FoundStudy& study) {
     });
 }
 
-// Opening takes as long as reading the folder: each time there are twice as many images, all openings
-// together read each image twice.
-void ArchiveController::show(const study::Arrival& arrival) {
-    if (!fetch_.running() || opening_.loader().loading()) return;
-    if (arrival.instances < 2 * shownInstances_) return;
-    shownInstances_ = arrival.instances;
-    opening_.open(arrival.folder);
+// Reading headers takes a part of the time in which they come: each time there are twice as many images, all
+// looks together read each header twice. What cannot be shown yet is no error.
+void ArchiveController::lookAt(const study::Arrival& arrival) {
+    if (!fetch_.running() || look_.running() || opening_.loader().loading()) return;
+    if (arrival.instances < 2 * lookedAt_) return;
+    lookedAt_ = arrival.instances;
+    look_.start([folder = arrival.folder](Progress& progress) -> Result<std::filesystem::path> {
+        MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(folder, progress));
+        return dicom::bestVolume(scan) ? folder : std::filesystem::path();
+    });
 }
 
 void ArchiveController::showWhole(const Result<study::FetchedStudy>& fetched) {
     bar_->hide();
+    look_.cancel();
     if (!fetched) {
         panel_->setRemark(inWindowsLanguage(fetched.error()));
         context_.notifications.failUnlessCancelled(fetched.error());

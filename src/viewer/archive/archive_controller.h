@@ -1,7 +1,6 @@
 // Studies from archives: the panel that searches them, and fetching in the background.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <filesystem>
 #include <optional>
@@ -21,7 +20,8 @@ class ArchivePanel;
 class OpeningController;
 class WorkBar;
 
-// A study is shown as soon as images of it are there, again when there are twice as many, and at last whole.
+// A study is shown as soon as there are enough images of it for a volume, again when there are twice as many,
+// and at last whole.
 // Lives on the UI thread.
 class ArchiveController : public QObject {
     Q_OBJECT
@@ -41,7 +41,7 @@ class ArchiveController : public QObject {
     void setUp();
     void search(const net::StudyQuery& query);
     void fetch(const net::FoundStudy& study);
-    void show(const study::Arrival& arrival);
+    void lookAt(const study::Arrival& arrival);
     void showWhole(const Result<study::FetchedStudy>& fetched);
 
     WindowContext context_;
@@ -52,7 +52,8 @@ class ArchiveController : public QObject {
     std::optional<net::SourceList> sources_;
     BackgroundJob<net::StudyAnswers> search_;
     BackgroundJob<study::FetchedStudy> fetch_;
-    std::size_t shownInstances_ = 0;  // of the study that arrives
+    BackgroundJob<std::filesystem::path> look_;  // whether what has come of a study can be shown; its folder
+    std::size_t lookedAt_ = 0;                   // instances
 };
 
 }  // namespace macula::viewer

@@ -23,13 +23,15 @@ namespace {
 constexpr int kWidestColumnPx = 160;  // at first; a person can make columns wider
 constexpr const char* kModalities[] = {"CT", "MR", "PT", "NM", "CR", "DX", "MG", "US", "XA", "RF"};
 
-// "2026-11-30" or "20261130" as DICOM has it; nothing for what is no day.
+// "2026-11-30", "30.11.2026", or "20261130" as DICOM has it; nothing for what is no day.
 std::optional<std::string> dayOf(const QLineEdit& field) {
-    QString digits = field.text().trimmed();
-    digits.remove(QLatin1Char('-')).remove(QLatin1Char('.'));
-    if (digits.isEmpty()) return std::string();
-    const bool isDay = digits.size() == 8 && QDate::fromString(digits, QStringLiteral("yyyyMMdd")).isValid();
-    return isDay ? std::optional(digits.toStdString()) : std::nullopt;
+    const QString text = field.text().trimmed();
+    if (text.isEmpty()) return std::string();
+    for (const char* format : {"yyyy-MM-dd", "d.M.yyyy", "yyyyMMdd"}) {
+        const QDate day = QDate::fromString(text, QString::fromLatin1(format));
+        if (day.isValid()) return day.toString(QStringLiteral("yyyyMMdd")).toStdString();
+    }
+    return std::nullopt;
 }
 
 std::string textOf(const QLineEdit& field) {
@@ -85,8 +87,8 @@ QWidget* ArchivePanel::makeForm() {
     accession_ = addField(*form, tr("Accession number"), "archive-accession", tr("Of the order"));
     description_ = addField(*form, tr("Description"), "archive-description",
                             tr("Of the study; * stands for what is not known"));
-    from_ = addField(*form, tr("From"), "archive-from", tr("First day of the study: 2026-11-30"));
-    to_ = addField(*form, tr("To"), "archive-to", tr("Last day of the study"));
+    from_ = addField(*form, tr("From"), "archive-from", tr("Earliest day of the study, as 2026-11-30"));
+    to_ = addField(*form, tr("To"), "archive-to", tr("Latest day of the study"));
     modality_ = new QComboBox(this);
     describe(*modality_, "archive-modality", tr("Modality"), tr("Studies that hold images of this kind"));
     modality_->addItem(tr("any"));

@@ -118,7 +118,7 @@ QWidget* SourceDialog::makeWeb() {
     auto* form = new QFormLayout(page);
     form->setContentsMargins(0, 0, 0, 0);
     url_ = field(*form, tr("Address"), "source-url",
-                 tr("Of the DICOMweb service, as https://pacs.hospital/dicom-web"));
+                 tr("Of the DICOMweb service, as https://pacs.example.org/dicom-web"));
     user_ = field(*form, tr("User"), "source-user", tr("Empty: nobody signs in"));
     password_ = field(*form, tr("Password"), "source-password", tr("Kept in a file that only you can read"));
     password_->setEchoMode(QLineEdit::Password);
@@ -269,8 +269,9 @@ void SourceDialog::remove() {
 void SourceDialog::showSteps(const std::vector<net::TestStep>& steps) {
     QStringList lines;
     for (const net::TestStep& step : steps) {
-        QString line = (step.passed ? tr("✓ %1: %2") : tr("✗ %1: %2"))
-                           .arg(inWindowsLanguage(step.name), inWindowsLanguage(step.detail));
+        QString line =
+            (step.passed ? QStringLiteral("✓ ") : QStringLiteral("✗ ")) + inWindowsLanguage(step.name);
+        if (!step.detail.empty()) line += QStringLiteral(": ") + inWindowsLanguage(step.detail);
         if (!step.advice.empty()) line += QLatin1Char(' ') + inWindowsLanguage(step.advice);
         lines.append(line);
     }
