@@ -68,14 +68,15 @@ void expectSearches(Archive& archive) {
     EXPECT_EQ(uidsFound(archive, {.description = "CH*"}), Uids{"2.25.77002"});
 }
 
-void expectLevels(Archive& archive) {
+// DCMTK's archive knows few attributes of series and instances.
+void expectLevels(Archive& archive, bool saysAll) {
     Progress progress;
     const Result<std::vector<FoundSeries>> series = archive.findSeries("2.25.77001", progress);
     ASSERT_TRUE(series) << told(series.error());
     ASSERT_EQ(series->size(), 2u);
     for (const FoundSeries& each : *series) {
         EXPECT_EQ(each.modality, "CT");
-        EXPECT_EQ(each.description, "Series");
+        EXPECT_EQ(each.description, saysAll ? "Series" : "");
         EXPECT_TRUE(each.number == 1 || each.number == 2);
     }
     const auto ofStudy = archive.findInstances("2.25.77001", {}, progress);
@@ -86,7 +87,7 @@ void expectLevels(Archive& archive) {
     ASSERT_EQ(ofSeries->size(), 3u);
     for (const FoundInstance& each : *ofSeries) {
         EXPECT_TRUE(each.sopInstanceUid.starts_with("2.25.77001.2.")) << each.sopInstanceUid;
-        EXPECT_EQ(each.sopClassUid, UID_CTImageStorage);
+        EXPECT_EQ(each.sopClassUid, saysAll ? UID_CTImageStorage : "");
         EXPECT_EQ(each.seriesInstanceUid, "2.25.77001.2");
         EXPECT_TRUE(each.number.has_value());
     }
@@ -110,7 +111,7 @@ TEST(DimseFind, SearchesDcmtksArchive) {
         peer.patientRoot = patientRoot;
         const auto archive = archiveAt(peer);
         expectSearches(*archive);
-        expectLevels(*archive);
+        expectLevels(*archive, false);
     }
 }
 
@@ -121,7 +122,7 @@ TEST(DimseFind, SearchesOrthanc) {
     fillForSearches(server.dicomPort(), server.title());
     const auto archive = archiveAt(peerAt(server.dicomPort(), server.title()));
     expectSearches(*archive);
-    expectLevels(*archive);
+    expectLevels(*archive, true);
     EXPECT_EQ(uidsFound(*archive, {.modality = "MR"}), Uids{"2.25.77003"});
     EXPECT_EQ(uidsFound(*archive, {.referringPhysician = "HOUSE*"}).size(), 3u);
     const auto study = onlyStudy(*archive, {.studyInstanceUid = "2.25.77001"});

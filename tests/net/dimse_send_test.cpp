@@ -71,7 +71,11 @@ TEST(DimseSend, BytesAreNotChanged) {
     EXPECT_TRUE(sent.notSent.empty());
     std::multiset<std::string> expected;
     std::multiset<std::string> received;
-    for (const auto& file : files) expected.insert(datasetBytes(file));
+    for (const auto& file : files) {
+        std::string bytes = datasetBytes(file);
+        if (bytes.size() % 2 != 0) bytes += '\0';  // a deflated one
+        expected.insert(bytes);
+    }
     for (const auto& file : server.files()) received.insert(datasetBytes(file));
     EXPECT_TRUE(expected == received) << server.output();
 }

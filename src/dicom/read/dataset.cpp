@@ -10,11 +10,11 @@
 #include "base/log.h"
 #include "base/printable.h"
 #include "base/utf8.h"
-#include "dicom/read/character_set.h"
 #include "dicom/read/element_tree.h"
 #include "dicom/read/outline.h"
-#include "toolkit/quiet_toolkit.h"
 #include "dicom/read/values.h"
+#include "toolkit/character_set.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom {
 

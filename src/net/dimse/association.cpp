@@ -51,7 +51,7 @@ class WireConnection : public DcmTransportConnection {
     void closeTransportConnection() override { closeStandIn(); }
     unsigned long getPeerCertificateLength() override { return 0; }
     unsigned long getPeerCertificate(void* /*bytes*/, unsigned long /*count*/) override { return 0; }
-    OFBool networkDataAvailable(int /*seconds*/) override { return wire_.wait() == WireTrouble::none; }
+    OFBool networkDataAvailable(int /*seconds*/) override { return wire_.waitToTheEnd(); }
     OFBool isTransparentConnection() override { return OFTrue; }
     OFString& dumpConnectionParameters(OFString& text) override { return text; }
 

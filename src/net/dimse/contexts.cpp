@@ -9,7 +9,9 @@ namespace macula::net {
 namespace {
 
 // In the order in which they are proposed, those first that most archives have.
-constexpr std::array kEncapsulated = std::to_array<std::string_view>({
+// Implicit VR stands here too: an archive may change it to Explicit VR where both are offered together.
+constexpr std::array kOthers = std::to_array<std::string_view>({
+    "1.2.840.10008.1.2",
     "1.2.840.10008.1.2.4.70",   // JPEG Lossless, first-order prediction
     "1.2.840.10008.1.2.4.90",   // JPEG 2000 Lossless
     "1.2.840.10008.1.2.4.50",   // JPEG Baseline
@@ -88,8 +90,7 @@ constexpr std::array kUsualClasses = std::to_array<UsualClass>({
 }  // namespace
 
 bool knowsTransferSyntax(std::string_view uid) {
-    return std::ranges::find(kPlain, uid) != kPlain.end() ||
-           std::ranges::find(kEncapsulated, uid) != kEncapsulated.end();
+    return std::ranges::find(kPlain, uid) != kPlain.end() || std::ranges::find(kOthers, uid) != kOthers.end();
 }
 
 bool isStorageClass(std::string_view uid) {
@@ -122,20 +123,19 @@ std::vector<ProposedContext> contextsToReceive(const std::set<std::string>& clas
     std::vector<ProposedContext> contexts;
     if (taken.empty()) return contexts;
     // One for the plain ones; what is over shares the last one.
-    const std::size_t groups = std::min(most / taken.size(), 1 + kEncapsulated.size());
+    const std::size_t groups = std::min(most / taken.size(), 1 + kOthers.size());
     for (const std::string& each : taken) {
         ProposedContext plain{each, {kPlain.begin(), kPlain.end()}, true};
         if (groups == 1) {
-            plain.transferSyntaxes.insert(plain.transferSyntaxes.end(), kEncapsulated.begin(),
-                                          kEncapsulated.end());
+            plain.transferSyntaxes.insert(plain.transferSyntaxes.end(), kOthers.begin(), kOthers.end());
             contexts.push_back(plain);
             continue;
         }
         contexts.push_back(plain);
         for (std::size_t i = 0; i + 1 < groups; ++i) {
             const bool isLast = i + 2 == groups;
-            const auto end = isLast ? kEncapsulated.end() : kEncapsulated.begin() + static_cast<long>(i) + 1;
-            contexts.push_back({each, {kEncapsulated.begin() + static_cast<long>(i), end}, true});
+            const auto end = isLast ? kOthers.end() : kOthers.begin() + static_cast<long>(i) + 1;
+            contexts.push_back({each, {kOthers.begin() + static_cast<long>(i), end}, true});
         }
     }
     return contexts;

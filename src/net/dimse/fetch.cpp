@@ -211,10 +211,10 @@ Result<void> Fetch::attempt() {
     if (*way == Way::move) {
         MACULA_TRY(receiver, MoveReceiver::start(connector_, incoming_, heartbeat_, progress_.token()));
         association->wire().setHeartbeat(heartbeat_);
-        sentByMove_ = 0;
+        sentByMove_ = failedByMove_ = 0;
     }
     for (const Keys& keys : requests()) MACULA_TRY_VOID(request(*association, context, keys, *way));
-    if (receiver) awaitStragglers(*receiver, before + sentByMove_);
+    if (receiver && !refusal_) awaitStragglers(*receiver, before + sentByMove_);
     association->release();
     getFailed_ = *way == Way::get && incoming_.arrived() == before;
     return {};
@@ -222,8 +222,9 @@ Result<void> Fetch::attempt() {
 
 void Fetch::awaitStragglers(const MoveReceiver& receiver, std::size_t sent) {
     const auto begin = Heartbeat::Clock::now();
-    while (!progress_.cancelled() && !incoming_.failure() && incoming_.arrived() < sent) {
-        if (isPromised_ && countMissing() == 0) return;
+    while (!progress_.cancelled() && !incoming_.failure()) {
+        // Some archives answer before they send, and then say that they sent nothing.
+        if (isPromised_ ? countMissing() <= failedByMove_ : incoming_.arrived() >= sent) return;
         const auto patience = receiver.openAssociations() > 0
                                   ? connector_.answerTimeout()
                                   : std::chrono::milliseconds(kPatienceForStragglers);
@@ -286,7 +287,10 @@ Result<bool> Fetch::takeResponse(Association& association, const AcceptedContext
     const std::uint16_t status = *response.status;
     if (isPending(status)) return false;
     told_ += done + response.failed.value_or(0) + response.remaining.value_or(0);
-    if (way == Way::move) sentByMove_ += done;
+    if (way == Way::move) {
+        sentByMove_ += done;
+        failedByMove_ += response.failed.value_or(0);
+    }
     if (status != 0 && !isWarning(status))
         refusal_ = errorOfStatus(way == Way::get ? Service::get : Service::move, status);
     else if (response.failed.value_or(0) > 0 && done == 0)

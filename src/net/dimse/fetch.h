@@ -55,9 +55,10 @@ class Fetch {
     Incoming incoming_;
     std::map<std::string, FoundInstance> promised_;
     std::set<std::string> modalities_;
-    bool isPromised_ = false;  // promised_ is all that there is
-    std::size_t told_ = 0;     // of instances, by responses
-    std::size_t sentByMove_ = 0;
+    bool isPromised_ = false;       // promised_ is all that there is
+    std::size_t told_ = 0;          // of instances, by responses
+    std::size_t sentByMove_ = 0;    // as the archive counts
+    std::size_t failedByMove_ = 0;  // as the archive counts
     std::optional<Error> refusal_;  // why the archive sent less than it has
     bool getFailed_ = false;        // C-GET brought nothing
     std::shared_ptr<Heartbeat> heartbeat_;

@@ -10,6 +10,7 @@
 #include "net/archive/file_meta.h"
 #include "net/dimse/contexts.h"
 #include "net/dimse/elements.h"
+#include "toolkit/character_set.h"
 #include "toolkit/quiet_toolkit.h"
 
 namespace macula::net {
@@ -92,22 +93,6 @@ std::string withoutControls(std::string text) {
     return std::string(startOf(text, kLongestValue));
 }
 
-// Text as an archive sent it. Some name no character set and use UTF-8 or Latin 1 all the same.
-std::string decoded(const std::string& text, const std::string& characterSet, bool isName) {
-    if (isAscii(text) && text.find('\x1b') == std::string::npos) return text;
-    if (!characterSet.empty()) {
-        const auto utf8 = converted(text, characterSet, kUtf8, isName);
-        if (utf8 && isValidUtf8(*utf8)) return *utf8;
-    }
-    if (isValidUtf8(text)) return text;
-    const auto latin = converted(text, "ISO_IR 100", kUtf8, isName);
-    if (latin && isValidUtf8(*latin)) return *latin;
-    std::string marked = text;
-    std::ranges::replace_if(
-        marked, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
-    return marked;
-}
-
 }  // namespace
 
 Result<std::vector<unsigned char>> identifierBytes(const Keys& keys, std::string_view transferSyntax,
@@ -148,8 +133,10 @@ std::optional<Keys> identifierOf(std::span<const unsigned char> bytes, std::stri
         const KeyInfo* info = infoOf(static_cast<std::uint32_t>(key));
         const std::string start = value.substr(0, 4 * kLongestValue);
         const bool isName = std::string_view(info->representation) == "PN";
-        keys[key] =
-            withoutControls(info->isText ? decoded(start, characterSet, isName) : decoded(start, {}, false));
+        const DecodedText text =
+            decodeText(start, info->isText ? std::string_view(characterSet) : std::string_view(),
+                       isName ? Delimiters::ofPersonNames : Delimiters::betweenValues);
+        keys[key] = withoutControls(text.utf8);
     }
     return keys;
 }

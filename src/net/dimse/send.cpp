@@ -20,6 +20,20 @@ Error otherTransferSyntax() {
                              "whoever runs the archive to allow this transfer syntax."));
 }
 
+Error cutOffFile() {
+    return {ErrorCode::inputNotUsable,
+            Text("This file is cut off or damaged."),
+            {},
+            Text("Get the file again from where it came from.")};
+}
+
+Error namelessFile() {
+    return {ErrorCode::inputNotUsable,
+            Text("The file does not name the object that it holds."),
+            {},
+            Text("Leave it out, or write it again with the program that made it.")};
+}
+
 Error fileTrouble() {
     return {ErrorCode::inputNotUsable,
             Text("This file could not be read to its end."),
@@ -40,13 +54,16 @@ void Sending::note(const Outgoing& outgoing, const Error& error) {
 void Sending::readAll() {
     for (const std::filesystem::path& file : files_) {
         const Result<FileMeta> meta = readFileMeta(file);
-        if (!meta)
+        if (!meta) {
             note({file, {}}, meta.error());
-        else if (!meta->isWhole())
-            note({file, {}}, {ErrorCode::inputNotUsable,
-                              Text("The file does not name the object that it holds."),
-                              {},
-                              Text("Leave it out, or write it again with the program that made it.")});
+            continue;
+        }
+        std::error_code ignored;
+        const bool isOdd = (std::filesystem::file_size(file, ignored) - meta->datasetOffset) % 2 != 0;
+        if (!meta->isWhole())
+            note({file, *meta}, namelessFile());
+        else if (isOdd && meta->transferSyntaxUid != kDeflated)
+            note({file, *meta}, cutOffFile());
         else
             left_.push_back({file, *meta});
     }
@@ -70,21 +87,34 @@ Result<Sent> Sending::run() {
     readAll();
     while (!left_.empty()) {
         std::vector<Outgoing> batch = nextBatch();
-        for (int failures = 0; !batch.empty();) {
-            const std::size_t before = batch.size();
-            const Result<void> attempted = sendBatch(batch);
-            if (progress_.cancelled()) return cancelledError();
-            if (attempted) continue;
-            if (attempted.error().code != ErrorCode::archiveNotUsable) return attempted.error();
-            failures = batch.size() < before ? 1 : failures + 1;
-            if (failures <= kTriesToSend && sent_.stored + sent_.notSent.size() > 0) continue;
-            // Where nothing has gone out yet, nothing will by asking again.
-            if (sent_.stored == 0) return attempted.error();
-            for (const Outgoing& each : batch) note(each, attempted.error());
-            batch.clear();
-        }
+        MACULA_TRY_VOID(sendWithTries(batch));
     }
     return sent_;
+}
+
+// A connection that breaks is made again. A file with which it breaks each time is left out; after some such
+// files, all are.
+Result<void> Sending::sendWithTries(std::vector<Outgoing>& batch) {
+    int failures = 0;
+    int filesGivenUp = 0;
+    while (!batch.empty()) {
+        const std::size_t before = batch.size();
+        isConnected_ = false;
+        const Result<void> attempted = sendBatch(batch);
+        if (progress_.cancelled()) return cancelledError();
+        if (attempted) continue;
+        const Error& error = attempted.error();
+        if (error.code != ErrorCode::archiveNotUsable) return error;
+        if (!isConnected_ && sent_.stored == 0) return error;
+        if (batch.size() < before) failures = filesGivenUp = 0;
+        if (++failures <= kTriesToSend) continue;
+        failures = 0;
+        const bool givesUp = !isConnected_ || ++filesGivenUp == kTriesToSend;
+        const std::size_t count = givesUp ? batch.size() : 1;
+        for (std::size_t i = 0; i < count; ++i) note(batch[i], error);
+        batch.erase(batch.begin(), batch.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    return {};
 }
 
 Result<void> Sending::sendBatch(std::vector<Outgoing>& batch) {
@@ -93,13 +123,15 @@ Result<void> Sending::sendBatch(std::vector<Outgoing>& batch) {
     std::vector<ProposedContext> contexts;
     for (const Kind& kind : kinds) contexts.push_back({kind.first, {kind.second}, false});
     MACULA_TRY(const std::unique_ptr<Association> association, connector_.open(contexts, progress_.token()));
+    isConnected_ = true;
     while (!batch.empty()) {
         if (progress_.cancelled()) break;
         const Outgoing& outgoing = batch.front();
         const AcceptedContext* context =
             association->contextFor(outgoing.meta.sopClassUid, outgoing.meta.transferSyntaxUid);
         if (context == nullptr) {
-            const bool knowsClass = association->refusesTransferSyntax(outgoing.meta.sopClassUid);
+            const bool knowsClass = association->contextFor(outgoing.meta.sopClassUid) != nullptr ||
+                                    association->refusesTransferSyntax(outgoing.meta.sopClassUid);
             note(outgoing, knowsClass ? otherTransferSyntax() : serviceNotOffered(Service::store));
         } else {
             MACULA_TRY_VOID(sendFile(*association, *context, outgoing));
@@ -143,6 +175,7 @@ Result<void> Sending::sendBytes(Association& association, const AcceptedContext&
     stream.seekg(static_cast<std::streamoff>(outgoing.meta.datasetOffset));
     if (problem || !stream || size < outgoing.meta.datasetOffset) return fileTrouble();
     std::uintmax_t left = size - outgoing.meta.datasetOffset;
+    const bool isOdd = left % 2 != 0;
     std::vector<unsigned char> part;
     do {
         if (progress_.cancelled()) return cancelledError();
@@ -150,6 +183,8 @@ Result<void> Sending::sendBytes(Association& association, const AcceptedContext&
         stream.read(reinterpret_cast<char*>(part.data()), static_cast<std::streamsize>(part.size()));
         if (!stream) return fileTrouble();
         left -= part.size();
+        // Fragments are even. A deflated dataset of an odd length gets a zero (PS3.5 A.5).
+        if (left == 0 && isOdd) part.push_back(0);
         MACULA_TRY_VOID(sendDataset(association, context.id, part, left == 0));
     } while (left > 0);
     return {};

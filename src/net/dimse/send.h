@@ -34,6 +34,7 @@ class Sending {
     void readAll();
     // The files of as many kinds as one association can carry, from the first that is left.
     std::vector<Outgoing> nextBatch();
+    Result<void> sendWithTries(std::vector<Outgoing>& batch);
     Result<void> sendBatch(std::vector<Outgoing>& batch);
     Result<void> sendFile(Association& association, const AcceptedContext& context, const Outgoing& outgoing);
     Result<void> sendBytes(Association& association, const AcceptedContext& context,
@@ -45,6 +46,7 @@ class Sending {
     Progress& progress_;
     std::vector<Outgoing> left_;
     Sent sent_;
+    bool isConnected_ = false;  // in the last try
 };
 
 }  // namespace macula::net

@@ -41,13 +41,14 @@ Result<void> showCertificate(DcmTLSTransportLayer& layer, const Tls& tls, const 
     if (tls.certificate.empty()) return {};
     // An empty one too: without it, DCMTK asks at the terminal.
     layer.setPrivateKeyPasswd(passphrase.c_str());
-    if (layer.setCertificateFile(tls.certificate.c_str(), DCF_Filetype_PEM).bad())
-        return unusableFile(Text("The certificate of this program cannot be read."), tls.certificate,
-                            Text("Enter a PEM file."));
+    // The key first: a key that does not belong to the certificate counts as unreadable after it.
     const fs::path& key = tls.key.empty() ? tls.certificate : tls.key;
     if (layer.setPrivateKeyFile(key.c_str(), DCF_Filetype_PEM).bad())
         return unusableFile(Text("The key of this program's certificate cannot be read."), key,
                             Text("Enter a PEM file, and its passphrase if it has one."));
+    if (layer.setCertificateFile(tls.certificate.c_str(), DCF_Filetype_PEM).bad())
+        return unusableFile(Text("The certificate of this program cannot be read."), tls.certificate,
+                            Text("Enter a PEM file."));
     if (!layer.checkPrivateKeyMatchesCertificate())
         return unusableFile(Text("The key does not belong to this program's certificate."), key,
                             Text("Enter the key that was made together with the certificate."));

@@ -61,6 +61,8 @@ class Wire {
     bool write(const void* bytes, std::size_t count);
     // Waits for the first byte of what comes next.
     WireTrouble wait();
+    // The same, where nothing else can be done once it is cancelled.
+    bool waitToTheEnd();
 
     WireTrouble trouble() const { return trouble_; }
     // From now on nothing is cancelled any more; what is not done by then fails.

@@ -1,5 +1,5 @@
 // Text of all alphabets is UTF-8, whatever the file declares. Names are those of PS3.5 annexes H to K.
-#include "dicom/read/character_set.h"
+#include "toolkit/character_set.h"
 
 #include <fstream>
 

@@ -10,7 +10,7 @@
 
 #include "base/utf8.h"
 
-namespace macula::dicom {
+namespace macula {
 
 // The delimiters that, besides the end of a line, end an escape sequence's effect (PS3.5 6.1.2.5.3).
 enum class Delimiters { none, betweenValues, ofPersonNames };
@@ -25,4 +25,4 @@ struct DecodedText {
 // `declared` is SpecificCharacterSet as in the file, its values separated by backslashes. Thread-safe.
 DecodedText decodeText(std::string_view bytes, std::string_view declared, Delimiters delimiters);
 
-}  // namespace macula::dicom
+}  // namespace macula

@@ -1,4 +1,4 @@
-#include "dicom/read/character_set.h"
+#include "toolkit/character_set.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/ofstd/ofchrenc.h>
@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "dicom/read/values.h"
+#include "base/parsing.h"
 
-namespace macula::dicom {
+namespace macula {
 
 namespace {
 
@@ -74,8 +74,18 @@ std::optional<Encoding> encodingOfTerm(std::string_view term) {
     return {};
 }
 
+std::vector<std::string_view> termsOf(std::string_view declared) {
+    std::vector<std::string_view> terms;
+    while (true) {
+        const std::size_t end = declared.find('\\');
+        terms.push_back(trimmed(declared.substr(0, end)));
+        if (end == std::string_view::npos) return terms;
+        declared.remove_prefix(end + 1);
+    }
+}
+
 bool isJapanese(std::string_view declared) {
-    for (const std::string_view value : splitAtBackslash(declared)) {
+    for (const std::string_view value : termsOf(declared)) {
         if (value.ends_with("IR 13") || value.ends_with("IR 87") || value.ends_with("IR 159")) return true;
     }
     return false;
@@ -322,7 +332,7 @@ DecodedText decode(std::string_view bytes, std::string_view declared, Delimiters
     // Converting goes once over all terms for each text; no real file declares a dozen.
     constexpr std::size_t kLongestDeclaration = 256;
     declared = declared.substr(0, kLongestDeclaration);
-    const auto terms = splitAtBackslash(declared);
+    const auto terms = termsOf(declared);
     const std::optional<Encoding> first = encodingOfTerm(terms.front());
     std::vector<Encoding> others;
     for (std::size_t i = 1; i < terms.size(); ++i) {
@@ -390,4 +400,4 @@ DecodedText decodeText(std::string_view bytes, std::string_view declared, Delimi
     return text;
 }
 
-}  // namespace macula::dicom
+}  // namespace macula
