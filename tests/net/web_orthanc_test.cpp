@@ -302,7 +302,7 @@ TEST_F(WebOrthanc, EncryptedWithAPassword) {
         peer.tls.authorities = Authority(folder_ / "other").file();
         const auto archive = opened(source, {.password = options.password});
         EXPECT_EQ(wordsOf(archive->findStudies({}, progress_)),
-                  "The archive's certificate is signed by nobody whom this computer trusts.");
+                  "The archive's certificate is signed by nobody whom this machine trusts.");
         const auto steps = archive->test(progress_);
         EXPECT_EQ(steps.back().name, "Encryption");
     }

@@ -1,4 +1,4 @@
-// TLS with archives of the web: whom this computer trusts, and how it shows who it is.
+// TLS with archives of the web: whom this machine trusts, and how it shows who it is.
 #include <gtest/gtest.h>
 
 #include "dicom/support.h"
@@ -77,7 +77,7 @@ TEST_F(WebTls, ACertificateMustBeTrustedAndOfThisHostAndTime) {
     const TlsFront front = with(right);
     EXPECT_EQ(said(front, {.authorities = authority.file()}).words, "no error");
     EXPECT_EQ(said(front, {}).words,
-              "The archive's certificate is signed by nobody whom this computer trusts.");
+              "The archive's certificate is signed by nobody whom this machine trusts.");
     EXPECT_EQ(said(front, {.authorities = right.key}).words,
               "The file or folder of trusted authorities cannot be read.");
     EXPECT_TRUE(said(front, {.authorities = folder_ / "missing"}).isUsage);
@@ -114,14 +114,14 @@ TEST_F(WebTls, ACertificateOfOursIsShown) {
     EXPECT_EQ(said(front, showing(own), {.keyPassphrase = "word"}).words, "no error");
     for (const char* wrong : {"", "other"}) {
         const Said locked = said(front, showing(own), {.keyPassphrase = wrong});
-        EXPECT_EQ(locked.words, "The certificate of this computer cannot be used with its key.");
+        EXPECT_EQ(locked.words, "The certificate of this machine cannot be used with its key.");
         EXPECT_EQ(locked.lastStep, "Encryption");
     }
     EXPECT_EQ(said(front, showing({own.certificate, strange.key}), {.keyPassphrase = "word"}).words,
-              "The certificate of this computer cannot be used with its key.");
+              "The certificate of this machine cannot be used with its key.");
     const Said without = said(front, {.authorities = authority.file()});
     EXPECT_EQ(without.words,
-              "The archive wants a certificate of this computer, and accepts none that it got.");
+              "The archive wants a certificate of this machine, and accepts none that it got.");
     EXPECT_EQ(without.lastStep, "Encryption");
     EXPECT_EQ(said(front, showing(strange)).words, without.words);
 }

@@ -53,9 +53,8 @@ Result<Text> wayOfFetching(const Association& association, const DimsePeer& peer
     if (peer.receiverPort == 0)
         return archiveError(
             Text("The archive can only send to a receiver, and this program has none set up."),
-            Text(
-                "Enter a receiver's port in the settings of the archive, and ask whoever runs the archive to "
-                "add the receiver's AE title with the host name and this port of this machine."));
+            Text("Enter a receiver's port in the settings of the archive, and ask the administrator of the "
+                 "archive to add the receiver's AE title with the host name and this port of this machine."));
     return Text("The archive sends images to {} at port {} of this machine (C-MOVE).", receiverTitle(peer),
                 peer.receiverPort);
 }

@@ -20,9 +20,9 @@ Error unknownHost() {
 }
 
 Error connectionRefused() {
-    return archiveError(
-        Text("The archive's machine is there, but nothing answers at this port."),
-        Text("Check the port number, and ask whoever runs the archive whether its DICOM service is on."));
+    return archiveError(Text("The archive's machine is there, but nothing answers at this port."),
+                        Text("Check the port number, and ask the administrator of the archive whether its "
+                             "DICOM service is on."));
 }
 
 Error hostUnreachable() {
@@ -41,8 +41,9 @@ Error noAnswer() {
 }
 
 Error closedMidway() {
-    return archiveError(Text("The archive closed the connection before it was done."),
-                        Text("Try again. If this goes on, ask whoever runs the archive what its log says."));
+    return archiveError(
+        Text("The archive closed the connection before it was done."),
+        Text("Try again. If this goes on, ask the administrator of the archive what its log says."));
 }
 
 Error closedAtOnce() {
@@ -80,13 +81,13 @@ Error errorOfRejection(const Rejection& rejection, const std::string& callingAe,
                 Text("The archive does not know the kind of connection that DICOM prescribes."),
                 Text("Check that the port is that of the archive's DICOM service."));
         case 103:
-            return archiveError(
-                Text("The archive does not know this program by the AE title {}.", callingAe),
-                Text("Ask whoever runs the archive to add this AE title with the address of this machine, or "
-                     "enter the title that is known there."));
+            return archiveError(Text("The archive does not know this program by the AE title {}.", callingAe),
+                                Text("Ask the administrator of the archive to add this AE title with the "
+                                     "address of this machine, or enter the title that is known there."));
         case 107:
-            return archiveError(Text("The archive does not go by the AE title {}.", calledAe),
-                                Text("Ask whoever runs the archive for its AE title. Capitals matter."));
+            return archiveError(
+                Text("The archive does not go by the AE title {}.", calledAe),
+                Text("Ask the administrator of the archive for its AE title. Capitals matter."));
         case 202:
             return archiveError(Text("The archive does not speak this version of the DICOM protocol."),
                                 Text("Check that the port is that of the archive's DICOM service."));
@@ -95,16 +96,17 @@ Error errorOfRejection(const Rejection& rejection, const std::string& callingAe,
                                 Text("Try again in a few minutes."));
         case 302:
             return archiveError(Text("The archive has as many connections as it allows."),
-                                Text("Try again when others have ended theirs, or ask whoever runs the "
-                                     "archive to allow more."));
+                                Text("Try again when others have ended theirs, or ask the administrator of "
+                                     "the archive to allow more."));
         default:
             break;
     }
     if (rejection.result == 2)
         return archiveError(Text("The archive refused the connection for now, without a reason."),
                             Text("Try again in a few minutes."));
-    return archiveError(Text("The archive refused the connection without a reason."),
-                        Text("Check both AE titles, and ask whoever runs the archive what its log says."));
+    return archiveError(
+        Text("The archive refused the connection without a reason."),
+        Text("Check both AE titles, and ask the administrator of the archive what its log says."));
 }
 
 bool isPending(std::uint16_t status) {
@@ -120,19 +122,19 @@ namespace {
 Error errorOfStoring(std::uint16_t status, const std::string& code) {
     if ((status & 0xff00u) == 0xa700u)
         return archiveError(Text("The archive has no room for this instance (status {}).", code),
-                            Text("Ask whoever runs the archive to make room, then send again."));
+                            Text("Ask the administrator of the archive to make room, then send again."));
     if ((status & 0xff00u) == 0xa900u)
         return archiveError(
             Text("The archive says that this instance does not fit its own kind (status {}).", code),
-            Text("The file may be damaged or against the standard. Ask whoever runs the archive."));
+            Text("The file may be damaged or against the standard. Ask the administrator of the archive."));
     return archiveError(Text("The archive could not take this instance (status {}).", code),
-                        Text("Ask whoever runs the archive what its log says."));
+                        Text("Ask the administrator of the archive what its log says."));
 }
 
 Error errorOfResources(Service service, std::uint16_t status, const std::string& code) {
     if (status == 0xa701)
         return archiveError(
-            Text("The archive has not the means to find out how much matches (status {}).", code),
+            Text("The archive lacks the means to find out how much matches (status {}).", code),
             Text("Ask for less at once, or try again later."));
     if (status == 0xa702)
         return archiveError(
@@ -140,8 +142,8 @@ Error errorOfResources(Service service, std::uint16_t status, const std::string&
             service == Service::move
                 ? Text("Check that the archive knows host and port of this program's receiver, "
                        "and that no firewall blocks them.")
-                : Text("Try again later, or ask whoever runs the archive what its log says."));
-    return archiveError(Text("The archive has not the means to do this now (status {}).", code),
+                : Text("Try again later, or ask the administrator of the archive what its log says."));
+    return archiveError(Text("The archive lacks the means to do this now (status {}).", code),
                         Text("Ask for less at once, or try again later."));
 }
 
@@ -153,21 +155,22 @@ Error errorOfStatus(Service service, std::uint16_t status) {
         case 0xa801:
             return archiveError(
                 Text("The archive does not know the AE title of this program's receiver (status {}).", code),
-                Text("Ask whoever runs the archive to add the receiver's AE title with the host name and the "
-                     "port of this machine."));
+                Text("Ask the administrator of the archive to add the receiver's AE title with the host name "
+                     "and the port of this machine."));
         case 0x0122:
-            return archiveError(Text("The archive does not offer this service (status {}).", code),
-                                Text("Ask whoever runs the archive to switch it on for this program."));
+            return archiveError(
+                Text("The archive does not offer this service (status {}).", code),
+                Text("Ask the administrator of the archive to switch it on for this program."));
         case 0x0124:
             return archiveError(Text("The archive does not allow this program to do this (status {}).", code),
-                                Text("Ask whoever runs the archive for the right to."));
+                                Text("Ask the administrator of the archive for the right to do this."));
         case 0xfe00:
             return archiveError(Text("The archive stopped by itself (status {}).", code), Text("Try again."));
         case 0x0210:
         case 0x0211:
         case 0x0212:
             return archiveError(Text("The archive did not understand the request (status {}).", code),
-                                Text("Ask whoever runs the archive what its log says."));
+                                Text("Ask the administrator of the archive what its log says."));
         default:
             break;
     }
@@ -177,35 +180,37 @@ Error errorOfStatus(Service service, std::uint16_t status) {
         return archiveError(Text("The archive cannot search by what was asked (status {}).", code),
                             Text("Leave out some fields, or try the patient root model in the settings."));
     if ((status & 0xf000u) == 0xc000u)
-        return archiveError(Text("The archive could not process the request (status {}).", code),
-                            Text("Ask for something simpler, or ask whoever runs the archive what its log "
-                                 "says."));
+        return archiveError(
+            Text("The archive could not process the request (status {}).", code),
+            Text("Ask for something simpler, or ask the administrator of the archive what its log says."));
     return archiveError(Text("The archive failed for a reason of its own (status {}).", code),
-                        Text("Try again, or ask whoever runs the archive what its log says."));
+                        Text("Try again, or ask the administrator of the archive what its log says."));
 }
 
 Error serviceNotOffered(Service service) {
     switch (service) {
         case Service::find:
             return archiveError(Text("The archive does not let this program search."),
-                                Text("Ask whoever runs the archive to allow C-FIND for this AE title, or try "
-                                     "the other query model in the settings."));
+                                Text("Ask the administrator of the archive to allow C-FIND for this AE "
+                                     "title, or try the other query model in the settings."));
         case Service::get:
             return archiveError(
                 Text("The archive does not let this program fetch over its own connection."),
-                Text("Ask whoever runs the archive to allow C-GET for this AE title, or set up "
-                     "a receiver's port here, and its AE title, host and port in the archive."));
+                Text("Ask the administrator of the archive to allow C-GET for this AE title, or set up a "
+                     "receiver's port here, and its AE title, host and port in the archive."));
         case Service::move:
-            return archiveError(Text("The archive does not let this program ask for instances to be sent."),
-                                Text("Ask whoever runs the archive to allow C-MOVE for this AE title."));
+            return archiveError(
+                Text("The archive does not let this program ask for instances to be sent."),
+                Text("Ask the administrator of the archive to allow C-MOVE for this AE title."));
         case Service::store:
-            return archiveError(Text("The archive takes no instances of this kind."),
-                                Text("Ask whoever runs the archive to allow storing for this AE title."));
+            return archiveError(
+                Text("The archive takes no instances of this kind."),
+                Text("Ask the administrator of the archive to allow storing for this AE title."));
         case Service::echo:
             break;
     }
     return archiveError(Text("The archive does not answer to a test of the connection."),
-                        Text("Ask whoever runs the archive to allow C-ECHO for this AE title."));
+                        Text("Ask the administrator of the archive to allow C-ECHO for this AE title."));
 }
 
 }  // namespace macula::net

@@ -17,7 +17,7 @@ constexpr std::size_t kBytesOfPart = std::size_t{256} << 10;
 Error otherTransferSyntax() {
     return archiveError(Text("The archive does not take the encoding of this file."),
                         Text("Macula sends files as they are. Convert the file with other software, or ask "
-                             "whoever runs the archive to allow this transfer syntax."));
+                             "the administrator of the archive to allow this transfer syntax."));
 }
 
 Error cutOffFile() {

@@ -99,7 +99,7 @@ Error errorOfCertificate(long problem) {
         case X509_V_ERR_CERT_HAS_EXPIRED:
             return archiveError(
                 Text("The certificate of the archive has expired."),
-                Text("Ask whoever runs the archive to renew it, and check this machine's date."));
+                Text("Ask the administrator of the archive to renew it, and check this machine's date."));
         case X509_V_ERR_CERT_NOT_YET_VALID:
             return archiveError(Text("The certificate of the archive is not valid yet."),
                                 Text("Check this machine's date and time."));
@@ -110,12 +110,12 @@ Error errorOfCertificate(long problem) {
                 Text("Enter the host name that the certificate names; another one may be an impostor's."));
         case X509_V_ERR_CERT_REVOKED:
             return archiveError(Text("The certificate of the archive has been revoked."),
-                                Text("Ask whoever runs the archive."));
+                                Text("Ask the administrator of the archive."));
         default:
             return archiveError(
                 Text("The certificate of the archive is signed by nobody whom this machine trusts."),
-                Text("Enter the certificate of the authority that signed it, which whoever runs the archive "
-                     "has."));
+                Text("Enter the certificate of the authority that signed it, which the administrator of the "
+                     "archive has."));
     }
 }
 

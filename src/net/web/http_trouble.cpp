@@ -20,12 +20,12 @@ const Text& askTheAdministrator() {
 std::vector<HttpWords> wordsOfConnection() {
     return {
         {HttpTrouble::noName, Text("The name of the archive's host is not known in the network."),
-         Text("Check how the host is spelled in the address, and that this computer is in the "
-              "right network.")},
+         Text(
+             "Check how the host is spelled in the address, and that this machine is in the right network.")},
         {HttpTrouble::noProxy, Text("The name of the proxy is not known in the network."),
          Text("Check the proxy in the settings of the archive, or in https_proxy.")},
         {HttpTrouble::proxyRefuses, Text("The proxy does not connect to the archive."),
-         Text("Ask who runs the proxy, or name the archive's host in no_proxy.")},
+         Text("Ask whoever runs the proxy, or name the archive's host in no_proxy.")},
         {HttpTrouble::notReached, Text("The archive's host does not accept connections at this port."),
          Text("Check host and port in the address, and ask whether the service runs and the "
               "firewall lets it through.")},
@@ -46,20 +46,19 @@ std::vector<HttpWords> wordsOfConnection() {
 std::vector<HttpWords> wordsOfTls() {
     return {
         {HttpTrouble::certificateExpired, Text("The archive's certificate is not valid at this time."),
-         Text("Check the clock of this computer; if it is right, the archive needs a new "
-              "certificate.")},
+         Text("Check the clock of this machine; if it is right, the archive needs a new certificate.")},
         {HttpTrouble::certificateNotTrusted,
-         Text("The archive's certificate is signed by nobody whom this computer trusts."),
+         Text("The archive's certificate is signed by nobody whom this machine trusts."),
          Text("Name the file of the authority that signed it in the settings of the archive.")},
         {HttpTrouble::certificateOfAnotherHost, Text("The archive's certificate is for another host."),
          Text("Enter the host in the address as the certificate names it.")},
         {HttpTrouble::certificateRevoked, Text("The archive's certificate was revoked."),
          Text("Do not use this archive until its administrator has renewed it.")},
         {HttpTrouble::certificateWanted,
-         Text("The archive wants a certificate of this computer, and accepts none that it got."),
+         Text("The archive wants a certificate of this machine, and accepts none that it got."),
          Text("Set certificate and key that the archive's administrator issued.")},
         {HttpTrouble::ownCertificateUnusable,
-         Text("The certificate of this computer cannot be used with its key."),
+         Text("The certificate of this machine cannot be used with its key."),
          Text("Check both files, which must be PEM, and the passphrase of the key.")},
         {HttpTrouble::authoritiesUnusable, Text("The file or folder of trusted authorities cannot be read."),
          Text("Check that it exists and holds certificates as PEM.")},
@@ -88,7 +87,7 @@ std::vector<HttpWords> wordsOfAnswer(int status) {
         {HttpTrouble::notOffered, Text("The archive does not offer this service ({}).", status),
          askTheAdministrator()},
         {HttpTrouble::notAcceptable, Text("The archive cannot send images as they are stored (406)."),
-         Text("Ask the administrator whether WADO-RS is on, or use DIMSE with this archive.")},
+         Text("Ask the administrator of the archive whether WADO-RS is on, or use DIMSE with this archive.")},
         {HttpTrouble::conflict, Text("The archive could not store what it was sent (409)."),
          askTheAdministrator()},
         {HttpTrouble::requestTooLarge,

@@ -13,10 +13,11 @@ namespace macula::net {
 namespace {
 
 Error strangeAnswer() {
-    return {ErrorCode::archiveNotUsable,
-            Text("The archive sent something else than the images that it was asked for."),
-            {},
-            Text("Ask the administrator whether WADO-RS is on, or use DIMSE with this archive.")};
+    return {
+        ErrorCode::archiveNotUsable,
+        Text("The archive sent something else than the images that it was asked for."),
+        {},
+        Text("Ask the administrator of the archive whether WADO-RS is on, or use DIMSE with this archive.")};
 }
 
 Error diskError(int reason) {

@@ -131,7 +131,7 @@ Result<std::string> WebSignIn::newToken(Progress& progress) {
             outcome.trouble == HttpTrouble::badRequest || outcome.trouble == HttpTrouble::signInRefused;
         if (!wasRefused) {
             Error error = outcome.error();
-            error.message = Text("No token could be got for the archive. {}", std::move(error.message));
+            error.message = Text("The service that gives tokens failed: {}", std::move(error.message));
             return error;
         }
     }

@@ -64,7 +64,7 @@ StowReason stowReason(int failureReason) {
         return {Text("The archive has no room left."), Text("Tell its administrator, and send again later.")};
     if (family == 0xA900)
         return {Text("The archive finds that the object does not hold what its kind requires."),
-                Text("Ask who made the object; Macula sends it unchanged.")};
+                Text("Ask whoever made the object; Macula sends it unchanged.")};
     if (kind == 0xC000)
         return {Text("The archive does not understand the object."),
                 Text("Check that the file opens here, and ask the administrator of the archive.")};

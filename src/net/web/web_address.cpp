@@ -74,7 +74,7 @@ Result<WebAddress> webAddressOf(const std::string& url) {
         return badAddress(Text("The address of the archive begins with neither https:// nor http://."));
     if (!partOfUrl(parts, CURLUPART_USER).empty() || !partOfUrl(parts, CURLUPART_PASSWORD).empty())
         return badAddress(
-            Text("The address of the archive holds a user name, which belongs into its own field."));
+            Text("The address of the archive holds a user name, which belongs in its own field."));
     if (url.find_first_of("?#") != std::string::npos)
         return badAddress(Text("The address of the archive has a question mark or a # in it."));
     WebAddress address;

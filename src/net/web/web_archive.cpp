@@ -32,7 +32,7 @@ class WebArchive final : public Archive {
 
     Result<StudyAnswers> findStudies(const StudyQuery& query, Progress& progress) override {
         return guarded([&]() -> Result<StudyAnswers> {
-            progress.beginStage(Text("Searching in the archive"), 1);
+            progress.beginStage(Text("Searching the archive"), 1);
             HttpClient client(settings_, &signIn_);
             MACULA_TRY(auto found, studiesFor(client, query, progress));
             if (const auto wide = withWildcards(query); wide && found.found.empty()) {
@@ -47,7 +47,7 @@ class WebArchive final : public Archive {
     Result<std::vector<FoundSeries>> findSeries(const std::string& studyInstanceUid,
                                                 Progress& progress) override {
         return guarded([&]() -> Result<std::vector<FoundSeries>> {
-            progress.beginStage(Text("Asking the archive for the series"), 1);
+            progress.beginStage(Text("Asking the archive for series"), 1);
             MACULA_TRY(const std::string url, seriesUrl(service_, studyInstanceUid));
             HttpClient client(settings_, &signIn_);
             MACULA_TRY(auto found, searchAll<FoundSeries>(client, url, kMostSeriesFound, seriesInJson,
@@ -61,7 +61,7 @@ class WebArchive final : public Archive {
                                                      const std::string& seriesInstanceUid,
                                                      Progress& progress) override {
         return guarded([&]() -> Result<std::vector<FoundInstance>> {
-            progress.beginStage(Text("Asking the archive for the images"), 1);
+            progress.beginStage(Text("Asking the archive for images"), 1);
             MACULA_TRY(const std::string url, instancesUrl(service_, studyInstanceUid, seriesInstanceUid));
             HttpClient client(settings_, &signIn_);
             MACULA_TRY(auto found, searchAll<FoundInstance>(client, url, kMostInstancesFound, instancesInJson,

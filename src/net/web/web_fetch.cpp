@@ -41,7 +41,7 @@ WebFetch::WebFetch(const std::string& service, HttpClient& client, const Wanted&
       tally_{receiver, progress, {}, {}} {}
 
 Result<Fetched> WebFetch::run() {
-    progress_.beginStage(Text("Asking the archive for the images"), 1);
+    progress_.beginStage(Text("Asking the archive for images"), 1);
     MACULA_TRY_VOID(askForInstances());
     countPromised();
     progress_.advance();

@@ -26,7 +26,7 @@ Result<void> checkFiles(const Tls& tls) {
                           Text("Name a PEM file, or leave the field empty for those of the system."));
     for (const auto& file : {tls.certificate, tls.key}) {
         if (!file.empty() && !std::filesystem::is_regular_file(file, failed))
-            return badSetting(Text("The certificate of this computer, or its key, does not exist."),
+            return badSetting(Text("The certificate of this machine, or its key, does not exist."),
                               Text("Name the PEM files that the archive's administrator issued."));
     }
     if (tls.certificate.empty() && !tls.key.empty())
@@ -72,7 +72,7 @@ Result<void> checkWebPeer(const WebPeer& peer, const Secrets& secrets) {
     if (peer.signIn != SignIn::none && !mayHearSecrets(address))
         return badSetting(
             Text("A password or token would go over the network without encryption."),
-            Text("Enter an address that begins with https://, or one of this computer, or no sign-in."));
+            Text("Enter an address that begins with https://, or one of this machine, or no sign-in."));
     MACULA_TRY_VOID(checkSecretsOf(peer, secrets));
     if (peer.signIn == SignIn::clientCredentials) MACULA_TRY_VOID(checkTokenService(peer));
     constexpr std::array kProxies{"http://", "https://", "socks5://", "socks5h://"};

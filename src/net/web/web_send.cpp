@@ -58,7 +58,7 @@ void WebSend::lookAt(const std::filesystem::path& file) {
         sent_.notSent.push_back({file, meta.error().message, meta.error().hint});
     } else {
         sent_.notSent.push_back({file, Text("The file does not name the object that it holds."),
-                                 Text("Ask who made the file: it has no valid SOP Instance UID.")});
+                                 Text("Ask whoever made the file: it has no valid SOP Instance UID.")});
     }
 }
 

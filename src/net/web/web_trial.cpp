@@ -45,7 +45,7 @@ Text WebTrial::nameOf(Step step) {
         case Step::address:
             return Text("Address");
         case Step::name:
-            return Text("Name of the host");
+            return Text("Host name");
         case Step::connection:
             return Text("Connection");
         case Step::encryption:

@@ -9073,6 +9073,1590 @@
         <source>run &quot;{}&quot;</source>
         <translation>„{}“ ausführen</translation>
     </message>
+    <message>
+        <source>Check that it exists, and that you may read it.</source>
+        <translation>Prüfen Sie, ob es sie gibt und ob Sie sie lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>The file does not begin as a DICOM file does.</source>
+        <translation>Die Datei beginnt nicht so wie eine DICOM-Datei.</translation>
+    </message>
+    <message>
+        <source>Choose files of DICOM with file meta information.</source>
+        <translation>Wählen Sie DICOM-Dateien mit Metainformation (File Meta Information).</translation>
+    </message>
+    <message>
+        <source>This machine could not make a connection.</source>
+        <translation>Dieser Rechner konnte keine Verbindung herstellen.</translation>
+    </message>
+    <message>
+        <source>Images come over the same connection (C-GET).</source>
+        <translation>Bilder kommen über dieselbe Verbindung (C-GET).</translation>
+    </message>
+    <message>
+        <source>The archive can only send to a receiver, and this program has none set up.</source>
+        <translation>Das Archiv kann nur an einen Empfänger senden, und für dieses Programm ist keiner eingerichtet.</translation>
+    </message>
+    <message>
+        <source>Enter a receiver&apos;s port in the settings of the archive, and ask the administrator of the archive to add the receiver&apos;s AE title with the host name and this port of this machine.</source>
+        <translation>Geben Sie in den Einstellungen des Archivs den Port eines Empfängers ein, und bitten Sie die Verwaltung des Archivs, den AE-Titel des Empfängers mit dem Rechnernamen und diesem Port dieses Rechners einzutragen.</translation>
+    </message>
+    <message>
+        <source>The archive sends images to {} at port {} of this machine (C-MOVE).</source>
+        <translation>Das Archiv sendet Bilder an {} am Port {} dieses Rechners (C-MOVE).</translation>
+    </message>
+    <message>
+        <source>Testing the connection</source>
+        <translation>Die Verbindung wird geprüft</translation>
+    </message>
+    <message>
+        <source>Host name</source>
+        <translation>Rechnername</translation>
+    </message>
+    <message>
+        <source>The host name is known.</source>
+        <translation>Der Rechnername ist bekannt.</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Somebody answers at port {}.</source>
+        <translation>Am Port {} antwortet jemand.</translation>
+    </message>
+    <message>
+        <source>Protected connection</source>
+        <translation>Geschützte Verbindung</translation>
+    </message>
+    <message>
+        <source>The connection is encrypted, and the archive&apos;s certificate is trusted.</source>
+        <translation>Die Verbindung ist verschlüsselt, und dem Zertifikat des Archivs wird vertraut.</translation>
+    </message>
+    <message>
+        <source>AE titles</source>
+        <translation>AE-Titel</translation>
+    </message>
+    <message>
+        <source>The archive accepts {} as the AE title of this program.</source>
+        <translation>Das Archiv akzeptiert {} als AE-Titel dieses Programms.</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>The archive answers.</source>
+        <translation>Das Archiv antwortet.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <source>The archive lets this program search.</source>
+        <translation>Das Archiv lässt dieses Programm suchen.</translation>
+    </message>
+    <message>
+        <source>Retrieval</source>
+        <translation>Abruf</translation>
+    </message>
+    <message>
+        <source>To be sent instances over protected connections, this program needs a certificate.</source>
+        <translation>Damit ihm über geschützte Verbindungen Instanzen gesendet werden, braucht dieses Programm ein Zertifikat.</translation>
+    </message>
+    <message>
+        <source>Enter one with its key in the settings of the archive, or fetch with C-GET.</source>
+        <translation>Geben Sie eines mit seinem Schlüssel in den Einstellungen des Archivs ein, oder rufen Sie mit C-GET ab.</translation>
+    </message>
+    <message>
+        <source>Searching the archive</source>
+        <translation>Das Archiv wird durchsucht</translation>
+    </message>
+    <message>
+        <source>Asking the archive for series</source>
+        <translation>Das Archiv wird nach den Serien gefragt</translation>
+    </message>
+    <message>
+        <source>Asking the archive for images</source>
+        <translation>Das Archiv wird nach den Bildern gefragt</translation>
+    </message>
+    <message>
+        <source>An AE title has 1 to 16 letters, digits and signs, without accents.</source>
+        <translation>Ein AE-Titel hat 1 bis 16 Buchstaben, Ziffern und Zeichen, ohne Umlaute und Akzente.</translation>
+    </message>
+    <message>
+        <source>The archive has no host name that could be looked for.</source>
+        <translation>Das Archiv hat keinen Rechnernamen, nach dem gesucht werden könnte.</translation>
+    </message>
+    <message>
+        <source>Enter a host name or an IP address alone, without a port.</source>
+        <translation>Geben Sie nur einen Rechnernamen oder eine IP-Adresse ein, ohne Port.</translation>
+    </message>
+    <message>
+        <source>The archive has no port.</source>
+        <translation>Das Archiv hat keinen Port.</translation>
+    </message>
+    <message>
+        <source>Enter a number from 1 to 65535.</source>
+        <translation>Geben Sie eine Zahl von 1 bis 65535 ein.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s AE title cannot be one.</source>
+        <translation>Der AE-Titel des Archivs ist kein gültiger.</translation>
+    </message>
+    <message>
+        <source>The AE title of this program cannot be one.</source>
+        <translation>Der AE-Titel dieses Programms ist kein gültiger.</translation>
+    </message>
+    <message>
+        <source>The AE title of this program&apos;s receiver cannot be one.</source>
+        <translation>Der AE-Titel des Empfängers dieses Programms ist kein gültiger.</translation>
+    </message>
+    <message>
+        <source>Fetching by C-MOVE needs a port at which this program receives.</source>
+        <translation>Der Abruf mit C-MOVE braucht einen Port, an dem dieses Programm empfängt.</translation>
+    </message>
+    <message>
+        <source>Enter a receiver&apos;s port, or let the program choose how to fetch.</source>
+        <translation>Geben Sie den Port eines Empfängers ein, oder lassen Sie das Programm wählen, wie es abruft.</translation>
+    </message>
+    <message>
+        <source>There is a key, but no certificate that it belongs to.</source>
+        <translation>Es gibt einen Schlüssel, aber kein Zertifikat, zu dem er gehört.</translation>
+    </message>
+    <message>
+        <source>Enter the certificate of this program too.</source>
+        <translation>Geben Sie auch das Zertifikat dieses Programms ein.</translation>
+    </message>
+    <message>
+        <source>No machine is known by the host name of this archive.</source>
+        <translation>Unter dem Rechnernamen dieses Archivs ist kein Rechner bekannt.</translation>
+    </message>
+    <message>
+        <source>Check how the host name is written, or enter the archive&apos;s IP address.</source>
+        <translation>Prüfen Sie, wie der Rechnername geschrieben ist, oder geben Sie die IP-Adresse des Archivs ein.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s machine is there, but nothing answers at this port.</source>
+        <translation>Der Rechner des Archivs ist da, aber an diesem Port antwortet nichts.</translation>
+    </message>
+    <message>
+        <source>Check the port number, and ask the administrator of the archive whether its DICOM service is on.</source>
+        <translation>Prüfen Sie die Nummer des Ports, und fragen Sie die Verwaltung des Archivs, ob sein DICOM-Dienst läuft.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s machine cannot be reached from here.</source>
+        <translation>Der Rechner des Archivs ist von hier aus nicht zu erreichen.</translation>
+    </message>
+    <message>
+        <source>Check the host name and the network, or whether a VPN is needed.</source>
+        <translation>Prüfen Sie den Rechnernamen und das Netz, oder ob ein VPN nötig ist.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s machine did not answer in time.</source>
+        <translation>Der Rechner des Archivs hat nicht rechtzeitig geantwortet.</translation>
+    </message>
+    <message>
+        <source>Check host name and port. A firewall in between may block this port.</source>
+        <translation>Prüfen Sie Rechnernamen und Port. Vielleicht sperrt eine Firewall dazwischen diesen Port.</translation>
+    </message>
+    <message>
+        <source>The archive took the connection and then did not answer in time.</source>
+        <translation>Das Archiv hat die Verbindung angenommen und dann nicht rechtzeitig geantwortet.</translation>
+    </message>
+    <message>
+        <source>Try again later. If the archive is only slow, allow it more time.</source>
+        <translation>Versuchen Sie es später noch einmal. Wenn das Archiv nur langsam ist, geben Sie ihm mehr Zeit.</translation>
+    </message>
+    <message>
+        <source>The archive closed the connection before it was done.</source>
+        <translation>Das Archiv hat die Verbindung geschlossen, bevor es fertig war.</translation>
+    </message>
+    <message>
+        <source>Try again. If this goes on, ask the administrator of the archive what its log says.</source>
+        <translation>Versuchen Sie es noch einmal. Wenn das so bleibt, fragen Sie die Verwaltung des Archivs, was sein Protokoll sagt.</translation>
+    </message>
+    <message>
+        <source>The archive closed the connection without an answer.</source>
+        <translation>Das Archiv hat die Verbindung ohne Antwort geschlossen.</translation>
+    </message>
+    <message>
+        <source>Check whether this port expects TLS, and whether it is that of the archive&apos;s DICOM service.</source>
+        <translation>Prüfen Sie, ob dieser Port TLS erwartet und ob er der des DICOM-Dienstes des Archivs ist.</translation>
+    </message>
+    <message>
+        <source>What answered does not speak DICOM as the standard says.</source>
+        <translation>Was geantwortet hat, spricht kein DICOM, wie es der Standard verlangt.</translation>
+    </message>
+    <message>
+        <source>Check that the port is that of the archive&apos;s DICOM service, and whether it expects TLS.</source>
+        <translation>Prüfen Sie, ob der Port der des DICOM-Dienstes des Archivs ist und ob er TLS erwartet.</translation>
+    </message>
+    <message>
+        <source>The archive does not know the kind of connection that DICOM prescribes.</source>
+        <translation>Das Archiv kennt die Art der Verbindung nicht, die DICOM vorschreibt.</translation>
+    </message>
+    <message>
+        <source>Check that the port is that of the archive&apos;s DICOM service.</source>
+        <translation>Prüfen Sie, ob der Port der des DICOM-Dienstes des Archivs ist.</translation>
+    </message>
+    <message>
+        <source>The archive does not know this program by the AE title {}.</source>
+        <translation>Das Archiv kennt dieses Programm nicht unter dem AE-Titel {}.</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to add this AE title with the address of this machine, or enter the title that is known there.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, diesen AE-Titel mit der Adresse dieses Rechners einzutragen, oder geben Sie den Titel ein, der dort bekannt ist.</translation>
+    </message>
+    <message>
+        <source>The archive does not go by the AE title {}.</source>
+        <translation>Das Archiv hat einen anderen AE-Titel als {}.</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive for its AE title. Capitals matter.</source>
+        <translation>Fragen Sie die Verwaltung des Archivs nach seinem AE-Titel. Auf Groß- und Kleinschreibung kommt es an.</translation>
+    </message>
+    <message>
+        <source>The archive does not speak this version of the DICOM protocol.</source>
+        <translation>Das Archiv spricht diese Version des DICOM-Protokolls nicht.</translation>
+    </message>
+    <message>
+        <source>The archive is busy and takes no more connections now.</source>
+        <translation>Das Archiv ist ausgelastet und nimmt jetzt keine weiteren Verbindungen an.</translation>
+    </message>
+    <message>
+        <source>Try again in a few minutes.</source>
+        <translation>Versuchen Sie es in ein paar Minuten noch einmal.</translation>
+    </message>
+    <message>
+        <source>The archive has as many connections as it allows.</source>
+        <translation>Das Archiv hat so viele Verbindungen, wie es erlaubt.</translation>
+    </message>
+    <message>
+        <source>Try again when others have ended theirs, or ask the administrator of the archive to allow more.</source>
+        <translation>Versuchen Sie es noch einmal, wenn andere ihre beendet haben, oder bitten Sie die Verwaltung des Archivs, mehr zu erlauben.</translation>
+    </message>
+    <message>
+        <source>The archive refused the connection for now, without a reason.</source>
+        <translation>Das Archiv hat die Verbindung vorerst abgelehnt, ohne einen Grund zu nennen.</translation>
+    </message>
+    <message>
+        <source>The archive refused the connection without a reason.</source>
+        <translation>Das Archiv hat die Verbindung abgelehnt, ohne einen Grund zu nennen.</translation>
+    </message>
+    <message>
+        <source>Check both AE titles, and ask the administrator of the archive what its log says.</source>
+        <translation>Prüfen Sie beide AE-Titel, und fragen Sie die Verwaltung des Archivs, was sein Protokoll sagt.</translation>
+    </message>
+    <message>
+        <source>The archive has no room for this instance (status {}).</source>
+        <translation>Das Archiv hat keinen Platz für diese Instanz (Status {}).</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to make room, then send again.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, Platz zu schaffen, und senden Sie dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>The archive says that this instance does not fit its own kind (status {}).</source>
+        <translation>Das Archiv sagt, dass diese Instanz nicht zu ihrer eigenen Art passt (Status {}).</translation>
+    </message>
+    <message>
+        <source>The file may be damaged or against the standard. Ask the administrator of the archive.</source>
+        <translation>Die Datei ist vielleicht beschädigt oder verstößt gegen den Standard. Fragen Sie die Verwaltung des Archivs.</translation>
+    </message>
+    <message>
+        <source>The archive could not take this instance (status {}).</source>
+        <translation>Das Archiv konnte diese Instanz nicht annehmen (Status {}).</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive what its log says.</source>
+        <translation>Fragen Sie die Verwaltung des Archivs, was sein Protokoll sagt.</translation>
+    </message>
+    <message>
+        <source>The archive lacks the means to find out how much matches (status {}).</source>
+        <translation>Dem Archiv fehlen die Mittel, um festzustellen, wie viel passt (Status {}).</translation>
+    </message>
+    <message>
+        <source>Ask for less at once, or try again later.</source>
+        <translation>Verlangen Sie weniger auf einmal, oder versuchen Sie es später noch einmal.</translation>
+    </message>
+    <message>
+        <source>The archive could not send the instances (status {}).</source>
+        <translation>Das Archiv konnte die Instanzen nicht senden (Status {}).</translation>
+    </message>
+    <message>
+        <source>Check that the archive knows host and port of this program&apos;s receiver, and that no firewall blocks them.</source>
+        <translation>Prüfen Sie, ob das Archiv Rechner und Port des Empfängers dieses Programms kennt und ob keine Firewall sie sperrt.</translation>
+    </message>
+    <message>
+        <source>Try again later, or ask the administrator of the archive what its log says.</source>
+        <translation>Versuchen Sie es später noch einmal, oder fragen Sie die Verwaltung des Archivs, was sein Protokoll sagt.</translation>
+    </message>
+    <message>
+        <source>The archive lacks the means to do this now (status {}).</source>
+        <translation>Dem Archiv fehlen jetzt die Mittel dafür (Status {}).</translation>
+    </message>
+    <message>
+        <source>The archive does not know the AE title of this program&apos;s receiver (status {}).</source>
+        <translation>Das Archiv kennt den AE-Titel des Empfängers dieses Programms nicht (Status {}).</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to add the receiver&apos;s AE title with the host name and the port of this machine.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, den AE-Titel des Empfängers mit dem Rechnernamen und dem Port dieses Rechners einzutragen.</translation>
+    </message>
+    <message>
+        <source>The archive does not offer this service (status {}).</source>
+        <translation>Das Archiv bietet diesen Dienst nicht (Status {}).</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to switch it on for this program.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, ihn für dieses Programm einzuschalten.</translation>
+    </message>
+    <message>
+        <source>The archive does not allow this program to do this (status {}).</source>
+        <translation>Das Archiv erlaubt diesem Programm das nicht (Status {}).</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive for the right to do this.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs um das Recht dazu.</translation>
+    </message>
+    <message>
+        <source>The archive stopped by itself (status {}).</source>
+        <translation>Das Archiv hat von selbst aufgehört (Status {}).</translation>
+    </message>
+    <message>
+        <source>The archive did not understand the request (status {}).</source>
+        <translation>Das Archiv hat die Anfrage nicht verstanden (Status {}).</translation>
+    </message>
+    <message>
+        <source>The archive cannot search by what was asked (status {}).</source>
+        <translation>Das Archiv kann nach dem Verlangten nicht suchen (Status {}).</translation>
+    </message>
+    <message>
+        <source>Leave out some fields, or try the patient root model in the settings.</source>
+        <translation>Lassen Sie einige Felder weg, oder versuchen Sie in den Einstellungen das Abfragemodell Patient Root.</translation>
+    </message>
+    <message>
+        <source>The archive could not process the request (status {}).</source>
+        <translation>Das Archiv konnte die Anfrage nicht verarbeiten (Status {}).</translation>
+    </message>
+    <message>
+        <source>Ask for something simpler, or ask the administrator of the archive what its log says.</source>
+        <translation>Verlangen Sie etwas Einfacheres, oder fragen Sie die Verwaltung des Archivs, was sein Protokoll sagt.</translation>
+    </message>
+    <message>
+        <source>The archive failed for a reason of its own (status {}).</source>
+        <translation>Das Archiv ist aus einem eigenen Grund gescheitert (Status {}).</translation>
+    </message>
+    <message>
+        <source>Try again, or ask the administrator of the archive what its log says.</source>
+        <translation>Versuchen Sie es noch einmal, oder fragen Sie die Verwaltung des Archivs, was sein Protokoll sagt.</translation>
+    </message>
+    <message>
+        <source>The archive does not let this program search.</source>
+        <translation>Das Archiv lässt dieses Programm nicht suchen.</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to allow C-FIND for this AE title, or try the other query model in the settings.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, C-FIND für diesen AE-Titel zu erlauben, oder versuchen Sie in den Einstellungen das andere Abfragemodell.</translation>
+    </message>
+    <message>
+        <source>The archive does not let this program fetch over its own connection.</source>
+        <translation>Das Archiv lässt dieses Programm nicht über dessen eigene Verbindung abrufen.</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to allow C-GET for this AE title, or set up a receiver&apos;s port here, and its AE title, host and port in the archive.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, C-GET für diesen AE-Titel zu erlauben, oder richten Sie hier den Port eines Empfängers ein und im Archiv dessen AE-Titel, Rechner und Port.</translation>
+    </message>
+    <message>
+        <source>The archive does not let this program ask for instances to be sent.</source>
+        <translation>Das Archiv lässt dieses Programm nicht verlangen, dass ihm Instanzen gesendet werden.</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to allow C-MOVE for this AE title.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, C-MOVE für diesen AE-Titel zu erlauben.</translation>
+    </message>
+    <message>
+        <source>The archive takes no instances of this kind.</source>
+        <translation>Das Archiv nimmt keine Instanzen dieser Art an.</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to allow storing for this AE title.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, das Speichern für diesen AE-Titel zu erlauben.</translation>
+    </message>
+    <message>
+        <source>The archive does not answer to a test of the connection.</source>
+        <translation>Das Archiv antwortet nicht auf eine Prüfung der Verbindung.</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to allow C-ECHO for this AE title.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, C-ECHO für diesen AE-Titel zu erlauben.</translation>
+    </message>
+    <message>
+        <source>The archive has no images of what was asked for.</source>
+        <translation>Das Archiv hat keine Bilder zu dem, was verlangt wurde.</translation>
+    </message>
+    <message>
+        <source>Search again: they may have been moved or deleted.</source>
+        <translation>Suchen Sie noch einmal: vielleicht wurden sie verschoben oder gelöscht.</translation>
+    </message>
+    <message>
+        <source>Asking the archive which images there are</source>
+        <translation>Das Archiv wird gefragt, welche Bilder es gibt</translation>
+    </message>
+    <message>
+        <source>Fetching from the archive</source>
+        <translation>Aus dem Archiv wird abgerufen</translation>
+    </message>
+    <message>
+        <source>What is searched for cannot be written in this archive&apos;s character set.</source>
+        <translation>Wonach gesucht wird, lässt sich im Zeichensatz dieses Archivs nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>Search with fewer special characters, or change the character set in the archive&apos;s settings.</source>
+        <translation>Suchen Sie mit weniger Sonderzeichen, oder ändern Sie den Zeichensatz in den Einstellungen des Archivs.</translation>
+    </message>
+    <message>
+        <source>An instance from the archive could not be written.</source>
+        <translation>Eine Instanz aus dem Archiv konnte nicht gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Make room on the disk, and fetch again: what has come is kept.</source>
+        <translation>Schaffen Sie Platz auf dem Datenträger, und rufen Sie noch einmal ab: was gekommen ist, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Another program already listens at port {}, where the archive is to send.</source>
+        <translation>Am Port {}, an den das Archiv senden soll, wartet schon ein anderes Programm auf Verbindungen.</translation>
+    </message>
+    <message>
+        <source>End that program, or choose another port here and in the archive.</source>
+        <translation>Beenden Sie jenes Programm, oder wählen Sie hier und im Archiv einen anderen Port.</translation>
+    </message>
+    <message>
+        <source>This program may not listen at port {}, where the archive is to send.</source>
+        <translation>Dieses Programm darf am Port {}, an den das Archiv senden soll, nicht auf Verbindungen warten.</translation>
+    </message>
+    <message>
+        <source>Choose a port above 1023, here and in the archive.</source>
+        <translation>Wählen Sie hier und im Archiv einen Port über 1023.</translation>
+    </message>
+    <message>
+        <source>This machine has no such address to listen at for what the archive sends.</source>
+        <translation>Dieser Rechner hat die Adresse nicht, an der empfangen werden soll, was das Archiv sendet.</translation>
+    </message>
+    <message>
+        <source>Leave the receiver&apos;s address empty, or enter one of this machine.</source>
+        <translation>Lassen Sie die Adresse des Empfängers leer, oder geben Sie eine dieses Rechners ein.</translation>
+    </message>
+    <message>
+        <source>This machine has no means left to receive instances.</source>
+        <translation>Dieser Rechner hat keine Mittel mehr, um Instanzen zu empfangen.</translation>
+    </message>
+    <message>
+        <source>The archive does not take the encoding of this file.</source>
+        <translation>Das Archiv nimmt die Kodierung dieser Datei nicht an.</translation>
+    </message>
+    <message>
+        <source>Macula sends files as they are. Convert the file with other software, or ask the administrator of the archive to allow this transfer syntax.</source>
+        <translation>Macula sendet Dateien, wie sie sind. Wandeln Sie die Datei mit anderer Software um, oder bitten Sie die Verwaltung des Archivs, diese Transfersyntax zu erlauben.</translation>
+    </message>
+    <message>
+        <source>This file is cut off or damaged.</source>
+        <translation>Diese Datei ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>Get the file again from where it came from.</source>
+        <translation>Holen Sie die Datei noch einmal von dort, woher sie kam.</translation>
+    </message>
+    <message>
+        <source>The file does not name the object that it holds.</source>
+        <translation>Die Datei nennt das Objekt nicht, das sie enthält.</translation>
+    </message>
+    <message>
+        <source>Leave it out, or write it again with the program that made it.</source>
+        <translation>Lassen Sie sie weg, oder schreiben Sie sie noch einmal mit dem Programm, das sie erstellt hat.</translation>
+    </message>
+    <message>
+        <source>This file could not be read to its end.</source>
+        <translation>Diese Datei konnte nicht bis zu ihrem Ende gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Check the disk, and whether somebody else changes the file.</source>
+        <translation>Prüfen Sie den Datenträger, und ob jemand anderes die Datei ändert.</translation>
+    </message>
+    <message>
+        <source>Sending to the archive</source>
+        <translation>An das Archiv wird gesendet</translation>
+    </message>
+    <message>
+        <source>The certificates of the authorities that are to be trusted cannot be read.</source>
+        <translation>Die Zertifikate der Zertifizierungsstellen, denen vertraut werden soll, können nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Enter a PEM file, or a folder of hashed certificates.</source>
+        <translation>Geben Sie eine PEM-Datei oder einen Ordner mit Zertifikaten unter ihren Hashwerten an.</translation>
+    </message>
+    <message>
+        <source>The key of this program&apos;s certificate cannot be read.</source>
+        <translation>Der Schlüssel zum Zertifikat dieses Programms kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Enter a PEM file, and its passphrase if it has one.</source>
+        <translation>Geben Sie eine PEM-Datei an, und ihre Passphrase, wenn sie eine hat.</translation>
+    </message>
+    <message>
+        <source>The certificate of this program cannot be read.</source>
+        <translation>Das Zertifikat dieses Programms kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Enter a PEM file.</source>
+        <translation>Geben Sie eine PEM-Datei an.</translation>
+    </message>
+    <message>
+        <source>The key does not belong to this program&apos;s certificate.</source>
+        <translation>Der Schlüssel gehört nicht zum Zertifikat dieses Programms.</translation>
+    </message>
+    <message>
+        <source>Enter the key that was made together with the certificate.</source>
+        <translation>Geben Sie den Schlüssel an, der zusammen mit dem Zertifikat erstellt wurde.</translation>
+    </message>
+    <message>
+        <source>This machine&apos;s library for TLS cannot be used.</source>
+        <translation>Die TLS-Bibliothek dieses Rechners kann nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>Ask whoever looks after this machine to update OpenSSL.</source>
+        <translation>Bitten Sie die Systemverwaltung dieses Rechners, OpenSSL zu aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The certificate of the archive has expired.</source>
+        <translation>Das Zertifikat des Archivs ist abgelaufen.</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to renew it, and check this machine&apos;s date.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, es zu erneuern, und prüfen Sie das Datum dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>The certificate of the archive is not valid yet.</source>
+        <translation>Das Zertifikat des Archivs ist noch nicht gültig.</translation>
+    </message>
+    <message>
+        <source>Check this machine&apos;s date and time.</source>
+        <translation>Prüfen Sie Datum und Uhrzeit dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>The certificate of the archive is for another host name.</source>
+        <translation>Das Zertifikat des Archivs gilt für einen anderen Rechnernamen.</translation>
+    </message>
+    <message>
+        <source>Enter the host name that the certificate names; another one may be an impostor&apos;s.</source>
+        <translation>Geben Sie den Rechnernamen ein, den das Zertifikat nennt; hinter einem anderen kann sich ein Betrüger verbergen.</translation>
+    </message>
+    <message>
+        <source>The certificate of the archive has been revoked.</source>
+        <translation>Das Zertifikat des Archivs wurde widerrufen.</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive.</source>
+        <translation>Fragen Sie die Verwaltung des Archivs.</translation>
+    </message>
+    <message>
+        <source>The certificate of the archive is signed by nobody whom this machine trusts.</source>
+        <translation>Das Zertifikat des Archivs ist von niemandem signiert, dem dieser Rechner vertraut.</translation>
+    </message>
+    <message>
+        <source>Enter the certificate of the authority that signed it, which the administrator of the archive has.</source>
+        <translation>Geben Sie das Zertifikat der Zertifizierungsstelle an, die es signiert hat; die Verwaltung des Archivs hat es.</translation>
+    </message>
+    <message>
+        <source>The archive did not answer when a protected connection was to begin.</source>
+        <translation>Das Archiv hat nicht geantwortet, als eine geschützte Verbindung beginnen sollte.</translation>
+    </message>
+    <message>
+        <source>Check that this port of the archive is the one for TLS.</source>
+        <translation>Prüfen Sie, ob dieser Port des Archivs der für TLS ist.</translation>
+    </message>
+    <message>
+        <source>The archive does not use TLS at this port.</source>
+        <translation>Das Archiv verwendet an diesem Port kein TLS.</translation>
+    </message>
+    <message>
+        <source>Enter the port for TLS, or switch TLS off if the network is safe without.</source>
+        <translation>Geben Sie den Port für TLS ein, oder schalten Sie TLS aus, wenn das Netz auch ohne sicher ist.</translation>
+    </message>
+    <message>
+        <source>The archive and this program have no way of protecting a connection in common.</source>
+        <translation>Das Archiv und dieses Programm haben kein gemeinsames Verfahren, um eine Verbindung zu schützen.</translation>
+    </message>
+    <message>
+        <source>The archive must offer TLS 1.2 or later with the ciphers of BCP 195.</source>
+        <translation>Das Archiv muss TLS 1.2 oder neuer mit den Verfahren von BCP 195 bieten.</translation>
+    </message>
+    <message>
+        <source>The archive does not accept the certificate of this program.</source>
+        <translation>Das Archiv akzeptiert das Zertifikat dieses Programms nicht.</translation>
+    </message>
+    <message>
+        <source>Enter a certificate that the archive trusts, with its key.</source>
+        <translation>Geben Sie ein Zertifikat, dem das Archiv vertraut, mit seinem Schlüssel an.</translation>
+    </message>
+    <message>
+        <source>No protected connection to the archive could be made.</source>
+        <translation>Es kam keine geschützte Verbindung zum Archiv zustande.</translation>
+    </message>
+    <message>
+        <source>Check that this port of the archive is the one for TLS, and whether it asks for a certificate of this program.</source>
+        <translation>Prüfen Sie, ob dieser Port des Archivs der für TLS ist und ob er ein Zertifikat dieses Programms verlangt.</translation>
+    </message>
+    <message>
+        <source>docs/pacs.md shows how a file of archives is written.</source>
+        <translation>docs/pacs.md zeigt, wie eine Datei mit Archiven geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; has a value that does not fit it.</source>
+        <translation>„{}“ hat einen Wert, der nicht dazu passt.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a setting of an archive.</source>
+        <translation>„{}“ ist keine Einstellung eines Archivs.</translation>
+    </message>
+    <message>
+        <source>An archive in the list is not an object.</source>
+        <translation>Ein Archiv in der Liste ist kein Objekt.</translation>
+    </message>
+    <message>
+        <source>An archive needs either &quot;dimse&quot; or &quot;dicomweb&quot;.</source>
+        <translation>Ein Archiv braucht entweder „dimse“ oder „dicomweb“.</translation>
+    </message>
+    <message>
+        <source>The name of an archive has 1 to 64 characters, and no slash.</source>
+        <translation>Der Name eines Archivs hat 1 bis 64 Zeichen und keinen Schrägstrich.</translation>
+    </message>
+    <message>
+        <source>The file of archives is not JSON.</source>
+        <translation>Die Datei mit den Archiven ist kein JSON.</translation>
+    </message>
+    <message>
+        <source>The file of archives lacks its version (1) or its list of sources.</source>
+        <translation>Der Datei mit den Archiven fehlt ihre Version (1) oder ihre Liste der Quellen.</translation>
+    </message>
+    <message>
+        <source>Two archives in the list have the same name.</source>
+        <translation>Zwei Archive in der Liste haben denselben Namen.</translation>
+    </message>
+    <message>
+        <source>The folder for the list of archives cannot be made.</source>
+        <translation>Der Ordner für die Liste der Archive kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>Check the permissions of your data folder.</source>
+        <translation>Prüfen Sie die Zugriffsrechte Ihres Datenordners.</translation>
+    </message>
+    <message>
+        <source>The file cannot be made private.</source>
+        <translation>Die Datei kann nicht vor anderen geschützt werden.</translation>
+    </message>
+    <message>
+        <source>Choose a data folder on a disk with permissions: XDG_DATA_HOME names it.</source>
+        <translation>Wählen Sie einen Datenordner auf einem Datenträger mit Zugriffsrechten: XDG_DATA_HOME nennt ihn.</translation>
+    </message>
+    <message>
+        <source>The list of archives could not be written.</source>
+        <translation>Die Liste der Archive konnte nicht gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Others can read the file with the passwords of archives.</source>
+        <translation>Andere können die Datei mit den Passwörtern von Archiven lesen.</translation>
+    </message>
+    <message>
+        <source>Run chmod 600 on it, and change the passwords if others use this machine.</source>
+        <translation>Wenden Sie chmod 600 auf sie an, und ändern Sie die Passwörter, wenn andere diesen Rechner benutzen.</translation>
+    </message>
+    <message>
+        <source>The file with the passwords of archives is damaged.</source>
+        <translation>Die Datei mit den Passwörtern von Archiven ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Remove it, and enter the passwords again.</source>
+        <translation>Löschen Sie sie, und geben Sie die Passwörter noch einmal ein.</translation>
+    </message>
+    <message>
+        <source>No archive has been set up.</source>
+        <translation>Es ist kein Archiv eingerichtet.</translation>
+    </message>
+    <message>
+        <source>Set one up with macula pacs add.</source>
+        <translation>Richten Sie mit macula pacs add eines ein.</translation>
+    </message>
+    <message>
+        <source>There is no archive of that name.</source>
+        <translation>Es gibt kein Archiv mit diesem Namen.</translation>
+    </message>
+    <message>
+        <source>These are there: {}.</source>
+        <translation>Diese gibt es: {}.</translation>
+    </message>
+    <message>
+        <source>The administrator has set up this archive; it cannot be changed here.</source>
+        <translation>Die Systemverwaltung hat dieses Archiv eingerichtet; es kann hier nicht geändert werden.</translation>
+    </message>
+    <message>
+        <source>Ask your administrator, or choose another name.</source>
+        <translation>Fragen Sie Ihre Systemverwaltung, oder wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s answer cannot be read.</source>
+        <translation>Die Antwort des Archivs kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Check that the address is that of DICOMweb, and not of a page for people.</source>
+        <translation>Prüfen Sie, ob die Adresse die von DICOMweb ist und nicht die einer Seite für Menschen.</translation>
+    </message>
+    <message>
+        <source>read the archive&apos;s answer</source>
+        <translation>die Antwort des Archivs zu lesen</translation>
+    </message>
+    <message>
+        <source>The name of the archive&apos;s host is not known in the network.</source>
+        <translation>Der Rechnername des Archivs ist im Netz nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Check how the host is spelled in the address, and that this machine is in the right network.</source>
+        <translation>Prüfen Sie, wie der Rechnername in der Adresse geschrieben ist, und ob dieser Rechner hier im richtigen Netz ist.</translation>
+    </message>
+    <message>
+        <source>The name of the proxy is not known in the network.</source>
+        <translation>Der Name des Proxys ist im Netz nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Check the proxy in the settings of the archive, or in https_proxy.</source>
+        <translation>Prüfen Sie den Proxy in den Einstellungen des Archivs oder in https_proxy.</translation>
+    </message>
+    <message>
+        <source>The proxy does not connect to the archive.</source>
+        <translation>Der Proxy verbindet nicht mit dem Archiv.</translation>
+    </message>
+    <message>
+        <source>Ask whoever runs the proxy, or name the archive&apos;s host in no_proxy.</source>
+        <translation>Fragen Sie die Verwaltung des Proxys, oder nennen Sie den Rechner des Archivs in no_proxy.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s host does not accept connections at this port.</source>
+        <translation>Der Rechner des Archivs nimmt an diesem Port keine Verbindungen an.</translation>
+    </message>
+    <message>
+        <source>Check host and port in the address, and ask whether the service runs and the firewall lets it through.</source>
+        <translation>Prüfen Sie Rechner und Port in der Adresse, und fragen Sie, ob der Dienst läuft und die Firewall ihn durchlässt.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s host did not answer in time when it was called.</source>
+        <translation>Der Rechner des Archivs hat auf den Verbindungsversuch nicht rechtzeitig geantwortet.</translation>
+    </message>
+    <message>
+        <source>Check host and port in the address; a firewall may be in between.</source>
+        <translation>Prüfen Sie Rechner und Port in der Adresse; vielleicht ist eine Firewall dazwischen.</translation>
+    </message>
+    <message>
+        <source>The archive stopped answering.</source>
+        <translation>Das Archiv hat aufgehört zu antworten.</translation>
+    </message>
+    <message>
+        <source>Try again later, or set a longer time for answers.</source>
+        <translation>Versuchen Sie es später noch einmal, oder stellen Sie eine längere Zeit für Antworten ein.</translation>
+    </message>
+    <message>
+        <source>The archive closed the connection before its answer was complete.</source>
+        <translation>Das Archiv hat die Verbindung geschlossen, bevor seine Antwort vollständig war.</translation>
+    </message>
+    <message>
+        <source>Try again; if it happens again, ask the administrator of the archive.</source>
+        <translation>Versuchen Sie es noch einmal; wenn es wieder vorkommt, fragen Sie die Verwaltung des Archivs.</translation>
+    </message>
+    <message>
+        <source>What answers at this address does not speak as a web service does.</source>
+        <translation>Was an dieser Adresse antwortet, spricht nicht wie ein Webdienst.</translation>
+    </message>
+    <message>
+        <source>Check host and port in the address, and whether it begins with https://.</source>
+        <translation>Prüfen Sie Rechner und Port in der Adresse, und ob sie mit https:// beginnt.</translation>
+    </message>
+    <message>
+        <source>The archive refers to another host, which gets no requests.</source>
+        <translation>Das Archiv verweist auf einen anderen Rechner, der keine Anfragen bekommt.</translation>
+    </message>
+    <message>
+        <source>Enter the address that the archive&apos;s administrator names; a page for signing in may be in between.</source>
+        <translation>Geben Sie die Adresse ein, die die Verwaltung des Archivs nennt; vielleicht liegt eine Seite zur Anmeldung dazwischen.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s certificate is not valid at this time.</source>
+        <translation>Das Zertifikat des Archivs ist zu dieser Zeit nicht gültig.</translation>
+    </message>
+    <message>
+        <source>Check the clock of this machine; if it is right, the archive needs a new certificate.</source>
+        <translation>Prüfen Sie die Uhr dieses Rechners; wenn sie richtig geht, braucht das Archiv ein neues Zertifikat.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s certificate is signed by nobody whom this machine trusts.</source>
+        <translation>Das Zertifikat des Archivs ist von niemandem signiert, dem dieser Rechner vertraut.</translation>
+    </message>
+    <message>
+        <source>Name the file of the authority that signed it in the settings of the archive.</source>
+        <translation>Geben Sie in den Einstellungen des Archivs die Datei der Zertifizierungsstelle an, die es signiert hat.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s certificate is for another host.</source>
+        <translation>Das Zertifikat des Archivs gilt für einen anderen Rechner.</translation>
+    </message>
+    <message>
+        <source>Enter the host in the address as the certificate names it.</source>
+        <translation>Geben Sie den Rechner in der Adresse so ein, wie ihn das Zertifikat nennt.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s certificate was revoked.</source>
+        <translation>Das Zertifikat des Archivs wurde widerrufen.</translation>
+    </message>
+    <message>
+        <source>Do not use this archive until its administrator has renewed it.</source>
+        <translation>Verwenden Sie dieses Archiv nicht, bis seine Verwaltung es erneuert hat.</translation>
+    </message>
+    <message>
+        <source>The archive wants a certificate of this machine, and accepts none that it got.</source>
+        <translation>Das Archiv verlangt ein Zertifikat dieses Rechners und akzeptiert keines, das es bekam.</translation>
+    </message>
+    <message>
+        <source>Set certificate and key that the archive&apos;s administrator issued.</source>
+        <translation>Stellen Sie Zertifikat und Schlüssel ein, die die Verwaltung des Archivs ausgestellt hat.</translation>
+    </message>
+    <message>
+        <source>The certificate of this machine cannot be used with its key.</source>
+        <translation>Das Zertifikat dieses Rechners kann mit seinem Schlüssel nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>Check both files, which must be PEM, and the passphrase of the key.</source>
+        <translation>Prüfen Sie beide Dateien, die PEM sein müssen, und die Passphrase des Schlüssels.</translation>
+    </message>
+    <message>
+        <source>The file or folder of trusted authorities cannot be read.</source>
+        <translation>Die Datei oder der Ordner der vertrauenswürdigen Zertifizierungsstellen kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Check that it exists and holds certificates as PEM.</source>
+        <translation>Prüfen Sie, ob es die Datei oder den Ordner gibt und ob darin Zertifikate als PEM sind.</translation>
+    </message>
+    <message>
+        <source>The archive does not encrypt at this port.</source>
+        <translation>Das Archiv verschlüsselt an diesem Port nicht.</translation>
+    </message>
+    <message>
+        <source>Check the port in the address; without encryption it begins with http://.</source>
+        <translation>Prüfen Sie den Port in der Adresse; ohne Verschlüsselung beginnt sie mit http://.</translation>
+    </message>
+    <message>
+        <source>This computer and the archive could not agree on encryption.</source>
+        <translation>Dieser Rechner und das Archiv konnten sich nicht auf eine Verschlüsselung einigen.</translation>
+    </message>
+    <message>
+        <source>The archive must offer TLS 1.2 or later: ask its administrator.</source>
+        <translation>Das Archiv muss TLS 1.2 oder neuer bieten: fragen Sie seine Verwaltung.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s answer is larger than any should be.</source>
+        <translation>Die Antwort des Archivs ist größer, als eine sein sollte.</translation>
+    </message>
+    <message>
+        <source>The archive compresses its answers, although it was not asked to.</source>
+        <translation>Das Archiv komprimiert seine Antworten, obwohl das nicht verlangt war.</translation>
+    </message>
+    <message>
+        <source>Ask the administrator to send DICOMweb answers without compression.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, Antworten von DICOMweb ohne Kompression zu senden.</translation>
+    </message>
+    <message>
+        <source>The archive does not understand the request (400).</source>
+        <translation>Das Archiv versteht die Anfrage nicht (400).</translation>
+    </message>
+    <message>
+        <source>Simplify the search, and check that the address is that of DICOMweb and begins with https:// where the archive encrypts.</source>
+        <translation>Vereinfachen Sie die Suche, und prüfen Sie, ob die Adresse die von DICOMweb ist und mit https:// beginnt, wo das Archiv verschlüsselt.</translation>
+    </message>
+    <message>
+        <source>The archive does not accept the sign-in (401).</source>
+        <translation>Das Archiv akzeptiert die Anmeldung nicht (401).</translation>
+    </message>
+    <message>
+        <source>Check user name and password, or the token, in the settings of the archive.</source>
+        <translation>Prüfen Sie Benutzernamen und Passwort oder das Token in den Einstellungen des Archivs.</translation>
+    </message>
+    <message>
+        <source>The archive does not allow this to the user that is signed in (403).</source>
+        <translation>Das Archiv erlaubt das dem angemeldeten Benutzer nicht (403).</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive for the rights to search and retrieve.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs um die Rechte zum Suchen und Abrufen.</translation>
+    </message>
+    <message>
+        <source>The archive has nothing at this address (404).</source>
+        <translation>Das Archiv hat an dieser Adresse nichts (404).</translation>
+    </message>
+    <message>
+        <source>Check the path in the address of the service; a study may have been removed.</source>
+        <translation>Prüfen Sie den Pfad in der Adresse des Dienstes; vielleicht wurde auch eine Studie entfernt.</translation>
+    </message>
+    <message>
+        <source>The archive does not offer this service ({}).</source>
+        <translation>Das Archiv bietet diesen Dienst nicht ({}).</translation>
+    </message>
+    <message>
+        <source>The archive cannot send images as they are stored (406).</source>
+        <translation>Das Archiv kann Bilder nicht so senden, wie sie gespeichert sind (406).</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive whether WADO-RS is on, or use DIMSE with this archive.</source>
+        <translation>Fragen Sie die Verwaltung des Archivs, ob WADO-RS eingeschaltet ist, oder verwenden Sie DIMSE mit diesem Archiv.</translation>
+    </message>
+    <message>
+        <source>The archive could not store what it was sent (409).</source>
+        <translation>Das Archiv konnte nicht speichern, was ihm gesendet wurde (409).</translation>
+    </message>
+    <message>
+        <source>The archive, or a proxy before it, does not take files of this size (413).</source>
+        <translation>Das Archiv oder ein Proxy davor nimmt Dateien dieser Größe nicht an (413).</translation>
+    </message>
+    <message>
+        <source>Ask the administrator to raise the limit for uploads.</source>
+        <translation>Bitten Sie die Verwaltung des Archivs, die Grenze für das Hochladen zu erhöhen.</translation>
+    </message>
+    <message>
+        <source>The archive does not take files of this kind (415).</source>
+        <translation>Das Archiv nimmt Dateien dieser Art nicht an (415).</translation>
+    </message>
+    <message>
+        <source>The archive has too much to do at the moment ({}).</source>
+        <translation>Das Archiv hat zurzeit zu viel zu tun ({}).</translation>
+    </message>
+    <message>
+        <source>Try again in some minutes.</source>
+        <translation>Versuchen Sie es in einigen Minuten noch einmal.</translation>
+    </message>
+    <message>
+        <source>The archive has a fault of its own ({}).</source>
+        <translation>Das Archiv hat einen eigenen Fehler ({}).</translation>
+    </message>
+    <message>
+        <source>Try again later; if it stays so, tell the administrator of the archive.</source>
+        <translation>Versuchen Sie es später noch einmal; wenn es so bleibt, melden Sie es der Verwaltung des Archivs.</translation>
+    </message>
+    <message>
+        <source>The archive answered with the unexpected status {}.</source>
+        <translation>Das Archiv antwortete mit dem unerwarteten Status {}.</translation>
+    </message>
+    <message>
+        <source>The connection with the archive failed, for a reason that the program did not foresee.</source>
+        <translation>Die Verbindung mit dem Archiv misslang, aus einem Grund, den das Programm nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>Try again; if it fails again, report it.</source>
+        <translation>Versuchen Sie es noch einmal; wenn es wieder misslingt, melden Sie es.</translation>
+    </message>
+    <message>
+        <source>The work with the archive was cancelled.</source>
+        <translation>Die Arbeit mit dem Archiv wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The archive sent something else than the images that it was asked for.</source>
+        <translation>Das Archiv hat etwas anderes gesendet als die Bilder, die verlangt wurden.</translation>
+    </message>
+    <message>
+        <source>There is no space left for images from the archive.</source>
+        <translation>Für Bilder aus dem Archiv ist kein Platz mehr.</translation>
+    </message>
+    <message>
+        <source>The images from the archive cannot be written.</source>
+        <translation>Die Bilder aus dem Archiv können nicht gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Free space on the disk, or keep images elsewhere.</source>
+        <translation>Schaffen Sie Platz auf dem Datenträger, oder bewahren Sie Bilder anderswo auf.</translation>
+    </message>
+    <message>
+        <source>Check the folder in which images are kept, and its permissions.</source>
+        <translation>Prüfen Sie den Ordner, in dem Bilder aufbewahrt werden, und seine Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>The archive&apos;s answer is not put together as DICOMweb wants it.</source>
+        <translation>Die Antwort des Archivs ist nicht so aufgebaut, wie DICOMweb es verlangt.</translation>
+    </message>
+    <message>
+        <source>The identifier of a study, series or image is malformed.</source>
+        <translation>Die Kennung einer Studie, einer Serie oder eines Bildes ist fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>It has at most 64 digits and dots: choose from the archive&apos;s list instead.</source>
+        <translation>Sie hat höchstens 64 Ziffern und Punkte: wählen Sie stattdessen aus der Liste des Archivs.</translation>
+    </message>
+    <message>
+        <source>A date of the search is malformed.</source>
+        <translation>Ein Datum der Suche ist fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>Write year, month and day with eight digits.</source>
+        <translation>Schreiben Sie Jahr, Monat und Tag mit acht Ziffern.</translation>
+    </message>
+    <message>
+        <source>The service that gives tokens for the archive did not give one.</source>
+        <translation>Der Dienst, der Tokens für das Archiv ausgibt, hat keines ausgegeben.</translation>
+    </message>
+    <message>
+        <source>Check its address, the client, its secret and the scope in the settings of the archive.</source>
+        <translation>Prüfen Sie in den Einstellungen des Archivs seine Adresse, den Client, dessen Geheimnis und den Scope.</translation>
+    </message>
+    <message>
+        <source>sign in</source>
+        <translation>die Anmeldung auszuführen</translation>
+    </message>
+    <message>
+        <source>The service that gives tokens failed: {}</source>
+        <translation>Der Dienst, der Tokens ausgibt, meldet einen Fehler: {}</translation>
+    </message>
+    <message>
+        <source>The archive does not store objects of this kind.</source>
+        <translation>Das Archiv speichert Objekte dieser Art nicht.</translation>
+    </message>
+    <message>
+        <source>Ask its administrator to accept the kind, or send them elsewhere.</source>
+        <translation>Bitten Sie seine Verwaltung, diese Art zu akzeptieren, oder senden Sie sie anderswohin.</translation>
+    </message>
+    <message>
+        <source>The archive does not allow this user to store.</source>
+        <translation>Das Archiv erlaubt diesem Benutzer das Speichern nicht.</translation>
+    </message>
+    <message>
+        <source>Ask its administrator for the right to store.</source>
+        <translation>Bitten Sie seine Verwaltung um das Recht zu speichern.</translation>
+    </message>
+    <message>
+        <source>The archive has an object with this identifier already.</source>
+        <translation>Das Archiv hat schon ein Objekt mit dieser Kennung.</translation>
+    </message>
+    <message>
+        <source>Look there: if it is the same one, nothing is to be done.</source>
+        <translation>Sehen Sie dort nach: wenn es dasselbe ist, ist nichts zu tun.</translation>
+    </message>
+    <message>
+        <source>The archive does not store this encoding of the image.</source>
+        <translation>Das Archiv speichert diese Kodierung des Bildes nicht.</translation>
+    </message>
+    <message>
+        <source>Ask its administrator which encodings it takes.</source>
+        <translation>Fragen Sie seine Verwaltung, welche Kodierungen es annimmt.</translation>
+    </message>
+    <message>
+        <source>The object belongs to another study than the one it was sent to.</source>
+        <translation>Das Objekt gehört zu einer anderen Studie als der, an die es gesendet wurde.</translation>
+    </message>
+    <message>
+        <source>Send it again without the others.</source>
+        <translation>Senden Sie es noch einmal, ohne die anderen.</translation>
+    </message>
+    <message>
+        <source>The archive has no room left.</source>
+        <translation>Das Archiv hat keinen Platz mehr.</translation>
+    </message>
+    <message>
+        <source>Tell its administrator, and send again later.</source>
+        <translation>Melden Sie es seiner Verwaltung, und senden Sie später noch einmal.</translation>
+    </message>
+    <message>
+        <source>The archive finds that the object does not hold what its kind requires.</source>
+        <translation>Das Archiv findet, dass das Objekt nicht enthält, was seine Art verlangt.</translation>
+    </message>
+    <message>
+        <source>Ask whoever made the object; Macula sends it unchanged.</source>
+        <translation>Fragen Sie dort nach, wo das Objekt erstellt wurde; Macula sendet es unverändert.</translation>
+    </message>
+    <message>
+        <source>The archive does not understand the object.</source>
+        <translation>Das Archiv versteht das Objekt nicht.</translation>
+    </message>
+    <message>
+        <source>Check that the file opens here, and ask the administrator of the archive.</source>
+        <translation>Prüfen Sie, ob die Datei sich hier öffnen lässt, und fragen Sie die Verwaltung des Archivs.</translation>
+    </message>
+    <message>
+        <source>The archive failed while it stored the object.</source>
+        <translation>Das Archiv ist gescheitert, als es das Objekt speicherte.</translation>
+    </message>
+    <message>
+        <source>Send it again; if it fails again, ask the administrator of the archive.</source>
+        <translation>Senden Sie es noch einmal; wenn es wieder misslingt, fragen Sie die Verwaltung des Archivs.</translation>
+    </message>
+    <message>
+        <source>The archive did not store the object, and does not say why.</source>
+        <translation>Das Archiv hat das Objekt nicht gespeichert und sagt nicht, warum.</translation>
+    </message>
+    <message>
+        <source>The archive did not store the object, for its reason {:04X}.</source>
+        <translation>Das Archiv hat das Objekt nicht gespeichert; sein Grund: {:04X}.</translation>
+    </message>
+    <message>
+        <source>A file changed or went away while it was sent.</source>
+        <translation>Eine Datei hat sich geändert oder ist verschwunden, während sie gesendet wurde.</translation>
+    </message>
+    <message>
+        <source>Send it again when nobody else works with it.</source>
+        <translation>Senden Sie sie noch einmal, wenn niemand sonst mit ihr arbeitet.</translation>
+    </message>
+    <message>
+        <source>Enter the address of the DICOMweb service, such as https://pacs.example.org/dicom-web.</source>
+        <translation>Geben Sie die Adresse des DICOMweb-Dienstes ein, etwa https://pacs.example.org/dicom-web.</translation>
+    </message>
+    <message>
+        <source>The address of the archive holds a blank or a control character.</source>
+        <translation>Die Adresse des Archivs enthält ein Leerzeichen oder ein Steuerzeichen.</translation>
+    </message>
+    <message>
+        <source>The address of the archive is not one of the web.</source>
+        <translation>Die Adresse des Archivs ist keine Webadresse.</translation>
+    </message>
+    <message>
+        <source>The address of the archive begins with neither https:// nor http://.</source>
+        <translation>Die Adresse des Archivs beginnt weder mit https:// noch mit http://.</translation>
+    </message>
+    <message>
+        <source>The address of the archive holds a user name, which belongs in its own field.</source>
+        <translation>Die Adresse des Archivs enthält einen Benutzernamen, der in sein eigenes Feld gehört.</translation>
+    </message>
+    <message>
+        <source>The address of the archive has a question mark or a # in it.</source>
+        <translation>Die Adresse des Archivs enthält ein Fragezeichen oder ein #.</translation>
+    </message>
+    <message>
+        <source>The address of the archive names no host.</source>
+        <translation>Die Adresse des Archivs nennt keinen Rechner.</translation>
+    </message>
+    <message>
+        <source>work with the archive</source>
+        <translation>mit dem Archiv zu arbeiten</translation>
+    </message>
+    <message>
+        <source>The archive has no images of this study.</source>
+        <translation>Das Archiv hat keine Bilder dieser Studie.</translation>
+    </message>
+    <message>
+        <source>Search again: it may have been removed, or moved to another archive.</source>
+        <translation>Suchen Sie noch einmal: vielleicht wurde sie entfernt oder in ein anderes Archiv verschoben.</translation>
+    </message>
+    <message>
+        <source>Fetching {} images from the archive</source>
+        <translation>{} Bilder werden aus dem Archiv abgerufen</translation>
+    </message>
+    <message>
+        <source>The file or folder of trusted authorities does not exist.</source>
+        <translation>Die Datei oder den Ordner der vertrauenswürdigen Zertifizierungsstellen gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Name a PEM file, or leave the field empty for those of the system.</source>
+        <translation>Geben Sie eine PEM-Datei an, oder lassen Sie das Feld für die des Systems leer.</translation>
+    </message>
+    <message>
+        <source>The certificate of this machine, or its key, does not exist.</source>
+        <translation>Das Zertifikat dieses Rechners oder seinen Schlüssel gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Name the PEM files that the archive&apos;s administrator issued.</source>
+        <translation>Geben Sie die PEM-Dateien an, die die Verwaltung des Archivs ausgestellt hat.</translation>
+    </message>
+    <message>
+        <source>Name the PEM file of the certificate too.</source>
+        <translation>Geben Sie auch die PEM-Datei des Zertifikats an.</translation>
+    </message>
+    <message>
+        <source>A name, password or token of the sign-in holds a control character.</source>
+        <translation>Ein Name, Passwort oder Token der Anmeldung enthält ein Steuerzeichen.</translation>
+    </message>
+    <message>
+        <source>Enter it again, without a line end.</source>
+        <translation>Geben Sie es noch einmal ein, ohne Zeilenende.</translation>
+    </message>
+    <message>
+        <source>The user name of the sign-in holds a colon, which no user name may.</source>
+        <translation>Der Benutzername der Anmeldung enthält einen Doppelpunkt, was kein Benutzername darf.</translation>
+    </message>
+    <message>
+        <source>Enter the user name alone.</source>
+        <translation>Geben Sie nur den Benutzernamen ein.</translation>
+    </message>
+    <message>
+        <source>The sign-in has no user name.</source>
+        <translation>Die Anmeldung hat keinen Benutzernamen.</translation>
+    </message>
+    <message>
+        <source>Enter user name and password.</source>
+        <translation>Geben Sie Benutzernamen und Passwort ein.</translation>
+    </message>
+    <message>
+        <source>The sign-in has no token that could be sent.</source>
+        <translation>Die Anmeldung hat kein Token, das gesendet werden könnte.</translation>
+    </message>
+    <message>
+        <source>Enter the token that the archive&apos;s administrator issued.</source>
+        <translation>Geben Sie das Token ein, das die Verwaltung des Archivs ausgestellt hat.</translation>
+    </message>
+    <message>
+        <source>The address of the service that gives tokens does not begin with https://.</source>
+        <translation>Die Adresse des Dienstes, der Tokens ausgibt, beginnt nicht mit https://.</translation>
+    </message>
+    <message>
+        <source>Enter the address that the administrator of the sign-in names.</source>
+        <translation>Geben Sie die Adresse ein, die die Verwaltung der Anmeldung nennt.</translation>
+    </message>
+    <message>
+        <source>The sign-in has no name of the client.</source>
+        <translation>Die Anmeldung hat keinen Namen des Clients.</translation>
+    </message>
+    <message>
+        <source>Enter the client and its secret, as they are registered.</source>
+        <translation>Geben Sie den Client und sein Geheimnis so ein, wie sie registriert sind.</translation>
+    </message>
+    <message>
+        <source>A password or token would go over the network without encryption.</source>
+        <translation>Ein Passwort oder Token ginge unverschlüsselt über das Netz.</translation>
+    </message>
+    <message>
+        <source>Enter an address that begins with https://, or one of this machine, or no sign-in.</source>
+        <translation>Geben Sie eine Adresse ein, die mit https:// beginnt, oder eine dieses Rechners, oder keine Anmeldung.</translation>
+    </message>
+    <message>
+        <source>The address of the proxy is malformed.</source>
+        <translation>Die Adresse des Proxys ist fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>Enter it as in http://proxy.example.org:3128, or leave it empty.</source>
+        <translation>Geben Sie sie ein wie in http://proxy.example.org:3128, oder lassen Sie sie leer.</translation>
+    </message>
+    <message>
+        <source>Sending {} images to the archive</source>
+        <translation>{} Bilder werden an das Archiv gesendet</translation>
+    </message>
+    <message>
+        <source>Ask whoever made the file: it has no valid SOP Instance UID.</source>
+        <translation>Fragen Sie dort nach, wo die Datei erstellt wurde: sie hat keine gültige SOP Instance UID.</translation>
+    </message>
+    <message>
+        <source>The first bytes are enough.</source>
+        <translation>Die ersten Bytes genügen.</translation>
+    </message>
+    <message>
+        <source>The archive finds images but does not send them.</source>
+        <translation>Das Archiv findet Bilder, sendet sie aber nicht.</translation>
+    </message>
+    <message>
+        <source>Ask its administrator whether WADO-RS is on.</source>
+        <translation>Fragen Sie seine Verwaltung, ob WADO-RS eingeschaltet ist.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Encryption</source>
+        <translation>Verschlüsselung</translation>
+    </message>
+    <message>
+        <source>Sign-in</source>
+        <translation>Anmeldung</translation>
+    </message>
+    <message>
+        <source>Connected to {}.</source>
+        <translation>Verbunden mit {}.</translation>
+    </message>
+    <message>
+        <source>The certificate is valid.</source>
+        <translation>Das Zertifikat ist gültig.</translation>
+    </message>
+    <message>
+        <source>Testing the connection with the archive</source>
+        <translation>Die Verbindung mit dem Archiv wird geprüft</translation>
+    </message>
+    <message>
+        <source>The archive is empty, or shows nothing to this user.</source>
+        <translation>Das Archiv ist leer oder zeigt diesem Benutzer nichts.</translation>
+    </message>
+    <message>
+        <source>The archive answers searches.</source>
+        <translation>Das Archiv antwortet auf die Suche.</translation>
+    </message>
+    <message>
+        <source>There was no image to try it with.</source>
+        <translation>Es gab kein Bild, um es damit zu prüfen.</translation>
+    </message>
+    <message>
+        <source>The archive sends images.</source>
+        <translation>Das Archiv sendet Bilder.</translation>
+    </message>
+    <message>
+        <source>The archive has no such study.</source>
+        <translation>Das Archiv hat keine solche Studie.</translation>
+    </message>
+    <message>
+        <source>Search for it again: it may have been removed or merged.</source>
+        <translation>Suchen Sie noch einmal nach ihr: vielleicht wurde sie entfernt oder mit einer anderen vereinigt.</translation>
+    </message>
+    <message>
+        <source>{} of {} images that the archive has did not come.</source>
+        <translation>Nicht gekommen: {} von {} Bildern, die das Archiv hat.</translation>
+    </message>
+    <message>
+        <source>Fetch the study again, and tell the administrator of the archive if it stays so.</source>
+        <translation>Rufen Sie die Studie noch einmal ab, und melden Sie es der Verwaltung des Archivs, wenn es so bleibt.</translation>
+    </message>
+    <message>
+        <source>The archive sent {} images of another study or patient. They were not kept.</source>
+        <translation>Bilder einer anderen Studie oder eines anderen Patienten, die das Archiv gesendet hat: {}. Sie wurden nicht behalten.</translation>
+    </message>
+    <message>
+        <source>Tell the administrator of the archive.</source>
+        <translation>Melden Sie es der Verwaltung des Archivs.</translation>
+    </message>
+    <message>
+        <source>{} objects that came cannot be read. They were not kept.</source>
+        <translation>Objekte, die gekommen sind und nicht gelesen werden können: {}. Sie wurden nicht behalten.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent.</source>
+        <translation>Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>One of the files is damaged or cut off; nothing was sent.</source>
+        <translation>Eine der Dateien ist beschädigt oder abgeschnitten; nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Leave it out.</source>
+        <translation>Lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>There is no DICOM file.</source>
+        <translation>Dort gibt es keine DICOM-Datei.</translation>
+    </message>
+    <message>
+        <source>The folder for fetched studies cannot be made.</source>
+        <translation>Der Ordner für abgerufene Studien kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>Check the permissions of the folder above it.</source>
+        <translation>Prüfen Sie die Zugriffsrechte des Ordners darüber.</translation>
+    </message>
+    <message>
+        <source>A fetched study cannot be removed.</source>
+        <translation>Eine abgerufene Studie kann nicht entfernt werden.</translation>
+    </message>
+    <message>
+        <source>The notes on a fetched study are damaged.</source>
+        <translation>Die Notizen zu einer abgerufenen Studie sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>Fetch the study again.</source>
+        <translation>Rufen Sie die Studie noch einmal ab.</translation>
+    </message>
+    <message>
+        <source>The folder for fetched studies cannot be written.</source>
+        <translation>In den Ordner für abgerufene Studien kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Check its permissions and the free space.</source>
+        <translation>Prüfen Sie seine Zugriffsrechte und den freien Platz.</translation>
+    </message>
+    <message>
+        <source>Another program is fetching this study.</source>
+        <translation>Ein anderes Programm ruft diese Studie gerade ab.</translation>
+    </message>
+    <message>
+        <source>Wait until it is done.</source>
+        <translation>Warten Sie, bis es fertig ist.</translation>
+    </message>
+    <message>
+        <source>The images of this study that were fetched before name another patient than the archive does now.</source>
+        <translation>Die Bilder dieser Studie, die früher abgerufen wurden, nennen einen anderen Patienten als das Archiv jetzt.</translation>
+    </message>
+    <message>
+        <source>Tell the administrator of the archive. To fetch the study anew, remove what was fetched of it.</source>
+        <translation>Melden Sie es der Verwaltung des Archivs. Um die Studie neu abzurufen, entfernen Sie, was von ihr abgerufen wurde.</translation>
+    </message>
+    <message>
+        <source>The disk for fetched studies is full.</source>
+        <translation>Der Datenträger für abgerufene Studien ist voll.</translation>
+    </message>
+    <message>
+        <source>Free some space, or remove fetched studies with macula pacs purge. What came so far is kept.</source>
+        <translation>Schaffen Sie Platz, oder entfernen Sie abgerufene Studien mit macula pacs purge. Was bisher gekommen ist, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>The archive sends more than {} images of one study.</source>
+        <translation>Das Archiv sendet mehr als {} Bilder einer Studie.</translation>
+    </message>
+    <message>
+        <source>Fetch single series of it.</source>
+        <translation>Rufen Sie einzelne Serien davon ab.</translation>
+    </message>
+    <message>
+        <source>Search an archive (PACS), and open a study from it</source>
+        <translation>Archiv (PACS) durchsuchen und eine Studie daraus öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ArchiveController</name>
+    <message>
+        <source>Fetching was cancelled. What came is kept; opening the study again goes on from there.</source>
+        <translation>Das Abrufen wurde abgebrochen. Was gekommen ist, bleibt erhalten; wird die Studie noch einmal geöffnet, geht es dort weiter.</translation>
+    </message>
+    <message>
+        <source>Open from an &amp;Archive…</source>
+        <translation>Aus einem A&amp;rchiv öffnen…</translation>
+    </message>
+    <message>
+        <source>Search a PACS, and fetch a study from it</source>
+        <translation>Ein PACS durchsuchen und eine Studie abrufen</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Es wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Fetching a study</source>
+        <translation>Eine Studie wird abgerufen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n images fetched</source>
+        <translation>
+            <numerusform>%n Bild abgerufen</numerusform>
+            <numerusform>%n Bilder abgerufen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ArchivePanel</name>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
+        <source>The archive (PACS) that is searched</source>
+        <translation>Das Archiv (PACS), das durchsucht wird</translation>
+    </message>
+    <message>
+        <source>Set up…</source>
+        <translation>Einrichten…</translation>
+    </message>
+    <message>
+        <source>Set up an archive, try it, or remove it</source>
+        <translation>Ein Archiv einrichten, prüfen oder entfernen</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Name, family name first; * stands for what is not known</source>
+        <translation>Name, Nachname zuerst; * steht für das, was nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Patient ID</source>
+        <translation>Patienten-ID</translation>
+    </message>
+    <message>
+        <source>As the hospital writes it</source>
+        <translation>Wie das Krankenhaus sie schreibt</translation>
+    </message>
+    <message>
+        <source>Accession number</source>
+        <translation>Accession-Nummer</translation>
+    </message>
+    <message>
+        <source>Of the order</source>
+        <translation>Die des Auftrags</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Of the study; * stands for what is not known</source>
+        <translation>Die der Studie; * steht für das, was nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Earliest day of the study, as 2026-11-30</source>
+        <translation>Frühester Tag der Studie: 2026-11-30</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Latest day of the study</source>
+        <translation>Spätester Tag der Studie</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>Studies that hold images of this kind</source>
+        <translation>Studien, die Bilder dieser Art enthalten</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Studies in the archive</source>
+        <translation>Studien im Archiv</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Fetch the selected study, and show it as soon as images are there</source>
+        <translation>Die gewählte Studie abrufen und zeigen, sobald Bilder da sind</translation>
+    </message>
+    <message>
+        <source>No archive has been set up yet. Set one up, or ask your administrator.</source>
+        <translation>Es ist noch kein Archiv eingerichtet. Richten Sie eines ein, oder fragen Sie Ihre Systemverwaltung.</translation>
+    </message>
+    <message>
+        <source>A day is written as 2026-11-30.</source>
+        <translation>Ein Tag wird als 2026-11-30 geschrieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies</source>
+        <translation>
+            <numerusform>%n Studie</numerusform>
+            <numerusform>%n Studien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>; there are more. Narrow the search.</source>
+        <translation>; es gibt mehr. Grenzen Sie die Suche ein.</translation>
+    </message>
+    <message>
+        <source>No study matches.</source>
+        <translation>Keine Studie passt.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::BackgroundMenu</name>
@@ -9533,6 +11117,45 @@
     <message>
         <source>The picture gets better</source>
         <translation>Das Bild wird noch besser</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::FoundStudyModel</name>
+    <message>
+        <source>hidden</source>
+        <translation>ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Patient ID</source>
+        <translation>Patienten-ID</translation>
+    </message>
+    <message>
+        <source>Born</source>
+        <translation>Geboren</translation>
+    </message>
+    <message>
+        <source>Study date</source>
+        <translation>Studiendatum</translation>
+    </message>
+    <message>
+        <source>Modalities</source>
+        <translation>Modalitäten</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Accession number</source>
+        <translation>Accession-Nummer</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
     </message>
 </context>
 <context>
@@ -10096,6 +11719,10 @@
     <message>
         <source>Headset</source>
         <translation>Headset</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
     </message>
 </context>
 <context>
@@ -12253,6 +13880,169 @@
     <message>
         <source>%1 slices, in mm. Wheel: next slice; right drag: window; right click: windows</source>
         <translation>%1e Schichten, in mm. Rad: nächste Schicht; rechts ziehen: Fensterung; Rechtsklick: Fensterungen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SourceDialog</name>
+    <message>
+        <source>Archives</source>
+        <translation>Archive</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
+        <source>Which archive is changed here</source>
+        <translation>Welches Archiv hier geändert wird</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What you call it</source>
+        <translation>Wie Sie es nennen</translation>
+    </message>
+    <message>
+        <source>It speaks</source>
+        <translation>Es spricht</translation>
+    </message>
+    <message>
+        <source>Which of the two the archive offers; its administrator knows</source>
+        <translation>Welches der beiden das Archiv bietet; seine Verwaltung weiß es</translation>
+    </message>
+    <message>
+        <source>DICOM (DIMSE)</source>
+        <translation>DICOM (DIMSE)</translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation>DICOMweb</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>Name or address of the archive&apos;s machine</source>
+        <translation>Name oder Adresse des Rechners, auf dem das Archiv läuft</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Usually 104 or 11112</source>
+        <translation>Meist 104 oder 11112</translation>
+    </message>
+    <message>
+        <source>Its AE title</source>
+        <translation>Sein AE-Titel</translation>
+    </message>
+    <message>
+        <source>1 to 16 characters</source>
+        <translation>1 bis 16 Zeichen</translation>
+    </message>
+    <message>
+        <source>Our AE title</source>
+        <translation>Unser AE-Titel</translation>
+    </message>
+    <message>
+        <source>As the archive knows this program; tell its administrator</source>
+        <translation>Unter dem das Archiv dieses Programm kennt; nennen Sie ihn seiner Verwaltung</translation>
+    </message>
+    <message>
+        <source>Images come by</source>
+        <translation>Bilder kommen per</translation>
+    </message>
+    <message>
+        <source>C-GET needs no port of ours; C-MOVE needs one, which the archive must know</source>
+        <translation>C-GET braucht keinen Port von uns; C-MOVE braucht einen, den das Archiv kennen muss</translation>
+    </message>
+    <message>
+        <source>what it accepts</source>
+        <translation>was das Archiv akzeptiert</translation>
+    </message>
+    <message>
+        <source>C-GET</source>
+        <translation>C-GET</translation>
+    </message>
+    <message>
+        <source>C-MOVE</source>
+        <translation>C-MOVE</translation>
+    </message>
+    <message>
+        <source>Our port</source>
+        <translation>Unser Port</translation>
+    </message>
+    <message>
+        <source>For C-MOVE: where Macula receives while a study is fetched; 0: nowhere</source>
+        <translation>Für C-MOVE: wo Macula empfängt, während eine Studie abgerufen wird; 0: nirgends</translation>
+    </message>
+    <message>
+        <source>Encrypt the connection (TLS)</source>
+        <translation>Die Verbindung verschlüsseln (TLS)</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Of the DICOMweb service, as https://pacs.example.org/dicom-web</source>
+        <translation>Die des DICOMweb-Dienstes, wie https://pacs.hospital/dicom-web</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Empty: nobody signs in</source>
+        <translation>Leer: niemand meldet sich an</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>Kept in a file that only you can read</source>
+        <translation>Wird in einer Datei aufbewahrt, die nur Sie lesen können</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Try the archive step by step</source>
+        <translation>Das Archiv Schritt für Schritt prüfen</translation>
+    </message>
+    <message>
+        <source>A new one</source>
+        <translation>Ein neues</translation>
+    </message>
+    <message>
+        <source>Your administrator has set up this archive.</source>
+        <translation>Ihre Systemverwaltung hat dieses Archiv eingerichtet.</translation>
+    </message>
+    <message>
+        <source>Saved.</source>
+        <translation>Gespeichert.</translation>
+    </message>
+    <message>
+        <source>Trying…</source>
+        <translation>Es wird geprüft…</translation>
+    </message>
+    <message>
+        <source>Removed.</source>
+        <translation>Entfernt.</translation>
     </message>
 </context>
 <context>

@@ -50,6 +50,26 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::ArchiveController</name>
+    <message numerus="yes">
+        <source>%n images fetched</source>
+        <translation>
+            <numerusform>%n image fetched</numerusform>
+            <numerusform>%n images fetched</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ArchivePanel</name>
+    <message numerus="yes">
+        <source>%n studies</source>
+        <translation>
+            <numerusform>%n study</numerusform>
+            <numerusform>%n studies</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::ConvergeNow</name>
     <message numerus="yes">
         <source>The picture is final: %Ln samples, noise %1 of black to white.</source>
