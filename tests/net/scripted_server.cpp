@@ -55,7 +55,8 @@ void ScriptedServer::Peer::waitUntilGone() {
     while (receiveMore(socket_, ignored)) ignored.clear();
 }
 
-ScriptedServer::ScriptedServer(Answer answer) : answer_(std::move(answer)) {
+ScriptedServer::ScriptedServer(Answer answer, std::string greeting)
+    : answer_(std::move(answer)), greeting_(std::move(greeting)) {
     listener_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -103,7 +104,14 @@ void ScriptedServer::accept() {
 
 void ScriptedServer::serve(int socket) {
     std::string bytes;
-    for (Peer peer(socket);;) {
+    Peer peer(socket);
+    if (!greeting_.empty()) {
+        receiveMore(socket, bytes);
+        peer.send(greeting_);
+        shutdown(socket, SHUT_RDWR);
+        return;
+    }
+    while (true) {
         peer.isKept = false;
         std::size_t end = bytes.find("\r\n\r\n");
         while (end == std::string::npos) {

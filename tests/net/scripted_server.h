@@ -38,7 +38,8 @@ class ScriptedServer {
     // Called in a thread of the connection, which closes when it returns.
     using Answer = std::function<void(const Request&, Peer&)>;
 
-    explicit ScriptedServer(Answer answer);
+    // `greeting`: what it says at once, whatever it is asked.
+    explicit ScriptedServer(Answer answer, std::string greeting = {});
     ~ScriptedServer();
     ScriptedServer(const ScriptedServer&) = delete;
     ScriptedServer& operator=(const ScriptedServer&) = delete;
@@ -52,6 +53,7 @@ class ScriptedServer {
     void serve(int socket);
 
     Answer answer_;
+    std::string greeting_;
     int listener_ = -1;
     std::uint16_t port_ = 0;
     std::atomic<bool> isOver_ = false;

@@ -6,6 +6,7 @@
 #include "net/web/dicom_json.h"
 #include "net/web/qido_answers.h"
 #include "net/web/qido_query.h"
+#include "net/web/qido_wildcards.h"
 #include "net/web/stow_answer.h"
 
 namespace macula::net {
@@ -126,7 +127,7 @@ TEST(Qido, ValuesCannotBreakOutOfTheAddress) {
                                                 .modality = "CT"});
     ASSERT_TRUE(url.ok());
     EXPECT_EQ(*url,
-              "https://p/d/studies?PatientName=D%C3%B6%5EA%26limit%3D0%23%2A&PatientBirthDate=19700101&"
+              "https://p/d/studies?PatientName=D%C3%B6%5EA%26limit%3D0%23*&PatientBirthDate=19700101&"
               "StudyDate=20200101-&ModalitiesInStudy=CT&includefield=StudyDescription&fuzzymatching=false");
     EXPECT_FALSE(studiesUrl("https://p", {.dateTo = "2020"}).ok());
     EXPECT_FALSE(studiesUrl("https://p", {.studyInstanceUid = "1.2/../3"}).ok());
@@ -134,6 +135,28 @@ TEST(Qido, ValuesCannotBreakOutOfTheAddress) {
     EXPECT_FALSE(instancesUrl("https://p", "1.2", "../..").ok());
     EXPECT_EQ(retrieveUrl("https://p", "1", "2"), "https://p/studies/1/series/2");
     EXPECT_EQ(retrieveUrl("https://p", "1", "2", "3"), "https://p/studies/1/series/2/instances/3");
+}
+
+TEST(Qido, WildcardsMatchAsInTheStandard) {
+    EXPECT_TRUE(matchesWildcards("DOE*", "doe^John"));
+    EXPECT_TRUE(matchesWildcards("*^j?hn*", "Doe^John^A"));
+    EXPECT_TRUE(matchesWildcards("", ""));
+    EXPECT_TRUE(matchesWildcards("**", ""));
+    EXPECT_FALSE(matchesWildcards("DOE", "DOE^J"));
+    EXPECT_FALSE(matchesWildcards("?", ""));
+    EXPECT_FALSE(matchesWildcards("a*b", "abc"));
+    EXPECT_FALSE(matchesWildcards(std::string(60, '*') + "b", std::string(64, 'a')));
+    EXPECT_FALSE(withWildcards({.patientName = "DOE*", .patientId = "A-1.2"}));
+    const auto wide = withWildcards({.patientName = "M\xc3\xbcl^A", .patientId = "7 8"});
+    ASSERT_TRUE(wide);
+    EXPECT_EQ(wide->patientName, "M*l?A");
+    EXPECT_EQ(wide->patientId, "7?8");
+    FoundStudy study;
+    study.patientName = "Yamada^T=\xe5\xb1\xb1^\xe5\xa4\xaa";
+    study.patientId = "7 8";
+    EXPECT_TRUE(isOfQuery({.patientName = "\xe5\xb1\xb1*", .patientId = "7 8"}, study));
+    EXPECT_TRUE(isOfQuery({.patientName = "yamada^t"}, study));
+    EXPECT_FALSE(isOfQuery({.patientId = "7+8"}, study));
 }
 
 TEST(Stow, AnswersAreRead) {

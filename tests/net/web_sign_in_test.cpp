@@ -228,9 +228,6 @@ TEST_F(WebSigning, AHostThatDoesNotExistOrListenIsTold) {
     }
     EXPECT_EQ(words("http://127.0.0.1:" + std::to_string(port)),
               "The archive's host does not accept connections at this port.");
-    const ScriptedServer plain([](const Request&, Peer& peer) { peer.answer(200, kDicomJson, "[]"); });
-    EXPECT_EQ(words("https://127.0.0.1:" + std::to_string(plain.port())),
-              "The archive does not encrypt at this port.");
 }
 
 }  // namespace

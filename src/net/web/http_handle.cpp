@@ -14,8 +14,16 @@ constexpr std::size_t kMostHeaderBytes = std::size_t{256} << 10;
 constexpr std::uintmax_t kMostBytesOfFailure = 64 << 10;  // of the page that comes with an error
 constexpr long kReceiveBuffer = 256 << 10;
 
-bool contains(const std::string& text, const char* words) {
+bool holdsWords(const std::string& text, const char* words) {
     return text.find(words) != std::string::npos;
+}
+
+// By the alerts with which a server ends (RFC 8446 6.2).
+bool wantsCertificate(const std::string& words) {
+    return holdsWords(words, "certificate required") || holdsWords(words, "alert bad certificate") ||
+           holdsWords(words, "alert unknown ca") || holdsWords(words, "alert certificate") ||
+           holdsWords(words, "alert unsupported certificate") || holdsWords(words, "alert decrypt error") ||
+           holdsWords(words, "alert handshake failure");
 }
 
 }  // namespace
@@ -254,6 +262,7 @@ std::optional<std::chrono::seconds> HttpHandle::retryAfter() const {
 }
 
 HttpTrouble HttpHandle::troubleOfTls(CURLcode code) const {
+    constexpr long kNothingSaid = 1;  // as it stands before the chain is verified
     constexpr long kNotYetValid = 9;  // those of OpenSSL: X509_V_ERR_…
     constexpr long kExpired = 10;
     constexpr long kRevoked = 23;
@@ -262,17 +271,19 @@ HttpTrouble HttpHandle::troubleOfTls(CURLcode code) const {
     long verified = 0;
     curl_easy_getinfo(easy_.get(), CURLINFO_SSL_VERIFYRESULT, &verified);
     // The name of the host is compared by libcurl itself, after the chain was found to be well.
-    if (code == CURLE_PEER_FAILED_VERIFICATION && (verified == 0 || verified == kOtherHost))
+    if (code == CURLE_PEER_FAILED_VERIFICATION && (verified <= kNothingSaid || verified == kOtherHost))
         return HttpTrouble::certificateOfAnotherHost;
     if (verified == kNotYetValid || verified == kExpired) return HttpTrouble::certificateExpired;
     if (verified == kRevoked) return HttpTrouble::certificateRevoked;
-    if (code == CURLE_PEER_FAILED_VERIFICATION || verified != 0) return HttpTrouble::certificateNotTrusted;
-    if (contains(words, "certificate required") || contains(words, "alert bad certificate") ||
-        contains(words, "alert unknown ca") || contains(words, "alert certificate") ||
-        contains(words, "alert handshake failure"))
-        return HttpTrouble::certificateWanted;
-    if (contains(words, "wrong version number") || contains(words, "packet length too long") ||
-        contains(words, "http request"))
+    // An authority of the same name with another key: a signature is wrong, not the chain.
+    const bool isWronglySigned = holdsWords(words, "rsa routines") ||
+                                 holdsWords(words, "asn1 encoding routines") ||
+                                 holdsWords(words, "certificate verify failed");
+    if (code == CURLE_PEER_FAILED_VERIFICATION || verified > kNothingSaid || isWronglySigned)
+        return HttpTrouble::certificateNotTrusted;
+    if (wantsCertificate(words)) return HttpTrouble::certificateWanted;
+    if (holdsWords(words, "wrong version number") || holdsWords(words, "packet length too long") ||
+        holdsWords(words, "http request"))
         return HttpTrouble::noTls;
     return HttpTrouble::tlsFailed;
 }
@@ -314,9 +325,8 @@ HttpTrouble HttpHandle::troubleOf(CURLcode code) const {
             return HttpTrouble::closed;
         case CURLE_RECV_ERROR:
             // TLS 1.3 says only with its first answer that it wanted a certificate.
-            return contains(lowerCase(std::string(words_.c_str())), "certificate")
-                       ? HttpTrouble::certificateWanted
-                       : HttpTrouble::closed;
+            return wantsCertificate(lowerCase(std::string(words_.c_str()))) ? HttpTrouble::certificateWanted
+                                                                            : HttpTrouble::closed;
         default:
             return HttpTrouble::clientFailed;
     }

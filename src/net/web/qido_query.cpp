@@ -39,7 +39,7 @@ Result<std::string> studiesUrl(const std::string& service, const StudyQuery& que
     if (!query.studyInstanceUid.empty() && !isUid(query.studyInstanceUid)) return malformedUid();
     std::string url = service + "/studies?";
     const auto add = [&](const char* name, const std::string& value) {
-        if (!value.empty()) url += std::string(name) + "=" + percentEncoded(value) + "&";
+        if (!value.empty()) url += std::string(name) + "=" + queryEncoded(value) + "&";
     };
     add("PatientName", query.patientName);
     add("PatientID", query.patientId);

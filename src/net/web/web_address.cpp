@@ -37,6 +37,28 @@ Error badAddress(Text message) {
             Text("Enter the address of the DICOMweb service, such as https://pacs.example.org/dicom-web.")};
 }
 
+// RFC 3986 2.3.
+bool isUnreserved(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '.' || c == '_' || c == '~';
+}
+
+std::string encodedBut(bool (*isPlain)(char), std::string_view text) {
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    std::string encoded;
+    for (const char c : text) {
+        if (isPlain(c)) {
+            encoded += c;
+            continue;
+        }
+        const auto byte = static_cast<unsigned char>(c);
+        encoded += '%';
+        encoded += kDigits[byte >> 4];
+        encoded += kDigits[byte & 15];
+    }
+    return encoded;
+}
+
 }  // namespace
 
 Result<WebAddress> webAddressOf(const std::string& url) {
@@ -95,21 +117,17 @@ bool mayRedirect(const std::string& from, const std::string& to) {
 }
 
 std::string percentEncoded(std::string_view text) {
-    constexpr std::string_view kDigits = "0123456789ABCDEF";
-    std::string encoded;
-    for (const char c : text) {
-        const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                             c == '-' || c == '.' || c == '_' || c == '~';
-        if (isPlain) {
-            encoded += c;
-        } else {
-            const auto byte = static_cast<unsigned char>(c);
-            encoded += '%';
-            encoded += kDigits[byte >> 4];
-            encoded += kDigits[byte & 15];
-        }
-    }
-    return encoded;
+    return encodedBut(isUnreserved, text);
+}
+
+bool isPlainInQuery(char c) {
+    // RFC 3986 3.4, without what separates values and what forms read as a blank.
+    constexpr std::string_view kMore = "*?,:@/!$'()";
+    return isUnreserved(c) || kMore.find(c) != std::string_view::npos;
+}
+
+std::string queryEncoded(std::string_view text) {
+    return encodedBut(isPlainInQuery, text);
 }
 
 }  // namespace macula::net

@@ -32,4 +32,9 @@ bool mayRedirect(const std::string& from, const std::string& to);
 // Everything but letters, digits, and -._~ as %XX (RFC 3986 2.1).
 std::string percentEncoded(std::string_view text);
 
+// Of a value in a query: leaves what may stand there too, such as wildcards, since some archives do not
+// decode.
+std::string queryEncoded(std::string_view text);
+bool isPlainInQuery(char c);
+
 }  // namespace macula::net

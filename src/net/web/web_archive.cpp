@@ -1,10 +1,13 @@
 #include "net/web/web_archive.h"
 
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "base/exceptions.h"
 #include "net/web/http_client.h"
 #include "net/web/qido_search.h"
+#include "net/web/qido_wildcards.h"
 #include "net/web/sign_in.h"
 #include "net/web/web_address.h"
 #include "net/web/web_fetch.h"
@@ -30,10 +33,12 @@ class WebArchive final : public Archive {
     Result<StudyAnswers> findStudies(const StudyQuery& query, Progress& progress) override {
         return guarded([&]() -> Result<StudyAnswers> {
             progress.beginStage(Text("Searching in the archive"), 1);
-            MACULA_TRY(const std::string url, studiesUrl(service_, query));
             HttpClient client(settings_, &signIn_);
-            MACULA_TRY(auto found, searchAll<FoundStudy>(client, url, query.mostAnswers, studiesInJson,
-                                                         &FoundStudy::studyInstanceUid, progress));
+            MACULA_TRY(auto found, studiesFor(client, query, progress));
+            if (const auto wide = withWildcards(query); wide && found.found.empty()) {
+                MACULA_TRY(found, studiesFor(client, *wide, progress));
+                std::erase_if(found.found, [&](const FoundStudy& study) { return !isOfQuery(query, study); });
+            }
             progress.advance();
             return StudyAnswers{std::move(found.found), found.isCutShort, found.unusable};
         });
@@ -90,6 +95,13 @@ class WebArchive final : public Archive {
     }
 
   private:
+    Result<QidoFound<FoundStudy>> studiesFor(HttpClient& client, const StudyQuery& query,
+                                             Progress& progress) {
+        MACULA_TRY(const std::string url, studiesUrl(service_, query));
+        return searchAll<FoundStudy>(client, url, query.mostAnswers, studiesInJson,
+                                     &FoundStudy::studyInstanceUid, progress);
+    }
+
     template <class Work>
     static std::invoke_result_t<Work> guarded(Work work) {
         try {

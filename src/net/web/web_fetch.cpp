@@ -198,7 +198,10 @@ Result<void> WebFetch::judge(Pull& pull, const HttpOutcome& outcome) {
     }
     auto whole = pull.sink.finish();
     if (!whole) return whole.error();
-    if (!*whole) return {};
+    if (!*whole) {
+        lastError_ = errorOf(HttpTrouble::closed, outcome.status);
+        return {};
+    }
     if (!pull.series->isListed) pull.series->hasCome = true;
     if (!pull.sopInstanceUid.empty()) giveUp(pull);  // unless it came, it never will
     return {};
