@@ -123,6 +123,29 @@ std::optional<HostileLine::Received> HostileLine::receiveCommandOf(CommandField 
     return {};
 }
 
+bool HostileLine::requestAssociation(const std::string& calledAe, const std::string& sopClassUid,
+                                     const std::string& transferSyntaxUid) {
+    Bytes request{0, 1, 0, 0};
+    std::string titles = calledAe;
+    titles.resize(16, ' ');
+    titles += "HOSTILE         ";
+    request.insert(request.end(), titles.begin(), titles.end());
+    request.resize(68, 0);
+    appendItem(request, 0x10, bytesOfText("1.2.840.10008.3.1.1.1"));
+    Bytes context{1, 0, 0, 0};
+    appendItem(context, 0x30, bytesOfText(sopClassUid));
+    appendItem(context, 0x40, bytesOfText(transferSyntaxUid));
+    appendItem(request, 0x20, context);
+    Bytes user;
+    appendItem(user, 0x51, {0, 0, 0x40, 0});
+    appendItem(user, 0x52, bytesOfText("1.2.3"));
+    appendItem(request, 0x50, user);
+    if (!sendPdu(1, request)) return false;
+    const auto answer = receivePdu();
+    contexts_[1] = {sopClassUid, transferSyntaxUid};
+    return answer && answer->first == 2;
+}
+
 bool HostileLine::acceptAssociation() {
     const auto request = receivePdu();
     if (!request || request->first != 1 || request->second.size() < 68) return false;
@@ -200,6 +223,16 @@ void HostilePeer::serve() {
         open_ = -1;
         close(socket);
     }
+}
+
+int connectionTo(std::uint16_t port) {
+    const int connection = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    return connection;
 }
 
 Bytes explicitElement(std::uint32_t tag, const std::string& representation, std::string value) {

@@ -36,6 +36,9 @@ class HostileLine {
     std::optional<Received> receiveCommand();
     std::optional<Received> receiveCommandOf(CommandField field);  // others are read over
 
+    // Asks for an association with one context (1); whether it is accepted.
+    bool requestAssociation(const std::string& calledAe, const std::string& sopClassUid,
+                            const std::string& transferSyntaxUid);
     // Accepts every context in its first transfer syntax.
     bool acceptAssociation();
     // The first one of that SOP class.
@@ -71,6 +74,9 @@ class HostilePeer {
     std::atomic<int> connections_{0};
     std::thread thread_;
 };
+
+// A connection to a port of loopback.
+int connectionTo(std::uint16_t port);
 
 // Elements in Explicit VR Little Endian.
 Bytes explicitElement(std::uint32_t tag, const std::string& representation, std::string value);
