@@ -181,6 +181,30 @@ TEST_F(WebOrthanc, EncodingsComeUnchanged) {
     }
 }
 
+TEST_F(WebOrthanc, ARealStudyComesUnchanged) {
+    SKIP_WITHOUT_SHARED_DATA();
+    Files files;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(dicom::test::sharedData() / "ct_chest_ricord"))
+        if (readFileMeta(entry.path()).ok()) files.push_back(entry.path());
+    ASSERT_GT(files.size(), 50u);
+    const Orthanc orthanc;
+    const auto archive = opened(sourceOf(orthanc));
+    ASSERT_TRUE(archive);
+    const auto sent = archive->send(files, progress_);
+    ASSERT_TRUE(sent.ok()) << wordsOf(sent);
+    EXPECT_EQ(sent->stored, files.size());
+    const auto studies = archive->findStudies({}, progress_);
+    ASSERT_TRUE(studies.ok()) << wordsOf(studies);
+    ASSERT_EQ(studies->studies.size(), 1u);
+    WebReceiver receiver(folder_ / "fetched");
+    const auto fetched =
+        archive->fetch({.studyInstanceUid = studies->studies.front().studyInstanceUid}, receiver, progress_);
+    ASSERT_TRUE(fetched.ok()) << wordsOf(fetched);
+    EXPECT_EQ(fetched->kept, files.size());
+    expectSame(files, receiver);
+}
+
 TEST_F(WebOrthanc, SearchesAreNarrowed) {
     const Orthanc orthanc;
     const auto archive = opened(sourceOf(orthanc));

@@ -101,6 +101,26 @@ TEST_F(WebSigning, HeadersSayWho) {
         std::string::npos);
 }
 
+TEST_F(WebSigning, AProxyIsUsedButNotForThisMachine) {
+    const ScriptedServer proxy([](const Request& request, Peer& peer) {
+        if (request.method == "CONNECT") return peer.answer(403, "", "");
+        peer.answer(200, kDicomJson, "[]");
+    });
+    const auto words = [&](const std::string& url) {
+        const auto archive = archiveOf(sourceAt({.url = url, .proxy = proxy.url()}), {});
+        const auto found = (*archive)->findStudies({}, progress_);
+        return found.ok() ? std::string("no error") : found.error().message.english();
+    };
+    EXPECT_EQ(words("http://pacs.example.invalid/web"), "no error");
+    ASSERT_EQ(proxy.requests().size(), 1u);
+    EXPECT_TRUE(proxy.requests()[0].target.starts_with("http://pacs.example.invalid/web/studies?"));
+    EXPECT_EQ(words("https://pacs.example.invalid/web"), "The proxy does not connect to the archive.");
+    const std::size_t before = proxy.requests().size();
+    const ScriptedServer server([](const Request&, Peer& peer) { peer.answer(200, kDicomJson, "[]"); });
+    EXPECT_EQ(words(server.url()), "no error");
+    EXPECT_EQ(proxy.requests().size(), before);
+}
+
 TEST_F(WebSigning, ATokenIsGotOnceAndRenewedOnce) {
     int tokens = 0;
     int life = 3600;

@@ -35,10 +35,10 @@ std::optional<std::uint32_t> tagOfKey(std::string_view key) {
 }
 
 // What the walk is in.
-enum class JsonPlace { datasets, dataset, element, values, ignored };
+enum class JsonPlace { datasets, dataset, element, values };
 
 struct JsonLevel {
-    JsonPlace place = JsonPlace::ignored;
+    JsonPlace place = JsonPlace::datasets;
     JsonDataset dataset;                // of a dataset, or of a value that is an object
     std::array<std::string, 3> groups;  // the component groups of a value that is a name
     bool isName = false;
@@ -75,36 +75,36 @@ class JsonWalk {
     }
 
     bool key(const std::string& name) {
-        levels_.back().key = name;
+        if (ignored_ == 0) levels_.back().key = name;
         return true;
     }
 
     bool start_array(std::size_t /*count*/) {
+        if (ignored_ > 0) return ignore();
         if (levels_.empty()) return enter(JsonPlace::datasets);
         const JsonLevel& top = levels_.back();
-        return enter(top.place == JsonPlace::element && top.key == "Value" ? JsonPlace::values
-                                                                           : JsonPlace::ignored);
+        return top.place == JsonPlace::element && top.key == "Value" ? enter(JsonPlace::values) : ignore();
     }
 
     bool start_object(std::size_t /*count*/) {
+        if (ignored_ > 0) return ignore();
         if (levels_.empty()) return enter(JsonPlace::dataset);
-        JsonLevel& top = levels_.back();
+        const JsonLevel& top = levels_.back();
         switch (top.place) {
             case JsonPlace::datasets:
             case JsonPlace::values:
                 return enter(JsonPlace::dataset);
             case JsonPlace::dataset: {
                 const auto tag = wantedTag(top);
-                if (!enter(tag ? JsonPlace::element : JsonPlace::ignored)) return false;
-                if (tag) levels_.back().element.tag = *tag;
+                if (!tag) return ignore();
+                if (!enter(JsonPlace::element)) return false;
+                levels_.back().element.tag = *tag;
                 return true;
             }
             case JsonPlace::element:
-                return enter(top.key == "Value" ? JsonPlace::dataset : JsonPlace::ignored);
-            case JsonPlace::ignored:
                 break;
         }
-        return enter(JsonPlace::ignored);
+        return top.key == "Value" ? enter(JsonPlace::dataset) : ignore();
     }
 
     bool end_array() { return leave(); }
@@ -116,6 +116,9 @@ class JsonWalk {
         levels_.emplace_back().place = place;
         return true;
     }
+
+    // What is in it does not matter, but it may not go too deep either.
+    bool ignore() { return ++ignored_ < kDeepestJson; }
 
     std::optional<std::uint32_t> wantedTag(const JsonLevel& level) const {
         const auto tag = tagOfKey(level.key);
@@ -130,6 +133,7 @@ class JsonWalk {
 
     bool scalar(std::string_view text) {
         if (levels_.empty()) return false;
+        if (ignored_ > 0) return true;
         JsonLevel& top = levels_.back();
         switch (top.place) {
             case JsonPlace::values:
@@ -151,13 +155,16 @@ class JsonWalk {
                 }
                 break;
             case JsonPlace::datasets:
-            case JsonPlace::ignored:
                 break;
         }
         return true;
     }
 
     bool leave() {
+        if (ignored_ > 0) {
+            --ignored_;
+            return true;
+        }
         JsonLevel left = std::move(levels_.back());
         levels_.pop_back();
         if (left.place == JsonPlace::element)
@@ -181,6 +188,7 @@ class JsonWalk {
     std::span<const std::uint32_t> wanted_;
     std::size_t mostDatasets_;
     std::size_t items_ = 0;
+    std::size_t ignored_ = 0;  // levels that are not wanted, below those that are
     std::vector<JsonLevel> levels_;
 };
 
@@ -225,11 +233,12 @@ std::span<const JsonDataset> JsonDataset::items(std::uint32_t tag) const {
 Result<std::vector<JsonDataset>> dicomJsonOf(std::string_view text, std::span<const std::uint32_t> wanted,
                                              std::size_t mostDatasets) {
     try {
-        std::string repaired;
-        if (!isValidUtf8(text)) text = repaired = repairedUtf8(text);
         JsonWalk walk(wanted, mostDatasets);
-        if (!nlohmann::json::sax_parse(text, &walk)) return notJson();
-        return std::move(walk.datasets);
+        if (nlohmann::json::sax_parse(text, &walk)) return std::move(walk.datasets);
+        if (isValidUtf8(text)) return notJson();
+        JsonWalk again(wanted, mostDatasets);
+        if (!nlohmann::json::sax_parse(repairedUtf8(text), &again)) return notJson();
+        return std::move(again.datasets);
     } catch (const nlohmann::json::exception&) {
         return notJson();
     } catch (const std::exception& thrown) {

@@ -291,6 +291,9 @@ HttpTrouble HttpHandle::troubleOfTls(CURLcode code) const {
 HttpTrouble HttpHandle::troubleOf(CURLcode code) const {
     curl_off_t named = 0;
     curl_easy_getinfo(easy_.get(), CURLINFO_NAMELOOKUP_TIME_T, &named);
+    long proxyStatus = 0;  // of the request for a tunnel
+    curl_easy_getinfo(easy_.get(), CURLINFO_HTTP_CONNECTCODE, &proxyStatus);
+    if (code != CURLE_OK && proxyStatus >= 300) return HttpTrouble::proxyRefuses;
     // An enum of libcurl: newer ones have more values than this one knows.
     switch (static_cast<int>(code)) {
         case CURLE_OK:

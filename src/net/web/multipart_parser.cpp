@@ -109,33 +109,35 @@ Result<void> MultipartParser::content(std::span<const char> bytes) {
 }
 
 // The delimiter has its only CR at its beginning. So where it does not go on as it should, no other can have
-// begun in it, and what has matched is content. It need not have been kept: it is the delimiter's own text.
+// begun in it, and what has matched is content. What had matched before these bytes need not have been kept:
+// it is the delimiter's own text.
 Result<std::size_t> MultipartParser::feedContent(std::span<const char> bytes, std::size_t at) {
+    const std::size_t from = at;  // content that is not passed on yet begins here
+    std::size_t carried = matched_;
+    std::size_t matchAt = at;
     while (at < bytes.size()) {
         if (matched_ == 0) {
             const void* const found = std::memchr(bytes.data() + at, '\r', bytes.size() - at);
-            const std::size_t end =
-                found == nullptr ? bytes.size()
-                                 : static_cast<std::size_t>(static_cast<const char*>(found) - bytes.data());
-            MACULA_TRY_VOID(content(bytes.subspan(at, end - at)));
-            at = end;
-            if (found == nullptr) return at;
-            matched_ = 1;
-            borrowed_ = 0;
+            matchAt = found == nullptr
+                          ? bytes.size()
+                          : static_cast<std::size_t>(static_cast<const char*>(found) - bytes.data());
+            at = std::min(matchAt + 1, bytes.size());
+            matched_ = found == nullptr ? 0 : 1;
+        } else if (bytes[at] != delimiter_[matched_]) {
+            MACULA_TRY_VOID(
+                content(std::span(delimiter_).subspan(borrowed_, carried - std::min(carried, borrowed_))));
+            carried = borrowed_ = matched_ = 0;
+        } else {
             ++at;
-            continue;
+            if (++matched_ == delimiter_.size()) break;
         }
-        if (bytes[at] == delimiter_[matched_]) {
-            ++at;
-            if (++matched_ < delimiter_.size()) continue;
-            before_ = state_;
-            state_ = State::behindBoundary;
-            behind_.clear();
-            return at;
-        }
-        MACULA_TRY_VOID(content(std::span(delimiter_).subspan(borrowed_, matched_ - borrowed_)));
-        matched_ = borrowed_ = 0;
     }
+    const std::size_t end = matched_ == 0 ? at : carried > 0 ? from : matchAt;
+    MACULA_TRY_VOID(content(bytes.subspan(from, end - from)));
+    if (matched_ < delimiter_.size()) return at;
+    before_ = state_;
+    state_ = State::behindBoundary;
+    behind_.clear();
     return at;
 }
 

@@ -1,4 +1,4 @@
-// A search that archives understand which do not decode addresses, as Orthanc before 1.11 does not: for those
+// A search that archives understand which do not decode addresses, as Orthanc 1.10 does not: for those
 // a caret, a blank or an umlaut in a value never matches.
 #pragma once
 
