@@ -60,17 +60,23 @@ Result<void> fetch(const FetchOptions& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const auto uids, studiesToFetch(*open.archive, options, progress));
     MACULA_TRY(study::Spool spool,
-               options.into.empty() ? study::Spool::open() : study::Spool::open(options.into));
+               options.into.empty() ? study::Spool::open() : study::Spool::chosen(options.into));
     auto json = nlohmann::ordered_json::array();
+    std::size_t incomplete = 0;
     for (const std::string& uid : uids) {
         MACULA_TRY(
             const study::FetchedStudy fetched,
             study::fetchStudy(*open.archive, open.source.name, {uid, options.series}, spool, progress));
         json.push_back(study::toJson(fetched));
+        incomplete += fetched.isComplete ? 0 : 1;
         if (!options.json) printFetched(fetched);
     }
     if (options.json) fmt::print("{}\n", jsonText(json));
-    return {};
+    if (incomplete == 0) return {};
+    return Error{ErrorCode::archiveNotUsable,
+                 Text("Not all came of {} of {} studies.", incomplete, uids.size()),
+                 {},
+                 Text("Run the same command again: it fetches only what is missing.")};
 }
 
 }  // namespace

@@ -39,6 +39,17 @@ Result<void> readAddress(const std::string& text, net::DimsePeer& peer) {
     return {};
 }
 
+// From another working folder, a path that was typed as it is would mean another file. Whoever names a
+// certificate wants TLS.
+net::Tls tlsOf(const PacsOptions& options) {
+    net::Tls tls = options.files;
+    for (std::filesystem::path* file : {&tls.authorities, &tls.certificate, &tls.key}) {
+        if (!file->empty()) *file = std::filesystem::absolute(*file);
+    }
+    tls.isOn = options.tls || !tls.authorities.empty() || !tls.certificate.empty() || !tls.key.empty();
+    return tls;
+}
+
 // Nothing that is typed is seen until it is destroyed.
 class WithoutEcho {
   public:
@@ -81,7 +92,7 @@ void addPacsOptions(CLI::App& command, PacsOptions& options) {
                     "In which names are sent (Specific Character Set)")
         ->capture_default_str();
     command.add_flag("--patient-root", options.peer.patientRoot, "Search by the patient root model");
-    command.add_flag("--tls", options.tls, "DIMSE over TLS");
+    command.add_flag("--tls", options.tls, "DIMSE over TLS; on where a certificate is named");
     command.add_option("--authorities", options.files.authorities,
                        "PEM file of who may sign its certificate, if not those of the system");
     command.add_option("--certificate", options.files.certificate,
@@ -110,14 +121,13 @@ Result<net::Source> sourceOf(const PacsOptions& options) {
         net::DimsePeer peer = options.peer;
         MACULA_TRY_VOID(readAddress(options.dimse, peer));
         peer.retrieve = kRetrieveWords.at(options.retrieve);
-        peer.tls = options.files;
-        peer.tls.isOn = options.tls;
+        peer.tls = tlsOf(options);
         source.peer = peer;
         return source;
     }
     net::WebPeer web = options.web;
     web.url = options.url;
-    web.tls = options.files;
+    web.tls = tlsOf(options);
     web.signIn = options.signIn.empty() ? (web.user.empty() ? net::SignIn::none : net::SignIn::basic)
                                         : kSignInWords.at(options.signIn);
     source.peer = web;

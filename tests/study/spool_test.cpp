@@ -33,7 +33,7 @@ class SpoolTest : public ::testing::Test {
     }
     ~SpoolTest() override { fs::remove_all(folder_); }
 
-    Spool open(SpoolLimits limits = {.leastFreeBytes = 0}) {
+    Spool open(SpoolLimits limits = {.patience = {}, .leastFreeBytes = 0}) {
         auto spool = Spool::open(folder_ / "spool", limits);
         EXPECT_TRUE(spool) << (spool ? Text() : spool.error().message);
         return *spool;
@@ -46,7 +46,7 @@ class SpoolTest : public ::testing::Test {
     static Result<Verdict> receive(SpooledStudy& study, const fs::path& file,
                                    const net::InstanceKey& promised = {}) {
         MACULA_TRY(const fs::path place, study.place());
-        fs::copy_file(file, place, fs::copy_options::overwrite_existing);
+        std::ofstream(place, std::ios::binary) << bytesOf(file);
         return study.take(place, promised);
     }
     std::vector<fs::path> writeOther(const char* name,

@@ -5,6 +5,8 @@
 #include <ctime>
 #include <utility>
 
+#include "study/open/same_patient.h"
+
 namespace macula::study {
 
 namespace {
@@ -41,14 +43,20 @@ Message warningOf(std::string key, std::size_t number, Text sentence, Text actio
     return {Severity::warning, std::move(key), {count(number)}, std::move(sentence), std::move(action)};
 }
 
-std::vector<Message> messagesOf(const net::Fetched& fetched, const SpooledStudy& study) {
+std::vector<Message> messagesOf(const FetchedStudy& fetched, const SpooledStudy& study) {
+    const net::Fetched& counts = fetched.counts;
+    const Text again("Fetch the study again, and tell the administrator of the archive if it stays so.");
     std::vector<Message> messages;
-    if (!fetched.never.empty())
+    if (!counts.never.empty())
         messages.push_back(warningOf(
-            "never-came", fetched.never.size(),
-            Text("{} of {} images that the archive has did not come.", fetched.never.size(),
-                 fetched.promised),
-            Text("Fetch the study again, and tell the administrator of the archive if it stays so.")));
+            "never-came", counts.never.size(),
+            Text("{} of {} images that the archive has did not come.", counts.never.size(), counts.promised),
+            again));
+    else if (!fetched.isComplete)
+        messages.push_back(warningOf(
+            "may-be-missing", study.instances().size(),
+            Text("Images of this study may be missing: the archive did not say which it has, or sent fewer."),
+            again));
     if (study.ofOtherStudies() > 0)
         messages.push_back(
             warningOf("came-of-others", study.ofOtherStudies(),
@@ -58,9 +66,25 @@ std::vector<Message> messagesOf(const net::Fetched& fetched, const SpooledStudy&
     if (study.unreadable() > 0)
         messages.push_back(warningOf(
             "came-unreadable", study.unreadable(),
-            Text("{} objects that came cannot be read. They were not kept.", study.unreadable()),
-            Text("Fetch the study again, and tell the administrator of the archive if it stays so.")));
+            Text("{} objects that came cannot be read. They were not kept.", study.unreadable()), again));
     return messages;
+}
+
+// What came before and after a fetch of some series is not all of the study: then the note stays as it was.
+Result<void> note(SpooledStudy& study, const FetchRequest& request, SpoolRecord record) {
+    const auto before = readSpoolRecord(study.folder());
+    const bool isKnown = before && before->studyInstanceUid == request.studyInstanceUid;
+    if (isKnown && (before->isComplete || !request.seriesInstanceUids.empty()) && !record.isComplete)
+        record = *before;
+    return study.finish(std::move(record));
+}
+
+bool hasAll(const net::Fetched& counts, const SpooledStudy& study, const FetchRequest& request,
+            const net::FoundStudy& asFound) {
+    if (!counts.isListWhole || !counts.never.empty()) return false;
+    if (!request.seriesInstanceUids.empty()) return counts.kept + counts.hadAlready >= counts.promised;
+    const std::size_t there = study.instances().size();
+    return there >= counts.promised && there >= asFound.instanceCount.value_or(0);
 }
 
 }  // namespace
@@ -80,8 +104,14 @@ Identity identityOf(const net::FoundStudy& study) {
 Result<FetchedStudy> fetchStudy(net::Archive& archive, const std::string& source, const FetchRequest& request,
                                 Spool& spool, Progress& progress, const ArrivalListener& arrived) {
     MACULA_TRY(const net::FoundStudy asFound, askForStudy(archive, request.studyInstanceUid, progress));
+    if (request.chosen && samePatient(*request.chosen, identityOf(asFound)) == SamePatient::no)
+        return Error{ErrorCode::archiveNotUsable,
+                     Text("The archive now names another patient for this study than in the list."),
+                     {},
+                     Text("Search again, and tell the administrator of the archive.")};
+    MACULA_TRY(const std::unique_ptr<SpooledStudy> study,
+               spool.study(request.studyInstanceUid, progress.token()));
     MACULA_TRY_VOID(spool.purge());
-    MACULA_TRY(const std::unique_ptr<SpooledStudy> study, spool.study(request.studyInstanceUid));
     MACULA_TRY_VOID(study->expect(identityOf(asFound)));
     const net::Wanted wanted{.studyInstanceUid = request.studyInstanceUid,
                              .seriesInstanceUids = request.seriesInstanceUids,
@@ -95,20 +125,18 @@ Result<FetchedStudy> fetchStudy(net::Archive& archive, const std::string& source
     SpoolRecord record;
     record.source = source;
     record.fetchedAt = nowInUtc();
-    MACULA_TRY_VOID(study->finish(record));  // of whom the files are, should the program be killed
-    auto fetched = archive.fetch(wanted, *study, progress);
-    if (!fetched) return fetched.error();
-    record.promised = fetched->promised;
-    for (const net::FoundInstance& instance : fetched->never) record.never.push_back(instance.sopInstanceUid);
-    const bool isWhole = request.seriesInstanceUids.empty() && fetched->never.empty();
-    record.isComplete = isWhole && study->instances().size() >= fetched->promised;
-    MACULA_TRY_VOID(study->finish(record));
-    FetchedStudy result{.folder = study->folder(),
-                        .counts = {},
-                        .isComplete = record.isComplete,
-                        .messages = messagesOf(*fetched, *study)};
-    result.counts = *std::move(fetched);
-    return result;
+    record.promised = asFound.instanceCount.value_or(0);
+    MACULA_TRY_VOID(note(*study, request, record));  // should the program be killed
+    FetchedStudy fetched{.folder = study->folder(), .counts = {}, .isComplete = false, .messages = {}};
+    MACULA_TRY(fetched.counts, archive.fetch(wanted, *study, progress));
+    fetched.isComplete = hasAll(fetched.counts, *study, request, asFound);
+    fetched.messages = messagesOf(fetched, *study);
+    record.promised = std::max(record.promised, fetched.counts.promised);
+    for (const net::FoundInstance& instance : fetched.counts.never)
+        record.never.push_back(instance.sopInstanceUid);
+    record.isComplete = fetched.isComplete && request.seriesInstanceUids.empty();
+    MACULA_TRY_VOID(note(*study, request, record));
+    return fetched;
 }
 
 }  // namespace macula::study

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,14 +17,17 @@ namespace macula::study {
 
 struct FetchRequest {
     std::string studyInstanceUid;
-    std::vector<std::string> seriesInstanceUids;  // empty: all
+    std::vector<std::string> seriesInstanceUids = {};  // empty: all
+    // Whose study a person chose from a list, if there was one.
+    std::optional<Identity> chosen = {};
 };
 
 struct FetchedStudy {
     std::filesystem::path folder;
     net::Fetched counts;
+    // Of a whole study: all that the archive has is there. Of some series: all that it has of these.
     bool isComplete = false;
-    std::vector<Message> messages;  // what never came, and what was refused: shown with the study
+    std::vector<Message> messages;  // what never came, may be missing, or was refused: shown with the study
 };
 
 // Told by the threads that receive, after each instance.
@@ -34,8 +38,9 @@ struct Arrival {
 using ArrivalListener = std::function<void(const Arrival&)>;
 
 // Asks the archive whose study it is, makes room, fetches what is missing, and notes the result beside the
-// files, also after an error or a cancellation: the next fetch goes on from there. Fails with
-// archiveNotUsable where the archive has no such study.
+// files. What came stays also after an error or a cancellation: the next fetch goes on from there. Fails with
+// archiveNotUsable where the archive has no such study, or names another patient than the one that was
+// chosen.
 Result<FetchedStudy> fetchStudy(net::Archive& archive, const std::string& source, const FetchRequest& request,
                                 Spool& spool, Progress& progress, const ArrivalListener& arrived = {});
 

@@ -1,6 +1,7 @@
 #include "study/spool/spool.h"
 
 #include <algorithm>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -11,6 +12,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kDigitsOfFolder = 32;
+
+Error noFolder(const fs::path& folder) {
+    return {ErrorCode::outputNotWritable, Text("The folder for fetched studies cannot be made."),
+            folder.string(), Text("Check the permissions of the folder above it.")};
+}
 
 Result<SpoolEntry> entryOf(const fs::path& folder) {
     SpoolEntry entry;
@@ -31,15 +37,32 @@ Result<SpoolEntry> entryOf(const fs::path& folder) {
 
 }  // namespace
 
+std::optional<SpoolRecord> useSpooled(const fs::path& folder) {
+    if (folder.parent_path() != userDataFolder() / "fetched") return std::nullopt;
+    auto record = readSpoolRecord(folder);
+    if (!record) return std::nullopt;
+    std::error_code ignored;
+    fs::last_write_time(spoolRecordFile(folder), fs::file_time_type::clock::now(), ignored);
+    return *std::move(record);
+}
+
 Result<Spool> Spool::open(const fs::path& folder, SpoolLimits limits) {
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
-    if (failure)
-        return Error{ErrorCode::outputNotWritable, Text("The folder for fetched studies cannot be made."),
-                     folder.string(), Text("Check the permissions of the folder above it.")};
+    if (failure) return noFolder(folder);
     MACULA_TRY(const InstallationKey key, InstallationKey::ofUser());
     return Spool(folder, key, limits);
+}
+
+Result<Spool> Spool::chosen(const fs::path& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) return noFolder(folder);
+    MACULA_TRY(const InstallationKey key, InstallationKey::ofUser());
+    Spool spool(folder, key, {.mostBytes = std::numeric_limits<std::uintmax_t>::max()});
+    spool.isChosen_ = true;
+    return spool;
 }
 
 std::vector<SpoolEntry> Spool::entries() const {
@@ -59,8 +82,11 @@ fs::path Spool::folderOf(const std::string& studyInstanceUid) const {
     return folder_ / key_.digestOf(studyInstanceUid).substr(0, kDigitsOfFolder);
 }
 
-Result<std::unique_ptr<SpooledStudy>> Spool::study(const std::string& studyInstanceUid) {
-    return SpooledStudy::open(folderOf(studyInstanceUid), studyInstanceUid, key_, limits_);
+Result<std::unique_ptr<SpooledStudy>> Spool::study(const std::string& studyInstanceUid,
+                                                   const CancelToken& cancel) {
+    const fs::path folder = folderOf(studyInstanceUid);
+    given_.insert(folder);
+    return SpooledStudy::open(folder, studyInstanceUid, key_, limits_, cancel);
 }
 
 Result<std::size_t> Spool::purge(std::uintmax_t mostBytes) {
@@ -69,10 +95,12 @@ Result<std::size_t> Spool::purge(std::uintmax_t mostBytes) {
     std::size_t removed = 0;
     for (const SpoolEntry& entry : all) {
         kept += entry.bytes;
-        if (kept <= mostBytes) continue;
+        if (kept <= mostBytes || given_.contains(entry.folder)) continue;
         // The lock is held while its folder goes: nobody fetches into it.
-        auto locked = study(entry.record.studyInstanceUid);
-        if (!locked || (*locked)->folder() != entry.folder) continue;
+        SpoolLimits atOnce = limits_;
+        atOnce.patience = {};
+        auto locked = SpooledStudy::open(entry.folder, entry.record.studyInstanceUid, key_, atOnce);
+        if (!locked) continue;
         std::error_code failure;
         fs::remove_all(entry.folder, failure);
         if (!failure) fs::remove(spoolRecordFile(entry.folder), failure);

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,27 +26,35 @@ struct SpoolEntry {
     SpoolRecord record;
     std::size_t instances = 0;
     std::uintmax_t bytes = 0;
-    std::filesystem::file_time_type used{};  // last written or opened
+    std::filesystem::file_time_type used{};  // last fetched, or opened in a window (touch)
 };
+
+// The record of a folder of the user's spool, of which it notes that it is used; nothing for other folders.
+std::optional<SpoolRecord> useSpooled(const std::filesystem::path& folder);
 
 class Spool {
   public:
-    // Makes the folder if it is missing. Fails with outputNotWritable.
+    // The user's private folder. Makes it if it is missing. Fails with outputNotWritable.
     static Result<Spool> open(const std::filesystem::path& folder = userDataFolder() / "fetched",
                               SpoolLimits limits = {});
+    // A folder that a person chose: its permissions stay, and nothing in it is ever removed.
+    static Result<Spool> chosen(const std::filesystem::path& folder);
 
     // Studies whose record can be read, those used last first.
     std::vector<SpoolEntry> entries() const;
 
-    // To fetch the study into. Fails with usage while another program fetches it.
-    Result<std::unique_ptr<SpooledStudy>> study(const std::string& studyInstanceUid);
+    // To fetch the study into.
+    Result<std::unique_ptr<SpooledStudy>> study(const std::string& studyInstanceUid,
+                                                const CancelToken& cancel = {});
     // Where the study lies or would lie.
     std::filesystem::path folderOf(const std::string& studyInstanceUid) const;
 
-    // Removes studies until `mostBytes` are kept, those used longest ago first, and none that is being
-    // fetched. Returns how many.
+    // Removes studies until `mostBytes` are kept, those used longest ago first, none that is being fetched,
+    // and none that this spool has given out. Returns how many.
     Result<std::size_t> purge(std::uintmax_t mostBytes);
-    Result<std::size_t> purge() { return purge(limits_.mostBytes); }
+    Result<std::size_t> purge() {
+        return isChosen_ ? Result<std::size_t>(std::size_t(0)) : purge(limits_.mostBytes);
+    }
 
   private:
     Spool(std::filesystem::path folder, InstallationKey key, SpoolLimits limits)
@@ -53,6 +63,8 @@ class Spool {
     std::filesystem::path folder_;
     InstallationKey key_;
     SpoolLimits limits_;
+    bool isChosen_ = false;
+    std::set<std::filesystem::path> given_;  // folders of studies that were fetched into
 };
 
 }  // namespace macula::study

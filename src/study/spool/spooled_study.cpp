@@ -4,7 +4,10 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -21,6 +24,7 @@ namespace {
 
 constexpr const char* kArriving = "arriving";
 constexpr std::size_t kDigitsOfName = 32;
+constexpr std::chrono::milliseconds kLockIsTriedEvery{100};
 
 Error spoolNotWritable(const fs::path& path) {
     return {ErrorCode::outputNotWritable, Text("The folder for fetched studies cannot be written."),
@@ -45,6 +49,10 @@ Identity identityOf(const dicom::Examination& found) {
             .series = {},
             .isOfNobody = false,
             .studyInstanceUid = found.studyInstanceUid};
+}
+
+bool lostLetters(const std::string& name) {
+    return name.find('?') != std::string::npos || name.find("\uFFFD") != std::string::npos;
 }
 
 // A file that is cut off in its pixels is kept: the archive may have it so, and what opens the study says it.
@@ -78,18 +86,24 @@ SpooledStudy::SpooledStudy(fs::path folder, std::string studyInstanceUid, Instal
 SpooledStudy::~SpooledStudy() = default;
 
 Result<std::unique_ptr<SpooledStudy>> SpooledStudy::open(fs::path folder, std::string studyInstanceUid,
-                                                         InstallationKey key, const SpoolLimits& limits) {
+                                                         InstallationKey key, const SpoolLimits& limits,
+                                                         const CancelToken& cancel) {
     const fs::path arriving = folder.parent_path() / kArriving;
     MACULA_TRY_VOID(makePrivateFolder(folder));
     MACULA_TRY_VOID(makePrivateFolder(arriving));
     std::unique_ptr<SpooledStudy> study(
         new SpooledStudy(std::move(folder), std::move(studyInstanceUid), key, limits));
     study->locked_ = std::make_unique<Locked>(arriving / (study->folder_.filename().string() + ".lock"));
-    if (!study->locked_->isOurs())
-        return Error{ErrorCode::usage,
-                     Text("Another program is fetching this study."),
-                     {},
-                     Text("Wait until it is done.")};
+    const auto until = std::chrono::steady_clock::now() + limits.patience;
+    while (!study->locked_->isOurs()) {
+        if (cancel.cancelled()) return Error{ErrorCode::cancelled, Text("Fetching was cancelled."), {}, {}};
+        if (std::chrono::steady_clock::now() >= until)
+            return Error{ErrorCode::usage,
+                         Text("Another program is fetching this study."),
+                         {},
+                         Text("Wait until it is done.")};
+        std::this_thread::sleep_for(kLockIsTriedEvery);
+    }
     removeAbandonedDrafts(arriving);
     MACULA_TRY_VOID(study->readInstances());
     return study;
@@ -105,32 +119,39 @@ Result<void> SpooledStudy::readInstances() {
     std::mutex mutex;
     parallelFor(files.size(), [&](std::size_t i) {
         const dicom::Examination found = dicom::examine(files[i]);
-        const std::lock_guard lock(mutex);
         // What a person put there, or what a disk lost, is fetched again.
-        if (canBeRead(found) && fileOf(found.sopInstanceUid) == files[i])
-            instances_.insert(found.sopInstanceUid);
-        if (canBeRead(found) && !patient_) patient_ = identityOf(found);
+        if (!canBeRead(found) || fileOf(found.sopInstanceUid) != files[i]) return;
+        std::error_code gone;
+        const std::uintmax_t size = fs::file_size(files[i], gone);
+        const std::lock_guard lock(mutex);
+        instances_.insert(found.sopInstanceUid);
+        if (!patient_) patient_ = identityOf(found);
+        bytes_ += gone ? 0 : size;
     });
     return {};
 }
 
 Result<void> SpooledStudy::expect(const Identity& patient) {
+    Identity known = patient;
+    if (lostLetters(known.patientName)) known.patientName.clear();
     const std::lock_guard lock(mutex_);
-    if (patient_ && samePatient(*patient_, patient) == SamePatient::no)
+    if (patient_ && samePatient(*patient_, known) == SamePatient::no)
         return Error{ErrorCode::inputNotUsable,
                      Text("The images of this study that were fetched before name another patient than the "
                           "archive does now."),
                      folder_.string(),
                      Text("Tell the administrator of the archive. To fetch the study anew, remove what was "
                           "fetched of it.")};
-    patient_ = patient;
+    expected_ = std::move(known);
     return {};
 }
 
-bool SpooledStudy::isOfThisPatient(const Identity& patient) {
+bool SpooledStudy::takePatient(const Identity& patient) {
     const std::lock_guard lock(mutex_);
-    if (!patient_) patient_ = patient;
-    return samePatient(*patient_, patient) != SamePatient::no;
+    const bool isExpected = !expected_ || samePatient(*expected_, patient) != SamePatient::no;
+    const bool isOfTheFiles = !patient_ || samePatient(*patient_, patient) != SamePatient::no;
+    if (isExpected && isOfTheFiles && !patient_) patient_ = patient;
+    return isExpected && isOfTheFiles;
 }
 
 std::set<std::string> SpooledStudy::instances() const {
@@ -142,8 +163,12 @@ fs::path SpooledStudy::fileOf(const std::string& sopInstanceUid) const {
     return folder_ / (key_.digestOf(sopInstanceUid).substr(0, kDigitsOfName) + ".dcm");
 }
 
+// Asked while files grow: several at once must not fill the disk.
 std::uintmax_t SpooledStudy::mostBytesOfInstance() const {
-    return limits_.mostBytesOfInstance;
+    std::error_code failure;
+    const fs::space_info space = fs::space(folder_, failure);
+    if (failure || space.available <= limits_.leastFreeBytes) return 0;
+    return std::min(limits_.mostBytesOfInstance, space.available - limits_.leastFreeBytes);
 }
 
 Result<fs::path> SpooledStudy::place() {
@@ -160,6 +185,11 @@ Result<fs::path> SpooledStudy::place() {
     fs::permissions(draft.path(), fs::perms::owner_read | fs::perms::owner_write, failure);
     if (failure) return spoolNotWritable(folder_);
     const std::lock_guard lock(mutex_);
+    if (bytes_ >= limits_.mostBytes)
+        return Error{ErrorCode::archiveNotUsable,
+                     Text("The study is larger than all that is kept of fetched studies."),
+                     {},
+                     Text("Fetch single series of it.")};
     if (instances_.size() + drafts_.size() >= limits_.mostInstancesOfStudy)
         return Error{
             ErrorCode::archiveNotUsable,
@@ -177,7 +207,7 @@ Result<net::Receiver::Verdict> SpooledStudy::take(const fs::path& file, const ne
     const bool isPromised =
         found.studyInstanceUid == studyInstanceUid_ &&
         (promised.sopInstanceUid.empty() || promised.sopInstanceUid == found.sopInstanceUid);
-    const bool isOurs = isReadable && isPromised && isOfThisPatient(identityOf(found));
+    const bool isOurs = isReadable && isPromised && takePatient(identityOf(found));
     if (!isReadable) ++unreadable_;
     if (isReadable && !isOurs) ++ofOtherStudies_;
     if (!isOurs) {
@@ -192,10 +222,12 @@ Result<net::Receiver::Verdict> SpooledStudy::take(const fs::path& file, const ne
             return Verdict::hadAlready;
         }
         std::error_code failure;
+        const std::uintmax_t size = fs::file_size(file, failure);
         fs::rename(file, name, failure);
         drafts_.erase(file);
         if (failure) return spoolNotWritable(folder_);
         instances_.insert(found.sopInstanceUid);
+        bytes_ += size;
     }
     if (kept_) kept_();
     return Verdict::kept;

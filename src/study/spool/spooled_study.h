@@ -13,6 +13,7 @@
 
 #include "base/draft.h"
 #include "base/installation_key.h"
+#include "base/progress.h"
 #include "net/archive/receiver.h"
 #include "study/open/identity.h"
 #include "study/spool/spool_limits.h"
@@ -26,16 +27,18 @@ namespace macula::study {
 class SpooledStudy : public net::Receiver {
   public:
     // Makes the folder if it is missing, removes what was left half received, and reads which instances are
-    // there.
+    // there. Fails with usage while another program fetches the study.
     static Result<std::unique_ptr<SpooledStudy>> open(std::filesystem::path folder,
                                                       std::string studyInstanceUid, InstallationKey key,
-                                                      const SpoolLimits& limits);
+                                                      const SpoolLimits& limits,
+                                                      const CancelToken& cancel = {});
     ~SpooledStudy() override;
 
     const std::filesystem::path& folder() const { return folder_; }
 
-    // Whose study it is, as the archive answered; without it, the patient of the first file. Files already
-    // there of somebody else make this fail with inputNotUsable.
+    // Whose study it is, as the archive answered; without it, the patient of the first file counts. A name
+    // that lost letters on its way (? or U+FFFD) counts as none. Fails with inputNotUsable where files of
+    // somebody else are there.
     Result<void> expect(const Identity& patient);
     // Called after each instance that was kept, by the thread that received it.
     void onKept(std::function<void()> listener) { kept_ = std::move(listener); }
@@ -58,7 +61,7 @@ class SpooledStudy : public net::Receiver {
     SpooledStudy(std::filesystem::path folder, std::string studyInstanceUid, InstallationKey key,
                  const SpoolLimits& limits);
     Result<void> readInstances();
-    bool isOfThisPatient(const Identity& patient);
+    bool takePatient(const Identity& patient);  // false: of another one
     std::filesystem::path fileOf(const std::string& sopInstanceUid) const;
 
     const std::filesystem::path folder_;
@@ -70,7 +73,9 @@ class SpooledStudy : public net::Receiver {
     mutable std::mutex mutex_;
     std::map<std::filesystem::path, Draft> drafts_;
     std::set<std::string> instances_;
-    std::optional<Identity> patient_;
+    std::optional<Identity> expected_;  // the patient whom the archive names
+    std::optional<Identity> patient_;   // of the files
+    std::uintmax_t bytes_ = 0;          // of the files
     std::atomic<std::size_t> ofOtherStudies_{0};
     std::atomic<std::size_t> unreadable_{0};
 };

@@ -17,6 +17,7 @@
 #include "viewer/language/window_language.h"
 #include "viewer/status/notifications.h"
 #include "viewer/status/status_widgets.h"
+#include "viewer/status/study_notes.h"
 #include "viewer/volume/opening_controller.h"
 
 namespace macula::viewer {
@@ -56,18 +57,23 @@ ArchiveController::ArchiveController(const WindowContext& context, OpeningContro
                         },
                     .ended = [this](const Result<study::FetchedStudy>& fetched) { showWhole(fetched); }}),
       look_(this, {.ended = [this](const Result<std::filesystem::path>& folder) {
-                if (folder && !folder->empty() && fetch_.running()) opening_.open(*folder);
+                if (folder && !folder->empty()) showPart(*folder);
             }}) {
     connect(panel_, &ArchivePanel::searchAsked, this, &ArchiveController::search);
     connect(panel_, &ArchivePanel::openAsked, this, &ArchiveController::fetch);
     connect(panel_, &ArchivePanel::setUpAsked, this, &ArchiveController::setUp);
-    connect(bar_, &WorkBar::cancelClicked, this, [this] {
-        if (!fetch_.cancel()) return;
-        bar_->hide();
-        panel_->setRemark(
-            tr("Fetching was cancelled. What came is kept; opening the study again goes on from there."));
-    });
+    connect(bar_, &WorkBar::cancelClicked, this, &ArchiveController::cancel);
+    context_.notes.setSource(NoteOn::archive, [this] { return notes(); });
     readSources();
+}
+
+void ArchiveController::cancel() {
+    if (!fetch_.cancel()) return;
+    look_.cancel();
+    bar_->hide();
+    panel_->setRemark(
+        tr("Fetching was cancelled. What came is kept; opening the study again goes on from there."));
+    context_.notes.show();
 }
 
 void ArchiveController::addAction(QMenu& file) {
@@ -106,6 +112,7 @@ void ArchiveController::search(const net::StudyQuery& query) {
     if (!sources_) return;
     auto way = wayTo(*sources_, panel_->source());
     if (!way) return panel_->setRemark(inWindowsLanguage(way.error()));
+    searched_ = panel_->source();
     panel_->setSearching(true);
     panel_->setRemark(tr("Searching…"));
     search_.start([way = *std::move(way), query](Progress& progress) -> Result<net::StudyAnswers> {
@@ -115,33 +122,49 @@ void ArchiveController::search(const net::StudyQuery& query) {
 }
 
 void ArchiveController::fetch(const net::FoundStudy& study) {
-    if (!sources_) return;
-    auto way = wayTo(*sources_, panel_->source());
+    if (!sources_ || (fetch_.running() && coming_.studyInstanceUid == study.studyInstanceUid)) return;
+    // The one that was searched, whichever is chosen by now: a UID means nothing to another one.
+    auto way = wayTo(*sources_, searched_);
     if (!way) return panel_->setRemark(inWindowsLanguage(way.error()));
-    lookedAt_ = 0;
+    look_.cancel();
+    coming_ = {.number = coming_.number + 1,
+               .studyInstanceUid = study.studyInstanceUid,
+               .openBefore = opening_.loader().source()};
     panel_->setRemark(QString());
     bar_->begin(tr("Fetching a study"));
-    const NewestPosted<study::Arrival> arrived(this,
-                                               [this](const study::Arrival& arrival) { lookAt(arrival); });
-    fetch_.start([way = *std::move(way), uid = study.studyInstanceUid,
-                  arrived](Progress& progress) -> Result<study::FetchedStudy> {
-        MACULA_TRY(const auto archive, net::archiveOf(way.source, way.secrets));
-        MACULA_TRY(study::Spool spool, study::Spool::open());
-        return study::fetchStudy(*archive, way.source.name, {.studyInstanceUid = uid}, spool, progress,
-                                 arrived);
-    });
+    const NewestPosted<study::Arrival> arrived(
+        this, [this, number = coming_.number](const study::Arrival& arrival) { lookAt(number, arrival); });
+    const study::FetchRequest request{.studyInstanceUid = study.studyInstanceUid,
+                                      .chosen = study::identityOf(study)};
+    fetch_.start(
+        [way = *std::move(way), request, arrived](Progress& progress) -> Result<study::FetchedStudy> {
+            MACULA_TRY(const auto archive, net::archiveOf(way.source, way.secrets));
+            MACULA_TRY(study::Spool spool, study::Spool::open());
+            return study::fetchStudy(*archive, way.source.name, request, spool, progress, arrived);
+        });
 }
 
 // Reading headers takes a part of the time in which they come: each time there are twice as many images, all
 // looks together read each header twice. What cannot be shown yet is no error.
-void ArchiveController::lookAt(const study::Arrival& arrival) {
-    if (!fetch_.running() || look_.running() || opening_.loader().loading()) return;
-    if (arrival.instances < 2 * lookedAt_) return;
-    lookedAt_ = arrival.instances;
+void ArchiveController::lookAt(std::uint64_t number, const study::Arrival& arrival) {
+    if (number != coming_.number || !fetch_.running() || look_.running() || opening_.loader().loading())
+        return;
+    if (arrival.instances < 2 * coming_.lookedAt) return;
+    coming_.lookedAt = arrival.instances;
+    coming_.folder = arrival.folder;
     look_.start([folder = arrival.folder](Progress& progress) -> Result<std::filesystem::path> {
         MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(folder, progress));
         return dicom::bestVolume(scan) ? folder : std::filesystem::path();
     });
+}
+
+void ArchiveController::showPart(const std::filesystem::path& folder) {
+    if (fetch_.running() && !isOtherOpen()) opening_.open(folder);
+}
+
+bool ArchiveController::isOtherOpen() const {
+    const study::StudySource& open = opening_.loader().source();
+    return open != coming_.openBefore && open != study::StudySource(coming_.folder);
 }
 
 void ArchiveController::showWhole(const Result<study::FetchedStudy>& fetched) {
@@ -150,12 +173,29 @@ void ArchiveController::showWhole(const Result<study::FetchedStudy>& fetched) {
     if (!fetched) {
         panel_->setRemark(inWindowsLanguage(fetched.error()));
         context_.notifications.failUnlessCancelled(fetched.error());
+        context_.notes.show();
         return;
     }
-    opening_.open(fetched->folder);
+    if (coming_.folder.empty()) coming_.folder = fetched->folder;
     QStringList told{tr("%n images fetched", nullptr, int(fetched->counts.kept))};
     for (const Message& message : fetched->messages) told.append(inWindowsLanguage(message));
+    if (isOtherOpen())
+        told.append(tr("Another study was opened meanwhile. Open shows this one."));
+    else
+        opening_.open(fetched->folder);
     panel_->setRemark(told.join(QStringLiteral("\n")));
+}
+
+// A part of a study must not pass for all of it.
+QStringList ArchiveController::notes() const {
+    const study::StudySource& open = opening_.loader().source();
+    const auto record = open ? study::useSpooled(*open) : std::nullopt;
+    if (!record || record->isComplete) return {};
+    if (fetch_.running() && *open == coming_.folder)
+        return {tr("Images of this study are still arriving from the archive.")};
+    return {
+        tr("This study is not known to be complete: images that the archive has may be missing. Fetch it "
+           "again.")};
 }
 
 }  // namespace macula::viewer

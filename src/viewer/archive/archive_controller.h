@@ -2,12 +2,16 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "net/archive/query.h"
 #include "net/sources/source_list.h"
 #include "study/archive/fetched_study.h"
+#include "study/open/opened_study.h"
 #include "viewer/context/window_context.h"
 #include "viewer/jobs/background_job.h"
 
@@ -37,12 +41,25 @@ class ArchiveController : public QObject {
     bool fetching() const { return fetch_.running(); }
 
   private:
+    // A study that comes, or came last. Another one that is fetched makes what is still heard of it void.
+    struct Coming {
+        std::uint64_t number = 0;
+        std::string studyInstanceUid;
+        study::StudySource openBefore;  // what was open when it began
+        std::filesystem::path folder;   // once something came
+        std::size_t lookedAt = 0;       // instances
+    };
+
     void readSources();
     void setUp();
     void search(const net::StudyQuery& query);
     void fetch(const net::FoundStudy& study);
-    void lookAt(const study::Arrival& arrival);
+    void cancel();
+    void lookAt(std::uint64_t number, const study::Arrival& arrival);
+    void showPart(const std::filesystem::path& folder);
     void showWhole(const Result<study::FetchedStudy>& fetched);
+    bool isOtherOpen() const;  // a person opened another study since the fetch began
+    QStringList notes() const;
 
     WindowContext context_;
     OpeningController& opening_;
@@ -50,10 +67,11 @@ class ArchiveController : public QObject {
     WorkBar* bar_;
     QAction* shown_ = nullptr;
     std::optional<net::SourceList> sources_;
+    QString searched_;  // the archive whose answers are listed
+    Coming coming_;
     BackgroundJob<net::StudyAnswers> search_;
     BackgroundJob<study::FetchedStudy> fetch_;
-    BackgroundJob<std::filesystem::path> look_;  // whether what has come of a study can be shown; its folder
-    std::size_t lookedAt_ = 0;                   // instances
+    BackgroundJob<std::filesystem::path> look_;  // whether what has come can be shown; its folder
 };
 
 }  // namespace macula::viewer

@@ -241,6 +241,11 @@ bool SourceDialog::save() {
         remark_->setText(inWindowsLanguage(archive.error()));
         return false;
     }
+    const bool isOther = changed.name != shown_.name && sources_.find(changed.name).ok();
+    if (isOther) {
+        remark_->setText(tr("Another archive has this name already. Choose another name."));
+        return false;
+    }
     Result<void> done = sources_.put(changed);
     if (done) done = sources_.keep(changed, secrets());
     // Under another name it is another archive; the former one goes.

@@ -18,6 +18,7 @@ enum class NoteOn {
     store,       // errors of the store
     preset,
     study,
+    archive,  // that a fetched study is not whole
     table,
     second,  // the second volume
     segments,
