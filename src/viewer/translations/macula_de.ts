@@ -10509,6 +10509,26 @@
         <source>Search an archive (PACS), and open a study from it</source>
         <translation>Archiv (PACS) durchsuchen und eine Studie daraus öffnen</translation>
     </message>
+    <message>
+        <source>Images of this study may be missing: the archive did not say which it has, or sent fewer.</source>
+        <translation>Bilder dieser Studie können fehlen: Das Archiv hat nicht gesagt, welche es hat, oder weniger gesendet.</translation>
+    </message>
+    <message>
+        <source>The archive now names another patient for this study than in the list.</source>
+        <translation>Das Archiv nennt zu dieser Studie jetzt einen anderen Patienten als in der Liste.</translation>
+    </message>
+    <message>
+        <source>Search again, and tell the administrator of the archive.</source>
+        <translation>Suchen Sie noch einmal, und benachrichtigen Sie die Verwaltung des Archivs.</translation>
+    </message>
+    <message>
+        <source>Fetching was cancelled.</source>
+        <translation>Der Abruf wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The study is larger than all that is kept of fetched studies.</source>
+        <translation>Die Studie ist größer als alles, was von abgerufenen Studien aufbewahrt wird.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -10538,6 +10558,18 @@
             <numerusform>%n Bild abgerufen</numerusform>
             <numerusform>%n Bilder abgerufen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Another study was opened meanwhile. Open shows this one.</source>
+        <translation>Inzwischen wurde eine andere Studie geöffnet. „Öffnen“ zeigt diese.</translation>
+    </message>
+    <message>
+        <source>Images of this study are still arriving from the archive.</source>
+        <translation>Bilder dieser Studie kommen noch aus dem Archiv.</translation>
+    </message>
+    <message>
+        <source>This study is not known to be complete: images that the archive has may be missing. Fetch it again.</source>
+        <translation>Es ist nicht bekannt, ob diese Studie vollständig ist: Bilder, die das Archiv hat, können fehlen. Rufen Sie sie noch einmal ab.</translation>
     </message>
 </context>
 <context>
@@ -14043,6 +14075,10 @@
     <message>
         <source>Removed.</source>
         <translation>Entfernt.</translation>
+    </message>
+    <message>
+        <source>Another archive has this name already. Choose another name.</source>
+        <translation>Ein anderes Archiv hat diesen Namen schon. Wählen Sie einen anderen.</translation>
     </message>
 </context>
 <context>
