@@ -14,8 +14,8 @@
 #include "base/plugin.h"
 #include "dicom/read/dataset.h"
 #include "dicom/read/folder.h"
-#include "toolkit/quiet_toolkit.h"
 #include "dicom/scan.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::evaluate {
 

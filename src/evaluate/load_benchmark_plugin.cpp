@@ -22,8 +22,8 @@
 #include <thread>
 
 #include "dicom/read/dataset.h"
-#include "toolkit/quiet_toolkit.h"
 #include "evaluate/measurement.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::evaluate {
 

@@ -36,7 +36,8 @@ const std::vector<Library> kLibraries{
     {"niftilib", {"nifti"}}, {"OpenImageIO", {"OpenImageIO/", "OpenEXR/", "Imath/"}},
     {"CLI11", {"CLI/"}},     {"VTK", {"vtk"}},
     {"pugixml", {"pugi"}},   {"SQLite", {"sqlite3", "SQLiteCpp/"}},
-    {"OpenXR", {"openxr/"}}, {"Highway", {"hwy/"}},   {"libcurl", {"curl/"}}};
+    {"OpenXR", {"openxr/"}}, {"Highway", {"hwy/"}},
+    {"libcurl", {"curl/"}}};
 
 // ARCHITECTURE.md: the arrows of its diagram, and who may use which library.
 struct Rules {

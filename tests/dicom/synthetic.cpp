@@ -12,8 +12,8 @@
 #include <random>
 
 #include "dicom/read/dataset.h"
-#include "toolkit/quiet_toolkit.h"
 #include "support.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom::test {
 

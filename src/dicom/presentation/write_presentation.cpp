@@ -17,12 +17,12 @@
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/srgb_profile.h"
 #include "dicom/read/presentation_tags.h"
-#include "toolkit/quiet_toolkit.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/stack/examination.h"
 #include "dicom/write/decimal_string.h"
 #include "dicom/write/object_owner.h"
 #include "dicom/write/uid.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom {
 

@@ -8,10 +8,10 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
-#include "toolkit/quiet_toolkit.h"
 #include "dicom/stack/examination.h"
 #include "dicom/write/object_owner.h"
 #include "dicom/write/uid.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom {
 

@@ -16,10 +16,10 @@
 #include "base/draft.h"
 #include "base/parallel.h"
 #include "base/sha256.h"
-#include "toolkit/quiet_toolkit.h"
 #include "dicom/stack/examination.h"
 #include "dicom/write/decimal_string.h"
 #include "dicom/write/uid.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "dicom/read/folder.h"
-#include "toolkit/quiet_toolkit.h"
 #include "dicom/read/values.h"
 #include "support.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom::test {
 namespace {

@@ -9,11 +9,11 @@
 
 #include "base/phantom.h"
 #include "dicom/pixels/decoders.h"
-#include "toolkit/quiet_toolkit.h"
 #include "dicom/scan.h"
 #include "dicom/write/series_writer.h"
 #include "formats/volume_file.h"
 #include "support.h"
+#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom::test {
 namespace {

@@ -26,7 +26,7 @@ enum {
     MACULA_DEVICE = 3, /* no Vulkan driver, or no such device, or lost too often */
     MACULA_MEMORY = 4, /* not enough, on the host or on the device */
     MACULA_CANCELLED = 5,
-    MACULA_FAULT = 6, /* a mistake of Macula itself: please report it */
+    MACULA_FAULT = 6,  /* a mistake of Macula itself: please report it */
     MACULA_OUTPUT = 7, /* a file or folder cannot be written */
     MACULA_ARCHIVE = 8 /* a PACS that cannot be reached, or refuses */
 };
