@@ -62,6 +62,9 @@ struct Fetched {
     std::size_t refused = 0;           // by the receiver, or too large
     std::vector<FoundInstance> never;  // promised, and not sent: after all tries
     std::size_t bytes = 0;             // received
+    // The archive said which instances it has, and that list was not cut; otherwise `promised` may be too
+    // small.
+    bool isListWhole = true;
 };
 
 }  // namespace macula::net

@@ -14,7 +14,6 @@ namespace {
 constexpr std::size_t kMostBytesOfAnswer = std::size_t{256} << 10;
 constexpr std::size_t kMostPatients = 1000;
 constexpr std::size_t kMostSeries = 10000;
-constexpr std::size_t kMostInstances = 1000000;
 // Answers that are of no use are endured up to that many times what was asked for.
 constexpr std::size_t kEnduredTimes = 2;
 
@@ -258,17 +257,18 @@ Result<SeriesAnswers> Finder::series(const StudyPlace& study) {
         const std::string uid = series.seriesInstanceUid;
         return found.take(std::move(series), uid);
     }));
-    return SeriesAnswers{std::move(found.items), found.unusable};
+    return SeriesAnswers{std::move(found.items), found.isCutShort, found.unusable};
 }
 
-Result<InstanceAnswers> Finder::instances(const StudyPlace& study, const std::string& seriesInstanceUid) {
+Result<InstanceAnswers> Finder::instances(const StudyPlace& study, const std::string& seriesInstanceUid,
+                                          std::size_t most) {
     Keys keys = keysOf(study, peer_.patientRoot);
     keys.merge(Keys{{Key::level, "IMAGE"},
                     {Key::seriesInstanceUid, seriesInstanceUid},
                     {Key::sopInstanceUid, ""},
                     {Key::sopClassUid, ""},
                     {Key::instanceNumber, ""}});
-    Collected<FoundInstance> found(kMostInstances);
+    Collected<FoundInstance> found(most);
     MACULA_TRY_VOID(ask(keys, [&](const Keys* answer) {
         if (answer == nullptr) return found.drop(true);
         const std::string uid = uidValue(*answer, Key::sopInstanceUid);
@@ -276,7 +276,7 @@ Result<InstanceAnswers> Finder::instances(const StudyPlace& study, const std::st
                            numberValue(*answer, Key::instanceNumber)},
                           uid);
     }));
-    return InstanceAnswers{std::move(found.items), found.unusable};
+    return InstanceAnswers{std::move(found.items), found.isCutShort, found.unusable};
 }
 
 }  // namespace macula::net

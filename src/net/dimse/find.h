@@ -22,12 +22,15 @@ struct StudyPlace {
 
 struct SeriesAnswers {
     std::vector<FoundSeries> series;
+    bool isCutShort = false;
     std::size_t unusable = 0;
 };
 struct InstanceAnswers {
     std::vector<FoundInstance> instances;
+    bool isCutShort = false;
     std::size_t unusable = 0;
 };
+constexpr std::size_t kMostInstancesOfStudy = 200'000;
 
 // Asks over an association of its own, which is released when the object goes.
 class Finder {
@@ -39,7 +42,10 @@ class Finder {
 
     Result<StudyAnswers> studies(const StudyQuery& query);
     Result<SeriesAnswers> series(const StudyPlace& study);
-    Result<InstanceAnswers> instances(const StudyPlace& study, const std::string& seriesInstanceUid);
+    Result<InstanceAnswers> instances(const StudyPlace& study, const std::string& seriesInstanceUid,
+                                      std::size_t most = kMostInstancesOfStudy);
+    // After an error: the archive answered with it, and can be asked more.
+    bool isOpen() const { return association_->isOpen(); }
 
   private:
     // Null: an answer that is malformed. Returns whether more are wanted.

@@ -104,6 +104,16 @@ Fetched Incoming::counts() const {
     return counts_;
 }
 
+std::size_t Incoming::distinct() const {
+    const std::lock_guard lock(mutex_);
+    return taken_.size() + counts_.refused;
+}
+
+bool Incoming::cameAgain(const std::string& sopInstanceUid) const {
+    const std::lock_guard lock(mutex_);
+    return had_.contains(sopInstanceUid);
+}
+
 void Incoming::count(const std::string& sopInstanceUid, Outcome outcome) {
     const std::lock_guard lock(mutex_);
     ++arrived_;
@@ -114,7 +124,7 @@ void Incoming::count(const std::string& sopInstanceUid, Outcome outcome) {
             isNew = taken_.insert(sopInstanceUid).second;
             break;
         case Outcome::hadAlready:
-            ++counts_.hadAlready;
+            if (had_.insert(sopInstanceUid).second) ++counts_.hadAlready;
             isNew = taken_.insert(sopInstanceUid).second && promised_.contains(sopInstanceUid);
             break;
         case Outcome::refused:
