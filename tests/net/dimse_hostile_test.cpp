@@ -413,6 +413,23 @@ TEST(DimseHostile, ResponsesToNothingAreErrors) {
     }
 }
 
+TEST(DimseHostile, ARefusedRetrievalIsNotWhole) {
+    // The archive does not list what it has, sends one and then fails without counts.
+    for (const std::uint16_t status : {std::uint16_t{0xa702}, std::uint16_t{0xc001}}) {
+        HostileFetch fetch([&](HostileLine& line, const HostileLine::Received& request) {
+            offer(line, "2.25.1.1.1", instanceOf("2.25.1"));
+            line.receiveCommand();
+            lastAnswer(line, request, CommandField::getResponse, status);
+            while (line.receiveCommand()) continue;
+        });
+        const auto result = fetch.run();
+        ASSERT_TRUE(result) << told(result.error());
+        EXPECT_EQ(result->kept, 1u);
+        EXPECT_EQ(result->promised, 1u);
+        EXPECT_FALSE(result->isListWhole);
+    }
+}
+
 }  // namespace
 
 }  // namespace macula::net::test

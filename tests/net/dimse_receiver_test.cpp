@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include "net/dimse_support.h"
 #include "net/hostile_peer.h"
@@ -187,6 +188,24 @@ TEST(DimseLogs, NobodyIsNamed) {
     root.removeAppender(appender);
     OFLog::configure(OFLogger::OFF_LOG_LEVEL);
     EXPECT_EQ(logged, "");
+}
+
+TEST(DimseReceiver, BytesOfAStrangerAreNoSignOfLife) {
+    FolderReceiver receiver;
+    const auto result = movedBy(
+        [](std::uint16_t port) {
+            // Longer than the answer may take; a byte now and then of a request that is not complete.
+            Caller stranger(port);
+            stranger->sendAll({1, 0, 0, 0, 0x10, 0});
+            for (int i = 0; i < 70; ++i) {
+                if (!stranger->sendAll({0})) return;
+                std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            }
+        },
+        receiver);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().message.english(),
+              "The archive took the connection and then did not answer in time.");
 }
 
 }  // namespace

@@ -198,6 +198,50 @@ TEST(DimseSend, GoesOnAfterABreak) {
     EXPECT_GE(peer.connections(), 3);
 }
 
+TEST(DimseSend, AFileThatVanishesHoldsNobodyUp) {
+    const TemporaryFolder folder;
+    const Paths files = pathsOf(writeStudy(folder.path(), {}));
+    // The first file is taken, and then the third goes.
+    const HostilePeer peer([&](HostileLine& line) {
+        if (!line.acceptAssociation()) return;
+        while (const auto request = line.receiveCommandOf(CommandField::storeRequest)) {
+            std::error_code ignored;
+            std::filesystem::remove(files[2], ignored);
+            line.sendCommand(request->context, {.field = CommandField::storeResponse,
+                                                .respondsTo = request->command.messageId,
+                                                .status = std::uint16_t{0}});
+        }
+    });
+    const Sent sent = sentBy(*archiveAt(peerAt(peer.port(), "HOSTILE")), files);
+    EXPECT_EQ(sent.stored, 5u);
+    ASSERT_EQ(sent.notSent.size(), 1u);
+    EXPECT_EQ(sent.notSent[0].file, files[2]);
+}
+
+TEST(DimseSend, ACancelSaysWhatWasStored) {
+    const TemporaryFolder folder;
+    const Paths files = pathsOf(writeStudy(folder.path(), {}));
+    const CancelToken token;
+    const HostilePeer peer([&](HostileLine& line) {
+        if (!line.acceptAssociation()) return;
+        for (int i = 0; i < 2; ++i) {
+            const auto request = line.receiveCommandOf(CommandField::storeRequest);
+            if (!request) return;
+            line.sendCommand(request->context, {.field = CommandField::storeResponse,
+                                                .respondsTo = request->command.messageId,
+                                                .status = std::uint16_t{0}});
+        }
+        line.receiveCommandOf(CommandField::storeRequest);
+        token.cancel();
+        while (line.receivePdu()) continue;
+    });
+    Progress progress({}, token);
+    const auto sent = archiveAt(peerAt(peer.port(), "HOSTILE"))->send(files, progress);
+    ASSERT_FALSE(sent);
+    EXPECT_EQ(sent.error().code, ErrorCode::cancelled);
+    EXPECT_EQ(sent.error().message.english(), "2 of 6 files were stored before this was cancelled.");
+}
+
 }  // namespace
 
 }  // namespace macula::net::test

@@ -428,5 +428,54 @@ TEST_F(WebHostile, AStudyThatIsGoneIsAnError) {
     EXPECT_EQ(wordsOf(fetched), "The archive has no images of this study.");
 }
 
+TEST_F(WebHostile, AListThatIsNotWholeIsSaid) {
+    const SmallStudy study(folder_);
+    const std::string withoutUid = study.json.substr(0, study.json.size() - 1) + ",{}]";
+    for (const std::string& json : {study.json, withoutUid}) {
+        const ScriptedServer server([&](const Request& request, Peer& peer) {
+            if (request.target.find("/instances?") != std::string::npos)
+                return peer.answer(200, kJson,
+                                   request.target.find("offset=0") != std::string::npos ? json : "[]");
+            peer.answer(200, kParts, multipartOf(study.files, "B"));
+        });
+        WebReceiver receiver(folder_ / "fetched");
+        const auto fetched = archiveAt(server.url())->fetch({.studyInstanceUid = "1.2"}, receiver, progress_);
+        ASSERT_TRUE(fetched.ok()) << wordsOf(fetched);
+        EXPECT_EQ(fetched->kept + fetched->hadAlready, 4u);
+        EXPECT_EQ(fetched->isListWhole, json == study.json);
+    }
+}
+
+TEST_F(WebHostile, CountsOfSeriesAreNoList) {
+    const SmallStudy study(folder_);
+    const ScriptedServer server([&](const Request& request, Peer& peer) {
+        if (request.target.find("/instances?") != std::string::npos) return peer.answer(501, "", "");
+        if (request.target.find("/series?") != std::string::npos)
+            return peer.answer(200, kJson, R"([{"0020000E":"1.3","00201209":2}])");
+        peer.answer(200, kParts, multipartOf(study.files, "B"));
+    });
+    WebReceiver receiver(folder_ / "fetched");
+    const auto fetched = archiveAt(server.url())->fetch({.studyInstanceUid = "1.2"}, receiver, progress_);
+    ASSERT_TRUE(fetched.ok()) << wordsOf(fetched);
+    EXPECT_EQ(fetched->kept, 4u);
+    EXPECT_EQ(fetched->promised, 4u);
+    EXPECT_FALSE(fetched->isListWhole);
+}
+
+TEST_F(WebHostile, WhatWasThereAndComesAgainCountsOnce) {
+    const SmallStudy study(folder_);
+    const ScriptedServer server([&](const Request& request, Peer& peer) {
+        if (study.answersSearch(request, peer)) return;
+        peer.answer(200, kParts, multipartOf(study.files, "B"));
+    });
+    WebReceiver receiver(folder_ / "fetched");
+    receiver.kept[study.uids[0]] = folder_ / "before";
+    const auto fetched =
+        archiveAt(server.url())
+            ->fetch({.studyInstanceUid = "1.2", .sopInstancesHad = {study.uids[0]}}, receiver, progress_);
+    ASSERT_TRUE(fetched.ok()) << wordsOf(fetched);
+    EXPECT_EQ(fetched->hadAlready, 1u);
+}
+
 }  // namespace
 }  // namespace macula::net::test

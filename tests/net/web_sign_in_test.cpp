@@ -43,6 +43,7 @@ TEST(WebSettings, WhatCannotWorkIsToldBeforehand) {
           "https://pacs/\r\nX: y", "https://user:word@pacs/", "https://pacs/?x=y", "https://pacs/#x"})
         EXPECT_NE(wordsOfSettings({.url = url}), "no error") << url;
     EXPECT_NE(wordsOfSettings({.url = "https://pacs", .proxy = "gopher://x"}), "no error");
+    EXPECT_NE(wordsOfSettings({.url = "https://pacs", .proxy = "http://u:word@proxy:1"}), "no error");
     EXPECT_NE(wordsOfSettings({.url = "https://pacs", .tls = {.authorities = "/missing.pem"}}), "no error");
     EXPECT_NE(wordsOfSettings({.url = "https://pacs", .tls = {.key = "/missing.pem"}}), "no error");
     EXPECT_NE(wordsOfSettings({.url = "https://pacs", .signIn = SignIn::bearer}, {.token = "a\nb"}),

@@ -78,10 +78,12 @@ class DimseArchive : public Archive {
         progress.beginStage(Text("Asking the archive for images"), std::max<std::size_t>(series.size(), 1));
         std::vector<FoundInstance> found;
         for (const std::string& each : series) {
-            MACULA_TRY(InstanceAnswers answers, finder.instances(placeOf(studyInstanceUid), each));
+            MACULA_TRY(InstanceAnswers answers, finder.instances(placeOf(studyInstanceUid), each,
+                                                                 kMostInstancesOfStudy - found.size()));
             found.insert(found.end(), std::make_move_iterator(answers.instances.begin()),
                          std::make_move_iterator(answers.instances.end()));
             progress.advance();
+            if (answers.isCutShort) break;  // and with it the association
         }
         return found;
     }

@@ -14,6 +14,13 @@ Error cancelledError() {
     return {ErrorCode::cancelled, Text("Stopped."), {}, {}};
 }
 
+Error cancelledSending(std::size_t stored, std::size_t all) {
+    return {ErrorCode::cancelled,
+            Text("{} of {} files were stored before this was cancelled.", stored, all),
+            {},
+            {}};
+}
+
 Error unknownHost() {
     return archiveError(Text("No machine is known by the host name of this archive."),
                         Text("Check how the host name is written, or enter the archive's IP address."));

@@ -1,6 +1,7 @@
 // All that can go wrong between this program and an archive, in plain words, with what to do.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -10,6 +11,7 @@ namespace macula::net {
 
 Error archiveError(Text message, Text hint);
 Error cancelledError();
+Error cancelledSending(std::size_t stored, std::size_t all);
 
 // Of the network.
 Error unknownHost();

@@ -87,34 +87,57 @@ Result<Fetched> Fetch::run() {
 }
 
 Result<void> Fetch::findPromised() {
-    const CancelToken& cancel = progress_.token();
-    // Whether nobody may search, or only not at this level, the instances can be asked for all the same.
-    const auto goesOn = [&](const Error& error) -> Result<void> {
-        if (error.code != ErrorCode::archiveNotUsable) return error;
+    bool hasConnected = false;
+    for (int failures = 0;;) {
         promised_.clear();
-        return {};
-    };
-    Result<Finder> finder = Finder::open(connector_, cancel);
-    if (!finder) {
-        const bool isConnected = finder.error().message == serviceNotOffered(Service::find).message;
-        return isConnected ? goesOn(finder.error()) : Result<void>(finder.error());
+        isListWhole_ = true;
+        Result<Finder> finder = Finder::open(connector_, progress_.token());
+        Result<void> asked;
+        if (finder) {
+            hasConnected = true;
+            asked = askForPromised(*finder);
+        } else {
+            asked = finder.error();
+        }
+        isPromised_ = asked && !promised_.empty();
+        if (!isPromised_) isListWhole_ = false;
+        if (asked || asked.error().code != ErrorCode::archiveNotUsable) return asked;
+        // Where nobody may search, or not at this level, the instances can be asked for all the same.
+        const bool isRefusal =
+            finder ? finder->isOpen() : asked.error().message == serviceNotOffered(Service::find).message;
+        if (isRefusal) {
+            promised_.clear();
+            return {};
+        }
+        if (!hasConnected || failures++ == kTries) return asked;
+        std::this_thread::sleep_for(kPauseBetweenTries);
     }
-    const Result<SeriesAnswers> series = finder->series(study_);
-    if (!series) return goesOn(series.error());
-    for (const FoundSeries& each : series->series) {
-        const auto& chosen = wanted_.seriesInstanceUids;
-        if (!chosen.empty() && std::ranges::find(chosen, each.seriesInstanceUid) == chosen.end()) continue;
-        if (!each.modality.empty()) modalities_.insert(each.modality);
-        const Result<InstanceAnswers> instances = finder->instances(study_, each.seriesInstanceUid);
-        if (!instances) return goesOn(instances.error());
-        keepPromised(instances->instances);
-    }
-    isPromised_ = !promised_.empty();
-    return {};
 }
 
-void Fetch::keepPromised(const std::vector<FoundInstance>& instances) {
-    for (const FoundInstance& each : instances) promised_.emplace(each.sopInstanceUid, each);
+Result<void> Fetch::askForPromised(Finder& finder) {
+    MACULA_TRY(const SeriesAnswers answers, finder.series(study_));
+    isListWhole_ = !answers.isCutShort && answers.unusable == 0;
+    std::vector<FoundSeries> wanted;
+    for (const FoundSeries& each : answers.series) {
+        const auto& chosen = wanted_.seriesInstanceUids;
+        if (!chosen.empty() && std::ranges::find(chosen, each.seriesInstanceUid) == chosen.end()) continue;
+        // Before any instances: where these cannot be asked for, modalities tell what may come.
+        if (!each.modality.empty()) modalities_.insert(each.modality);
+        wanted.push_back(each);
+    }
+    // After answers that were cut short, the association has ended.
+    return answers.isCutShort ? Result<void>() : askForInstances(finder, wanted);
+}
+
+Result<void> Fetch::askForInstances(Finder& finder, const std::vector<FoundSeries>& series) {
+    for (const FoundSeries& each : series) {
+        MACULA_TRY(const InstanceAnswers answers, finder.instances(study_, each.seriesInstanceUid,
+                                                                   kMostInstancesOfStudy - promised_.size()));
+        for (const FoundInstance& one : answers.instances) promised_.emplace(one.sopInstanceUid, one);
+        if (answers.isCutShort || answers.unusable > 0) isListWhole_ = false;
+        if (answers.isCutShort) break;
+    }
+    return {};
 }
 
 bool Fetch::isMissing(const std::string& sopInstanceUid) const {
@@ -300,14 +323,18 @@ Result<bool> Fetch::takeResponse(Association& association, const AcceptedContext
 Fetched Fetch::fetched() const {
     Fetched result = incoming_.counts();
     if (!isPromised_) {
-        result.promised = std::max(told_, result.kept + result.hadAlready + result.refused);
+        result.isListWhole = false;
+        result.promised = std::max(told_, incoming_.distinct());
         return result;
     }
-    result.promised = promised_.size();
     for (const auto& [uid, instance] : promised_) {
-        if (wanted_.sopInstancesHad.contains(uid)) ++result.hadAlready;
+        if (wanted_.sopInstancesHad.contains(uid) && !incoming_.cameAgain(uid)) ++result.hadAlready;
         if (isMissing(uid)) result.never.push_back(instance);
     }
+    // A refusal that kept nothing back leaves the list as good as it was.
+    result.isListWhole = isListWhole_ && !(refusal_ && !result.never.empty());
+    result.promised = promised_.size();
+    if (!result.isListWhole) result.promised = std::max({result.promised, told_, incoming_.distinct()});
     return result;
 }
 

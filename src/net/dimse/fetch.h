@@ -31,7 +31,8 @@ class Fetch {
     // Asks the archive which instances it has. Where it cannot be asked, the responses tell how many there
     // are.
     Result<void> findPromised();
-    void keepPromised(const std::vector<FoundInstance>& instances);
+    Result<void> askForPromised(Finder& finder);
+    Result<void> askForInstances(Finder& finder, const std::vector<FoundSeries>& series);
     bool isMissing(const std::string& sopInstanceUid) const;
     std::size_t countMissing() const;
     // What to ask for to get what is missing.
@@ -55,7 +56,8 @@ class Fetch {
     Incoming incoming_;
     std::map<std::string, FoundInstance> promised_;
     std::set<std::string> modalities_;
-    bool isPromised_ = false;       // promised_ is all that there is
+    bool isPromised_ = false;       // promised_ is what the archive says it has
+    bool isListWhole_ = true;       // nothing is missing in promised_
     std::size_t told_ = 0;          // of instances, by responses
     std::size_t sentByMove_ = 0;    // as the archive counts
     std::size_t failedByMove_ = 0;  // as the archive counts

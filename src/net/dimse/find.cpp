@@ -14,7 +14,6 @@ namespace {
 constexpr std::size_t kMostBytesOfAnswer = std::size_t{256} << 10;
 constexpr std::size_t kMostPatients = 1000;
 constexpr std::size_t kMostSeries = 10000;
-constexpr std::size_t kMostInstances = 1000000;
 // Answers that are of no use are endured up to that many times what was asked for.
 constexpr std::size_t kEnduredTimes = 2;
 
@@ -139,8 +138,11 @@ Keys keysOf(const StudyPlace& study, bool patientRoot) {
     return keys;
 }
 
-Finder::Finder(std::unique_ptr<Association> association, DimsePeer peer)
-    : association_(std::move(association)), peer_(std::move(peer)) {}
+Finder::Finder(std::unique_ptr<Association> association, const Connector& connector, CancelToken cancel)
+    : association_(std::move(association)),
+      connector_(&connector),
+      cancel_(std::move(cancel)),
+      peer_(connector.peer()) {}
 
 Finder::~Finder() {
     if (association_) association_->release();
@@ -153,7 +155,13 @@ Result<Finder> Finder::open(const Connector& connector, const CancelToken& cance
         association->release();
         return serviceNotOffered(Service::find);
     }
-    return Finder(std::move(association), connector.peer());
+    return Finder(std::move(association), connector, cancel);
+}
+
+Result<void> Finder::reopen() {
+    MACULA_TRY(Finder again, open(*connector_, cancel_));
+    association_ = std::move(again.association_);
+    return {};
 }
 
 Result<void> Finder::ask(const Keys& keys, const Take& take) {
@@ -206,11 +214,11 @@ Result<void> Finder::receiveAnswers(const AcceptedContext& context, std::uint16_
 }
 
 // In the patient root model, an archive may want to know the patient before it looks for studies.
-Result<std::vector<std::string>> Finder::patientsOf(const StudyQuery& query) {
+Result<Finder::Patients> Finder::patientsOf(const StudyQuery& query) {
     const bool isOne = !query.patientId.empty() && query.patientId.find_first_of("*?\\") == std::string::npos;
     const bool isUnknown =
         query.patientId.empty() && query.patientName.empty() && query.patientBirthDate.empty();
-    if (!peer_.patientRoot || isOne || isUnknown) return std::vector<std::string>{query.patientId};
+    if (!peer_.patientRoot || isOne || isUnknown) return Patients{{query.patientId}, false};
     Collected<std::string> found(kMostPatients);
     MACULA_TRY_VOID(ask({{Key::level, "PATIENT"},
                          {Key::patientName, query.patientName},
@@ -221,13 +229,15 @@ Result<std::vector<std::string>> Finder::patientsOf(const StudyQuery& query) {
                             const std::string id = firstValue(*answer, Key::patientId);
                             return found.take(id, id);
                         }));
-    return std::move(found.items);
+    return Patients{std::move(found.items), found.isCutShort};
 }
 
 Result<StudyAnswers> Finder::studies(const StudyQuery& query) {
-    MACULA_TRY(const std::vector<std::string> patients, patientsOf(query));
+    MACULA_TRY(const Patients patients, patientsOf(query));
+    // To be told no more patients, the association was ended.
+    if (patients.isCutShort) MACULA_TRY_VOID(reopen());
     Collected<FoundStudy> found(query.mostAnswers);
-    for (const std::string& patient : patients) {
+    for (const std::string& patient : patients.ids) {
         if (found.isCutShort) break;
         Keys keys = keysOfQuery(query);
         if (peer_.patientRoot) keys[Key::patientId] = patient;
@@ -239,7 +249,7 @@ Result<StudyAnswers> Finder::studies(const StudyQuery& query) {
             return found.take(std::move(study), uid);
         }));
     }
-    return StudyAnswers{std::move(found.items), found.isCutShort, found.unusable};
+    return StudyAnswers{std::move(found.items), found.isCutShort || patients.isCutShort, found.unusable};
 }
 
 Result<SeriesAnswers> Finder::series(const StudyPlace& study) {
@@ -258,17 +268,18 @@ Result<SeriesAnswers> Finder::series(const StudyPlace& study) {
         const std::string uid = series.seriesInstanceUid;
         return found.take(std::move(series), uid);
     }));
-    return SeriesAnswers{std::move(found.items), found.unusable};
+    return SeriesAnswers{std::move(found.items), found.isCutShort, found.unusable};
 }
 
-Result<InstanceAnswers> Finder::instances(const StudyPlace& study, const std::string& seriesInstanceUid) {
+Result<InstanceAnswers> Finder::instances(const StudyPlace& study, const std::string& seriesInstanceUid,
+                                          std::size_t most) {
     Keys keys = keysOf(study, peer_.patientRoot);
     keys.merge(Keys{{Key::level, "IMAGE"},
                     {Key::seriesInstanceUid, seriesInstanceUid},
                     {Key::sopInstanceUid, ""},
                     {Key::sopClassUid, ""},
                     {Key::instanceNumber, ""}});
-    Collected<FoundInstance> found(kMostInstances);
+    Collected<FoundInstance> found(most);
     MACULA_TRY_VOID(ask(keys, [&](const Keys* answer) {
         if (answer == nullptr) return found.drop(true);
         const std::string uid = uidValue(*answer, Key::sopInstanceUid);
@@ -276,7 +287,7 @@ Result<InstanceAnswers> Finder::instances(const StudyPlace& study, const std::st
                            numberValue(*answer, Key::instanceNumber)},
                           uid);
     }));
-    return InstanceAnswers{std::move(found.items), found.unusable};
+    return InstanceAnswers{std::move(found.items), found.isCutShort, found.unusable};
 }
 
 }  // namespace macula::net

@@ -22,12 +22,15 @@ struct StudyPlace {
 
 struct SeriesAnswers {
     std::vector<FoundSeries> series;
+    bool isCutShort = false;
     std::size_t unusable = 0;
 };
 struct InstanceAnswers {
     std::vector<FoundInstance> instances;
+    bool isCutShort = false;
     std::size_t unusable = 0;
 };
+constexpr std::size_t kMostInstancesOfStudy = 200'000;
 
 // Asks over an association of its own, which is released when the object goes.
 class Finder {
@@ -39,18 +42,28 @@ class Finder {
 
     Result<StudyAnswers> studies(const StudyQuery& query);
     Result<SeriesAnswers> series(const StudyPlace& study);
-    Result<InstanceAnswers> instances(const StudyPlace& study, const std::string& seriesInstanceUid);
+    Result<InstanceAnswers> instances(const StudyPlace& study, const std::string& seriesInstanceUid,
+                                      std::size_t most = kMostInstancesOfStudy);
+    // After an error: the archive answered with it, and can be asked more.
+    bool isOpen() const { return association_->isOpen(); }
 
   private:
     // Null: an answer that is malformed. Returns whether more are wanted.
     using Take = std::function<bool(const Keys* answer)>;
 
-    Finder(std::unique_ptr<Association> association, DimsePeer peer);
+    Finder(std::unique_ptr<Association> association, const Connector& connector, CancelToken cancel);
+    Result<void> reopen();
     Result<void> ask(const Keys& keys, const Take& take);
     Result<void> receiveAnswers(const AcceptedContext& context, std::uint16_t messageId, const Take& take);
-    Result<std::vector<std::string>> patientsOf(const StudyQuery& query);
+    struct Patients {
+        std::vector<std::string> ids;
+        bool isCutShort = false;
+    };
+    Result<Patients> patientsOf(const StudyQuery& query);
 
     std::unique_ptr<Association> association_;
+    const Connector* connector_;  // outlives this
+    CancelToken cancel_;
     DimsePeer peer_;
 };
 

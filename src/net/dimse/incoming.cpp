@@ -18,6 +18,8 @@ namespace {
 constexpr std::uint16_t kStored = 0x0000;
 constexpr std::uint16_t kNoRoom = 0xa700;
 constexpr std::uint16_t kNotWanted = 0xa900;
+constexpr std::size_t kMostUnpromised = 200'000;
+constexpr std::size_t kSpareArrivals = 1000;
 constexpr std::size_t kMostBytesOfHead = std::size_t{256} << 10;
 constexpr std::uint32_t kStudyInstanceUid = 0x0020000d;
 
@@ -55,6 +57,11 @@ Error diskTrouble() {
             Text("An instance from the archive could not be written."),
             {},
             Text("Make room on the disk, and fetch again: what has come is kept.")};
+}
+
+Error farTooMuch() {
+    return archiveError(Text("The archive sends far more instances than it says it has."),
+                        Text("Ask the administrator of the archive what its log says about this study."));
 }
 
 // Of the beginning of a dataset; empty where it is not found there.
@@ -104,6 +111,22 @@ Fetched Incoming::counts() const {
     return counts_;
 }
 
+std::size_t Incoming::distinct() const {
+    const std::lock_guard lock(mutex_);
+    return taken_.size() + counts_.refused;
+}
+
+bool Incoming::cameAgain(const std::string& sopInstanceUid) const {
+    const std::lock_guard lock(mutex_);
+    return had_.contains(sopInstanceUid);
+}
+
+// With each try, instances may come again.
+bool Incoming::isTooMuch() const {
+    const std::lock_guard lock(mutex_);
+    return arrived_ >= (promised_.empty() ? kMostUnpromised : kSpareArrivals + 2 * promised_.size());
+}
+
 void Incoming::count(const std::string& sopInstanceUid, Outcome outcome) {
     const std::lock_guard lock(mutex_);
     ++arrived_;
@@ -114,13 +137,14 @@ void Incoming::count(const std::string& sopInstanceUid, Outcome outcome) {
             isNew = taken_.insert(sopInstanceUid).second;
             break;
         case Outcome::hadAlready:
-            ++counts_.hadAlready;
+            if (had_.insert(sopInstanceUid).second) ++counts_.hadAlready;
             isNew = taken_.insert(sopInstanceUid).second && promised_.contains(sopInstanceUid);
             break;
         case Outcome::refused:
             // One that was too large comes again with each try; it is one all the same.
-            if (!isUid(sopInstanceUid) || refused_.insert(sopInstanceUid).second) ++counts_.refused;
-            isNew = promised_.contains(sopInstanceUid) && !taken_.contains(sopInstanceUid);
+            isNew = !isUid(sopInstanceUid) || refused_.insert(sopInstanceUid).second;
+            if (isNew) ++counts_.refused;
+            isNew = isNew && promised_.contains(sopInstanceUid) && !taken_.contains(sopInstanceUid);
             break;
     }
     if (isNew) {
@@ -209,6 +233,7 @@ Incoming::Stored Incoming::write(Association& association, const ReceivedCommand
 Result<void> Incoming::store(Association& association, const ReceivedCommand& request) {
     const Command& command = request.command;
     if (!command.messageId || !command.hasDataset) return notWhatDicomSays();
+    if (isTooMuch()) return *fail(farTooMuch()).end;
     const Stored stored = write(association, request);
     if (stored.outcome) count(command.sopInstanceUid, *stored.outcome);
     const bool hasFailed = failure().has_value();

@@ -35,7 +35,9 @@ class Incoming {
     // How often something new came that was not refused without having been promised.
     std::size_t steps() const;
     Fetched counts() const;
-    std::size_t arrived() const;  // stored or refused, over all
+    std::size_t distinct() const;                             // instances taken or refused, each once
+    bool cameAgain(const std::string& sopInstanceUid) const;  // although it was there
+    std::size_t arrived() const;                              // stored or refused, over all
 
   private:
     enum class Outcome { kept, hadAlready, refused };
@@ -47,6 +49,7 @@ class Incoming {
     Stored write(Association& association, const ReceivedCommand& request);
     Stored take(const std::filesystem::path& file, const Command& command);
     Stored fail(const Error& error);
+    bool isTooMuch() const;
     void count(const std::string& sopInstanceUid, Outcome outcome);
 
     const Wanted& wanted_;
@@ -56,6 +59,7 @@ class Incoming {
     std::map<std::string, FoundInstance> promised_;
     std::set<std::string> taken_;
     std::set<std::string> refused_;
+    std::set<std::string> had_;  // of those taken: came although they were there
     std::optional<Error> failure_;
     Fetched counts_;
     std::size_t steps_ = 0;

@@ -147,14 +147,16 @@ void MoveReceiver::State::receiveAll(Association& association) {
             continue;
         }
         if (request->command.field != CommandField::storeRequest) return;
+        const std::size_t before = incoming.steps();
         if (!incoming.store(association, *request)) return;
+        // Bytes of anybody at all are no sign that the archive lives.
+        if (incoming.steps() > before) heartbeat->beat();
     }
 }
 
 void MoveReceiver::State::serve(int socket) {
     const QuietToolkit quiet;
     auto wire = std::make_unique<Wire>(socket, answerTimeout, stop);
-    wire->setHeartbeat(heartbeat);
     if (!tls || wire->beginTls(*tls, {}, answerTimeout)) {
         const Result<std::unique_ptr<Association>> association = Association::accept(std::move(wire), title);
         if (association) receiveAll(**association);

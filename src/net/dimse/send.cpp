@@ -101,7 +101,7 @@ Result<void> Sending::sendWithTries(std::vector<Outgoing>& batch) {
         const std::size_t before = batch.size();
         isConnected_ = false;
         const Result<void> attempted = sendBatch(batch);
-        if (progress_.cancelled()) return cancelledError();
+        if (progress_.cancelled()) return cancelledSending(sent_.stored, files_.size());
         if (attempted) continue;
         const Error& error = attempted.error();
         if (error.code != ErrorCode::archiveNotUsable) return error;
@@ -134,7 +134,15 @@ Result<void> Sending::sendBatch(std::vector<Outgoing>& batch) {
                                     association->refusesTransferSyntax(outgoing.meta.sopClassUid);
             note(outgoing, knowsClass ? otherTransferSyntax() : serviceNotOffered(Service::store));
         } else {
-            MACULA_TRY_VOID(sendFile(*association, *context, outgoing));
+            const Result<void> sent = sendFile(*association, *context, outgoing);
+            if (!sent && sent.error().code == ErrorCode::inputNotUsable) {
+                // The archive waits for the rest of the file: only a new association helps the others.
+                note(outgoing, sent.error());
+                batch.erase(batch.begin());
+                association->abort();
+                return {};
+            }
+            MACULA_TRY_VOID(sent);
         }
         batch.erase(batch.begin());
     }

@@ -138,7 +138,7 @@ Result<void> InstanceSink::endPart() {
             ++tally_.fetched.kept;
             break;
         case Receiver::Verdict::hadAlready:
-            ++tally_.fetched.hadAlready;
+            if (!meta.ok() || tally_.had.insert(meta->sopInstanceUid).second) ++tally_.fetched.hadAlready;
             break;
         case Receiver::Verdict::refused:
             ++tally_.fetched.refused;

@@ -19,6 +19,7 @@ struct FetchTally {
     Progress& progress;
     Fetched fetched;
     std::unordered_set<std::string> came;  // SOP Instance UIDs, whatever the receiver said to them
+    std::unordered_set<std::string> had;   // those counted as had already
 };
 
 // Of one request.

@@ -38,7 +38,7 @@ WebFetch::WebFetch(const std::string& service, HttpClient& client, const Wanted&
       client_(client),
       wanted_(wanted),
       progress_(progress),
-      tally_{receiver, progress, {}, {}} {}
+      tally_{receiver, progress, {}, {}, {}} {}
 
 Result<Fetched> WebFetch::run() {
     progress_.beginStage(Text("Asking the archive for images"), 1);
@@ -62,6 +62,7 @@ Result<Fetched> WebFetch::run() {
             if (!isHere) fetched.never.push_back(instance);
         }
     }
+    if (!fetched.isListWhole) fetched.promised = std::max(fetched.promised, tally_.came.size());
     if (lastError_ && tally_.came.empty() && fetched.kept == 0 && fetched.refused == 0) return *lastError_;
     return std::move(fetched);
 }
@@ -93,6 +94,7 @@ Result<bool> WebFetch::askForStudyAtOnce() {
         if (isNew) series_.emplace_back().uid = instance.seriesInstanceUid;
         series_[place->second].instances.push_back(std::move(instance));
     }
+    tally_.fetched.isListWhole = !found->isCutShort && found->unusable == 0;
     return !series_.empty();
 }
 
@@ -101,6 +103,8 @@ Result<void> WebFetch::askBySeries() {
     auto found = searchAll<FoundSeries>(client_, url, kMostSeriesOfStudy, seriesInJson,
                                         &FoundSeries::seriesInstanceUid, progress_, nullptr);
     if (!found) return found.error();
+    bool isWhole = !found->isCutShort && found->unusable == 0;
+    std::size_t left = kMostInstancesOfStudy;
     const auto& chosen = wanted_.seriesInstanceUids;
     for (const FoundSeries& series : found->found) {
         const bool isWanted =
@@ -111,14 +115,18 @@ Result<void> WebFetch::askBySeries() {
         to.expected = series.instanceCount.value_or(0);
         MACULA_TRY(const std::string ofSeries, instancesUrl(service_, wanted_.studyInstanceUid, to.uid));
         HttpOutcome outcome;
-        auto instances = searchAll<FoundInstance>(client_, ofSeries, kMostInstancesOfStudy, instancesInJson,
+        auto instances = searchAll<FoundInstance>(client_, ofSeries, left, instancesInJson,
                                                   &FoundInstance::sopInstanceUid, progress_, &outcome);
         if (!instances && !isNotOffered(outcome)) return instances.error();
         to.isListed = instances.ok() && !instances->found.empty();
+        // Numbers of images that series have are no list.
+        isWhole = isWhole && to.isListed && !instances->isCutShort && instances->unusable == 0;
         if (!instances) continue;
+        left -= std::min(left, instances->found.size());
         to.instances = std::move(instances->found);
         for (FoundInstance& instance : to.instances) instance.seriesInstanceUid = to.uid;
     }
+    tally_.fetched.isListWhole = isWhole;
     if (series_.empty()) return nothingOfStudy();
     return {};
 }
@@ -127,7 +135,9 @@ void WebFetch::countPromised() {
     for (const SeriesToCome& series : series_) {
         tally_.fetched.promised += series.isListed ? series.instances.size() : series.expected;
         for (const FoundInstance& instance : series.instances)
-            if (wanted_.sopInstancesHad.contains(instance.sopInstanceUid)) ++tally_.fetched.hadAlready;
+            if (wanted_.sopInstancesHad.contains(instance.sopInstanceUid) &&
+                tally_.had.insert(instance.sopInstanceUid).second)
+                ++tally_.fetched.hadAlready;
     }
 }
 

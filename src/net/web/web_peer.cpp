@@ -83,6 +83,10 @@ Result<void> checkWebPeer(const WebPeer& peer, const Secrets& secrets) {
     if (!isProxy || holdsControls(proxy))
         return badSetting(Text("The address of the proxy is malformed."),
                           Text("Enter it as in http://proxy.example.org:3128, or leave it empty."));
+    if (proxy.find('@') != std::string::npos)
+        return badSetting(
+            Text("The address of the proxy holds a user name or password, which others could read there."),
+            Text("Leave it out, and ask whoever runs the proxy to allow this machine without one."));
     return checkFiles(peer.tls);
 }
 

@@ -35,7 +35,13 @@ Result<Sent> WebSend::run(std::span<const std::filesystem::path> files) {
         if (auto sent = sendGroup(all.subspan(from, to - from)); !sent) {
             const Error& error = sent.error();
             // What is stored must be told.
-            if (error.code == ErrorCode::cancelled || sent_.stored == 0) return error;
+            if (error.code == ErrorCode::cancelled)
+                return Error{
+                    ErrorCode::cancelled,
+                    Text("{} of {} files were stored before this was cancelled.", sent_.stored, files.size()),
+                    {},
+                    {}};
+            if (sent_.stored == 0) return error;
             refuse(all.subspan(judged_), error.message, error.hint);
             break;
         }
