@@ -97,6 +97,7 @@ QWidget* ArchivePanel::makeForm() {
     form->addRow(tr("Modality"), modality_);
     search_ = new QPushButton(tr("Search"), this);
     search_->setObjectName(QStringLiteral("archive-search"));
+    search_->setToolTip(tr("Ask the archive; Enter in a field does the same"));
     connect(search_, &QPushButton::clicked, this, &ArchivePanel::search);
     form->addRow(QString(), search_);
     return box;
@@ -104,7 +105,8 @@ QWidget* ArchivePanel::makeForm() {
 
 QWidget* ArchivePanel::makeList() {
     list_ = new QTreeView(this);
-    describe(*list_, "archive-studies", tr("Studies in the archive"), QString());
+    describe(*list_, "archive-studies", tr("Studies in the archive"),
+             tr("Enter or a double click opens the selected study"));
     list_->setModel(sorted_);
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);

@@ -108,7 +108,7 @@ QWidget* SourceDialog::makeDimse() {
     receiverPort_ = portField(*form, tr("Our port"), "source-receiver-port",
                               tr("For C-MOVE: where Macula receives while a study is fetched; 0: nowhere"));
     tls_ = new QCheckBox(tr("Encrypt the connection (TLS)"), this);
-    tls_->setObjectName(QStringLiteral("source-tls"));
+    describe(*tls_, "source-tls", tls_->text(), tr("The archive must offer it at this port"));
     form->addRow(QString(), tls_);
     return page;
 }
@@ -134,6 +134,8 @@ QWidget* SourceDialog::makeButtons() {
     save_->setObjectName(QStringLiteral("source-save"));
     remove_->setObjectName(QStringLiteral("source-remove"));
     test_->setToolTip(tr("Try the archive step by step"));
+    save_->setToolTip(tr("Keep these settings"));
+    remove_->setToolTip(tr("Forget this archive and its password; what was fetched stays"));
     connect(test_, &QPushButton::clicked, this, &SourceDialog::test);
     connect(save_, &QPushButton::clicked, this, &SourceDialog::save);
     connect(remove_, &QPushButton::clicked, this, &SourceDialog::remove);

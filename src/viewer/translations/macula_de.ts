@@ -10529,6 +10529,26 @@
         <source>The study is larger than all that is kept of fetched studies.</source>
         <translation>Die Studie ist größer als alles, was von abgerufenen Studien aufbewahrt wird.</translation>
     </message>
+    <message>
+        <source>{} of {} files were stored before this was cancelled.</source>
+        <translation>{} von {} Dateien wurden gespeichert, bevor abgebrochen wurde.</translation>
+    </message>
+    <message>
+        <source>The archive sends far more instances than it says it has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive what its log says about this study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address of the proxy holds a user name or password, which others could read there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it out, and ask whoever runs the proxy to allow this machine without one.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -10688,6 +10708,14 @@
     <message>
         <source>No study matches.</source>
         <translation>Keine Studie passt.</translation>
+    </message>
+    <message>
+        <source>Ask the archive; Enter in a field does the same</source>
+        <translation>Das Archiv fragen; die Eingabetaste in einem Feld tut dasselbe</translation>
+    </message>
+    <message>
+        <source>Enter or a double click opens the selected study</source>
+        <translation>Eingabe oder ein Doppelklick öffnet die gewählte Studie</translation>
     </message>
 </context>
 <context>
@@ -14079,6 +14107,18 @@
     <message>
         <source>Another archive has this name already. Choose another name.</source>
         <translation>Ein anderes Archiv hat diesen Namen schon. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>The archive must offer it at this port</source>
+        <translation>Das Archiv muss sie an diesem Port anbieten</translation>
+    </message>
+    <message>
+        <source>Keep these settings</source>
+        <translation>Diese Einstellungen behalten</translation>
+    </message>
+    <message>
+        <source>Forget this archive and its password; what was fetched stays</source>
+        <translation>Dieses Archiv und sein Passwort vergessen; was abgerufen wurde, bleibt</translation>
     </message>
 </context>
 <context>
