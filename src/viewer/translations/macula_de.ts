@@ -10535,19 +10535,19 @@
     </message>
     <message>
         <source>The archive sends far more instances than it says it has.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv sendet weit mehr Instanzen, als es zu haben angibt.</translation>
     </message>
     <message>
         <source>Ask the administrator of the archive what its log says about this study.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragen Sie die Verwaltung des Archivs, was sein Protokoll zu dieser Studie sagt.</translation>
     </message>
     <message>
         <source>The address of the proxy holds a user name or password, which others could read there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Adresse des Proxys enthält einen Benutzernamen oder ein Passwort, die andere dort lesen könnten.</translation>
     </message>
     <message>
         <source>Leave it out, and ask whoever runs the proxy to allow this machine without one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lassen Sie das weg, und bitten Sie die Verwaltung des Proxys, diesen Rechner ohne Anmeldung zuzulassen.</translation>
     </message>
 </context>
 <context>
