@@ -147,10 +147,11 @@ void MoveReceiver::State::receiveAll(Association& association) {
             continue;
         }
         if (request->command.field != CommandField::storeRequest) return;
-        const std::size_t before = incoming.steps();
+        // Bytes of anybody at all are no sign that the archive lives, but those of an instance are: a large
+        // one takes longer than an answer may.
+        association.wire().setHeartbeat(heartbeat);
         if (!incoming.store(association, *request)) return;
-        // Bytes of anybody at all are no sign that the archive lives.
-        if (incoming.steps() > before) heartbeat->beat();
+        association.wire().setHeartbeat(nullptr);
     }
 }
 
