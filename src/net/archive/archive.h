@@ -39,8 +39,8 @@ struct Sent {
 
 // Every call connects by itself, blocks, may be made from any thread and by several at once. Cancelling tells
 // the peer so (C-CANCEL, or the connection is closed) and ends within a second of the peer's next byte, or
-// five seconds. Errors: archiveNotUsable with what to do; cancelled; what the receiver returns. No text of
-// them holds an identifier.
+// five seconds. Errors: archiveNotUsable with what to do; usage for a malformed date or UID of a query;
+// cancelled; what the receiver returns. No text of them holds an identifier.
 class Archive {
   public:
     virtual ~Archive() = default;

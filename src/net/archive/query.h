@@ -1,4 +1,4 @@
-// What a person looks for in an archive, and what the archive answers. All text is UTF-8.
+// Queries that Macula sends to an archive (C-FIND, QIDO-RS), and the answers to them. All text is UTF-8.
 //
 // Both name patients: they are for the clinical display only, and never logged.
 #pragma once

@@ -115,8 +115,8 @@ class StandIn {
     std::uint16_t port_ = 0;
 };
 
-// DCMTK ignores SIGPIPE for the whole process from then on. Whether that is so is up to the program that
-// Macula is a part of.
+// DCMTK makes the whole process ignore SIGPIPE from then on. The program that Macula is a part of decides
+// about its signals, so its choice is put back.
 OFCondition makeNetwork(T_ASC_NetworkRole role, T_ASC_Network** network) {
     static std::mutex mutex;
     const std::lock_guard lock(mutex);

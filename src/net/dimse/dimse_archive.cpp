@@ -132,11 +132,11 @@ Result<void> checkDimsePeer(const DimsePeer& peer) {
                           Text("Enter a host name or an IP address alone, without a port."));
     if (peer.port == 0)
         return badSetting(Text("The archive has no port."), Text("Enter a number from 1 to 65535."));
-    if (!isTitle(peer.calledAe)) return badSetting(Text("The archive's AE title cannot be one."), titleHint);
+    if (!isTitle(peer.calledAe)) return badSetting(Text("The archive's AE title is not valid."), titleHint);
     if (!isTitle(peer.callingAe))
-        return badSetting(Text("The AE title of this program cannot be one."), titleHint);
+        return badSetting(Text("The AE title of this program is not valid."), titleHint);
     if (!peer.receiverAe.empty() && !isTitle(peer.receiverAe))
-        return badSetting(Text("The AE title of this program's receiver cannot be one."), titleHint);
+        return badSetting(Text("The AE title of this program's receiver is not valid."), titleHint);
     if (peer.retrieve == Retrieve::move && peer.receiverPort == 0)
         return badSetting(Text("Fetching by C-MOVE needs a port at which this program receives."),
                           Text("Enter a receiver's port, or let the program choose how to fetch."));

@@ -20,8 +20,8 @@ struct Element {
     std::span<const unsigned char> value;
 };
 
-// Calls `take` for each, in order, until it returns false. Returns whether the bytes are elements up to their
-// end, or to where `take` wanted no more.
+// Calls `take` for each element, in order, until it returns false. Returns whether the bytes that it looked
+// at are well-formed elements.
 bool forEachElement(std::span<const unsigned char> bytes, Encoding encoding,
                     const std::function<bool(const Element&)>& take);
 

@@ -109,7 +109,7 @@ Error errorOfRejection(const Rejection& rejection, const std::string& callingAe,
             break;
     }
     if (rejection.result == 2)
-        return archiveError(Text("The archive refused the connection for now, without a reason."),
+        return archiveError(Text("The archive refused the connection temporarily, and gave no reason."),
                             Text("Try again in a few minutes."));
     return archiveError(
         Text("The archive refused the connection without a reason."),

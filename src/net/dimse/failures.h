@@ -27,7 +27,7 @@ Error errorOfConnecting(int code);
 
 // Of A-ASSOCIATE-RJ (PS3.8 9.3.4): its result, source and reason.
 struct Rejection {
-    unsigned result = 1;  // 1: for good, 2: for now
+    unsigned result = 1;  // 1: permanent, 2: transient
     unsigned source = 1;
     unsigned reason = 1;
 };

@@ -9,8 +9,6 @@
 #include <openssl/ssl.h>
 #include <openssl/x509v3.h>
 #include <poll.h>
-#include <pthread.h>
-#include <signal.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -24,6 +22,7 @@
 #include <thread>
 #include <utility>
 
+#include "net/archive/broken_pipe.h"
 #include "net/dimse/failures.h"
 #include "net/dimse/tls.h"
 
@@ -43,35 +42,6 @@ void acknowledgeAtOnce(int socket) {
     const int isOn = 1;
     setsockopt(socket, IPPROTO_TCP, TCP_QUICKACK, &isOn, sizeof isOn);
 }
-
-// Writing to a connection that the peer closed raises SIGPIPE, which ends a process that does not expect it;
-// OpenSSL offers no way around it. This holds the signal back in this thread alone, since its handler belongs
-// to the program that Macula is a part of.
-class NoBrokenPipes {
-  public:
-    NoBrokenPipes() {
-        sigset_t pending;
-        sigpending(&pending);
-        wasPending_ = sigismember(&pending, SIGPIPE) == 1;
-        sigemptyset(&pipe_);
-        sigaddset(&pipe_, SIGPIPE);
-        pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
-    }
-    ~NoBrokenPipes() {
-        const int kept = errno;
-        const timespec atOnce{0, 0};
-        while (!wasPending_ && sigtimedwait(&pipe_, nullptr, &atOnce) == -1 && errno == EINTR) continue;
-        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-        errno = kept;
-    }
-    NoBrokenPipes(const NoBrokenPipes&) = delete;
-    NoBrokenPipes& operator=(const NoBrokenPipes&) = delete;
-
-  private:
-    sigset_t pipe_{};
-    sigset_t before_{};
-    bool wasPending_ = false;
-};
 
 // A search for a name that goes on after nobody waits for it any more: the C library cannot stop it.
 struct NameSearch {
@@ -186,7 +156,7 @@ Wire::Wire(int socket, std::chrono::milliseconds answerTimeout, CancelToken canc
 
 Wire::~Wire() {
     if (tls_ && trouble_ == WireTrouble::none) {
-        const NoBrokenPipes guarded;
+        const WithoutBrokenPipes guarded;
         SSL_shutdown(tls_->session);
     }
     tls_.reset();
@@ -283,7 +253,7 @@ bool Wire::awaitsTls(int result, Clock::time_point until) {
 
 std::size_t Wire::readTls(void* bytes, std::size_t most) {
     const auto until = deadline();
-    const NoBrokenPipes guarded;
+    const WithoutBrokenPipes guarded;
     while (true) {
         ERR_clear_error();
         const int count =
@@ -294,7 +264,7 @@ std::size_t Wire::readTls(void* bytes, std::size_t most) {
 }
 
 bool Wire::write(const void* bytes, std::size_t count) {
-    const NoBrokenPipes guarded;
+    const WithoutBrokenPipes guarded;
     const char* at = static_cast<const char*>(bytes);
     while (count > 0 && trouble_ == WireTrouble::none) {
         ssize_t written = 0;
@@ -369,7 +339,7 @@ Error errorOfHandshake(SSL* session, WireTrouble trouble, unsigned long problem)
 
 Result<void> Wire::beginTls(const TlsSettings& settings, const std::string& host,
                             std::chrono::milliseconds patience) {
-    const NoBrokenPipes guarded;
+    const WithoutBrokenPipes guarded;
     tls_ = std::make_unique<Tls>();
     tls_->session = SSL_new(settings.native());
     MACULA_CHECK(tls_->session != nullptr);

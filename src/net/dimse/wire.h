@@ -55,7 +55,7 @@ class Wire {
     Result<void> beginTls(const TlsSettings& settings, const std::string& host,
                           std::chrono::milliseconds patience);
 
-    // At least one byte; 0 after trouble.
+    // Waits for bytes, and returns how many it read: at least one, or 0 after trouble.
     std::size_t read(void* bytes, std::size_t most);
     // All of them, or false.
     bool write(const void* bytes, std::size_t count);

@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/parsing.h"
 #include "base/user_folder.h"
 #include "net/sources/source_json.h"
 
@@ -85,13 +85,6 @@ Result<nlohmann::json> readSecrets(const fs::path& file) {
     return json;
 }
 
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return lower;
-}
-
 std::string namesOf(const std::vector<Source>& sources) {
     std::string names;
     for (const Source& source : sources) names += (names.empty() ? "" : ", ") + source.name;
@@ -130,7 +123,7 @@ Result<Source> SourceList::find(std::string_view name) const {
     std::vector<Source> fitting;
     for (const Source& source : all_) {
         if (source.name == name) return source;
-        if (lowerCase(source.name) == lowerCase(name)) fitting.push_back(source);
+        if (lowerCase(source.name) == lowerCase(std::string(name))) fitting.push_back(source);
     }
     if (fitting.size() == 1) return fitting.front();
     if (all_.empty())

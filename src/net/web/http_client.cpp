@@ -1,13 +1,11 @@
 #include "net/web/http_client.h"
 
-#include <pthread.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <optional>
 
+#include "net/archive/broken_pipe.h"
 #include "net/web/http_handle.h"
 #include "net/web/web_address.h"
 
@@ -20,35 +18,6 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kLongestPoll{100};  // until a cancel is seen
 constexpr std::chrono::seconds kLongestRetryAfter{60};
 constexpr int kMostRedirects = 5;
-
-// OpenSSL writes to sockets that the peer has closed, and the signal for it would end the program. It is held
-// back in this thread, and taken away, without a change to how the program treats it.
-class WithoutBrokenPipes {
-  public:
-    WithoutBrokenPipes() {
-        sigemptyset(&pipe_);
-        sigaddset(&pipe_, SIGPIPE);
-        sigset_t pending;
-        sigpending(&pending);
-        wasPending_ = sigismember(&pending, SIGPIPE) == 1;
-        pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
-    }
-    ~WithoutBrokenPipes() {
-        const timespec none{};
-        if (!wasPending_) {
-            while (sigtimedwait(&pipe_, nullptr, &none) == SIGPIPE) {
-            }
-        }
-        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-    }
-    WithoutBrokenPipes(const WithoutBrokenPipes&) = delete;
-    WithoutBrokenPipes& operator=(const WithoutBrokenPipes&) = delete;
-
-  private:
-    sigset_t pipe_{};
-    sigset_t before_{};
-    bool wasPending_ = false;
-};
 
 void prepareLibcurl() {
     static const CURLcode kPrepared = curl_global_init(CURL_GLOBAL_DEFAULT);

@@ -42,7 +42,7 @@ class MultipartParser {
     // Fails with archiveNotUsable where the body is none of multipart, and with what the sink returned. After
     // that the parser takes no more.
     Result<void> feed(std::span<const char> bytes);
-    // Whether the last boundary has come. Until then the body was cut off.
+    // Whether the closing delimiter (RFC 2046 5.1.1) has come. A body that ends before it was cut off.
     bool isComplete() const { return state_ == State::epilogue; }
 
   private:

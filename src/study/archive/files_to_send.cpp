@@ -4,23 +4,12 @@
 
 #include "dicom/read/folder.h"
 #include "dicom/stack/examination.h"
+#include "study/open/file_identity.h"
 #include "study/open/same_patient.h"
 
 namespace macula::study {
 
 namespace {
-
-Identity identityOfFile(const dicom::Examination& found) {
-    return {.patientName = found.patientName,
-            .patientId = found.patient.id,
-            .birthDate = found.patient.birthDate,
-            .sex = found.patient.sex,
-            .studyDate = found.studyDate,
-            .studyDescription = found.studyDescription,
-            .series = {},
-            .isOfNobody = false,
-            .studyInstanceUid = found.studyInstanceUid};
-}
 
 void addPatient(std::vector<Identity>& patients, const Identity& patient) {
     const bool isThere = std::any_of(patients.begin(), patients.end(), [&](const Identity& other) {
@@ -48,7 +37,7 @@ Result<FilesToSend> filesToSend(std::span<const std::filesystem::path> paths, Pr
                              Text("One of the files is damaged or cut off; nothing was sent."), file.string(),
                              Text("Leave it out.")};
             found.files.push_back(file);
-            addPatient(found.patients, identityOfFile(examined));
+            addPatient(found.patients, identityOf(examined));
         }
         if (found.files.size() == before)
             return Error{ErrorCode::inputNotUsable, Text("There is no DICOM file."), path.string(),

@@ -37,8 +37,12 @@ Result<SpoolEntry> entryOf(const fs::path& folder) {
 
 }  // namespace
 
+fs::path spoolFolder() {
+    return userDataFolder() / "fetched";
+}
+
 std::optional<SpoolRecord> useSpooled(const fs::path& folder) {
-    if (folder.parent_path() != userDataFolder() / "fetched") return std::nullopt;
+    if (folder.parent_path() != spoolFolder()) return std::nullopt;
     auto record = readSpoolRecord(folder);
     if (!record) return std::nullopt;
     std::error_code ignored;

@@ -32,11 +32,13 @@ struct SpoolEntry {
 // The record of a folder of the user's spool, of which it notes that it is used; nothing for other folders.
 std::optional<SpoolRecord> useSpooled(const std::filesystem::path& folder);
 
+// The user's: fetched, in the data folder.
+std::filesystem::path spoolFolder();
+
 class Spool {
   public:
     // The user's private folder. Makes it if it is missing. Fails with outputNotWritable.
-    static Result<Spool> open(const std::filesystem::path& folder = userDataFolder() / "fetched",
-                              SpoolLimits limits = {});
+    static Result<Spool> open(const std::filesystem::path& folder = spoolFolder(), SpoolLimits limits = {});
     // A folder that a person chose: its permissions stay, and nothing in it is ever removed.
     static Result<Spool> chosen(const std::filesystem::path& folder);
 

@@ -14,6 +14,7 @@
 #include "base/draft.h"
 #include "base/parallel.h"
 #include "dicom/stack/examination.h"
+#include "study/open/file_identity.h"
 #include "study/open/same_patient.h"
 
 namespace macula::study {
@@ -37,18 +38,6 @@ Result<void> makePrivateFolder(const fs::path& folder) {
     if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
     if (failure) return spoolNotWritable(folder);
     return {};
-}
-
-Identity identityOf(const dicom::Examination& found) {
-    return {.patientName = found.patientName,
-            .patientId = found.patient.id,
-            .birthDate = found.patient.birthDate,
-            .sex = found.patient.sex,
-            .studyDate = {},
-            .studyDescription = {},
-            .series = {},
-            .isOfNobody = false,
-            .studyInstanceUid = found.studyInstanceUid};
 }
 
 bool lostLetters(const std::string& name) {

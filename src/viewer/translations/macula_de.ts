@@ -9202,15 +9202,15 @@
         <translation>Geben Sie eine Zahl von 1 bis 65535 ein.</translation>
     </message>
     <message>
-        <source>The archive&apos;s AE title cannot be one.</source>
+        <source>The archive&apos;s AE title is not valid.</source>
         <translation>Der AE-Titel des Archivs ist kein gültiger.</translation>
     </message>
     <message>
-        <source>The AE title of this program cannot be one.</source>
+        <source>The AE title of this program is not valid.</source>
         <translation>Der AE-Titel dieses Programms ist kein gültiger.</translation>
     </message>
     <message>
-        <source>The AE title of this program&apos;s receiver cannot be one.</source>
+        <source>The AE title of this program&apos;s receiver is not valid.</source>
         <translation>Der AE-Titel des Empfängers dieses Programms ist kein gültiger.</translation>
     </message>
     <message>
@@ -9338,7 +9338,7 @@
         <translation>Versuchen Sie es noch einmal, wenn andere ihre beendet haben, oder bitten Sie die Verwaltung des Archivs, mehr zu erlauben.</translation>
     </message>
     <message>
-        <source>The archive refused the connection for now, without a reason.</source>
+        <source>The archive refused the connection temporarily, and gave no reason.</source>
         <translation>Das Archiv hat die Verbindung vorerst abgelehnt, ohne einen Grund zu nennen.</translation>
     </message>
     <message>

@@ -73,7 +73,7 @@ HWY_INLINE std::array<float, kSums> sumsOver(const float* from, std::size_t coun
     return result;
 }
 
-// The gradients of neighbouring splats.
+// Sums what the tiles found of the gradients of a vector of neighbouring splats, one splat in each lane.
 class Gatherer {
   public:
     HWY_INLINE Gatherer(const GatherWork& work, std::size_t first, const Neighbours& splats)
