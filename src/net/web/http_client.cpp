@@ -1,6 +1,5 @@
 #include "net/web/http_client.h"
 
-
 #include <algorithm>
 #include <chrono>
 #include <optional>
