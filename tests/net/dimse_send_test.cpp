@@ -173,7 +173,8 @@ TEST(DimseSend, StatusesOfTheArchive) {
     EXPECT_EQ(sent.stored, 2u);  // a warning is stored
     ASSERT_EQ(sent.notSent.size(), 4u);
     EXPECT_EQ(sent.notSent[0].file, files[1]);
-    EXPECT_EQ(sent.notSent[0].why, "The archive has no room for this instance (status A700).");
+    EXPECT_EQ(sent.notSent[0].why,
+              "The archive has no room for this instance, or cannot use it (status A700).");
     EXPECT_EQ(sent.notSent[3].file, files[5]);
 }
 

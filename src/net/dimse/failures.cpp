@@ -128,8 +128,9 @@ namespace {
 
 Error errorOfStoring(std::uint16_t status, const std::string& code) {
     if ((status & 0xff00u) == 0xa700u)
-        return archiveError(Text("The archive has no room for this instance (status {}).", code),
-                            Text("Ask the administrator of the archive to make room, then send again."));
+        return archiveError(
+            Text("The archive has no room for this instance, or cannot use it (status {}).", code),
+            Text("Ask the administrator of the archive what its log says, then send again."));
     if ((status & 0xff00u) == 0xa900u)
         return archiveError(
             Text("The archive says that this instance does not fit its own kind (status {}).", code),
