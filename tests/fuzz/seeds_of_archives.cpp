@@ -1,5 +1,10 @@
-// Seeds of what archives send over the web.
+// Seeds of what archives send, over the web and by DIMSE.
+#include <vector>
+
 #include "fuzz/seeds.h"
+#include "net/dimse/command.h"
+#include "net/dimse/contexts.h"
+#include "net/dimse/identifier.h"
 
 namespace macula::fuzz {
 
@@ -44,11 +49,84 @@ void writeQidoSeeds(const std::filesystem::path& folder) {
                               meta(16, "UI", "1.2.840 ") + std::string("\x08\0\x16\0", 4));
 }
 
+std::string big(std::size_t number, int count) {
+    std::string bytes;
+    for (int i = count - 1; i >= 0; --i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
+    return bytes;
+}
+
+std::string item(unsigned type, const std::string& body) {
+    return big(type, 1) + big(0, 1) + big(body.size(), 2) + body;
+}
+
+std::string pdu(unsigned type, const std::string& body) {
+    return big(type, 1) + big(0, 1) + big(body.size(), 4) + body;
+}
+
+std::string fragment(unsigned context, unsigned flags, const std::vector<unsigned char>& bytes) {
+    const std::string text(bytes.begin(), bytes.end());
+    return pdu(4, big(text.size() + 2, 4) + big(context, 1) + big(flags, 1) + text);
+}
+
+// PS3.8 9.3.3: both contexts of fuzz_association.cpp are accepted.
+std::string acceptance() {
+    std::string titles = "ARCHIVE         MACULA          ";
+    std::string body = big(1, 2) + big(0, 2) + titles + std::string(32, '\0');
+    body += item(0x10, "1.2.840.10008.3.1.1.1");
+    for (const unsigned id : {1u, 3u})
+        body += item(0x21, big(id, 1) + big(0, 3) + item(0x40, std::string(net::kExplicitLittleEndian)));
+    body += item(0x50, item(0x51, big(0x4000, 4)) + item(0x52, "1.2.3"));
+    return pdu(2, body);
+}
+
+std::vector<unsigned char> answerOfFind(std::uint16_t status) {
+    return net::bytesOf({.field = net::CommandField::findResponse,
+                         .respondsTo = std::uint16_t{1},
+                         .sopClassUid = "1.2.840.10008.5.1.4.1.2.2.1",
+                         .status = status,
+                         .hasDataset = status != 0});
+}
+
+void writeAssociationSeeds(const std::filesystem::path& folder) {
+    const auto identifier = [](std::string_view syntax) {
+        return net::identifierBytes({{net::Key::level, "STUDY"},
+                                     {net::Key::patientName, "DOE^J"},
+                                     {net::Key::studyDate, "20260101"},
+                                     {net::Key::studyInstanceUid, "1.2.3"},
+                                     {net::Key::instancesOfStudy, "12"}},
+                                    syntax, "ISO_IR 192")
+            .value();
+    };
+    const auto text = [](const std::vector<unsigned char>& bytes) {
+        return std::string(bytes.begin(), bytes.end());
+    };
+    save(folder / "command", std::string(1, '\0') + text(answerOfFind(0xff00)));
+    save(folder / "explicit", "\x01" + text(identifier(net::kExplicitLittleEndian)));
+    save(folder / "implicit", "\x02" + text(identifier(net::kImplicitLittleEndian)));
+    constexpr std::uint16_t kPending = 0xff00;
+    const std::string found =
+        fragment(1, 3, answerOfFind(kPending)) + fragment(1, 2, identifier(net::kExplicitLittleEndian));
+    save(folder / "answers", "\x03" + acceptance() + found + found + fragment(1, 3, answerOfFind(0)));
+    const auto store = net::bytesOf({.field = net::CommandField::storeRequest,
+                                     .messageId = std::uint16_t{7},
+                                     .sopClassUid = "1.2.840.10008.5.1.4.1.1.2",
+                                     .sopInstanceUid = "1.2.3",
+                                     .priority = std::uint16_t{0},
+                                     .hasDataset = true});
+    save(folder / "instance", "\x03" + acceptance() + fragment(3, 3, store) +
+                                  fragment(3, 0, identifier(net::kExplicitLittleEndian)) +
+                                  fragment(3, 2, identifier(net::kExplicitLittleEndian)));
+    save(folder / "released", "\x03" + acceptance() + pdu(5, std::string(4, '\0')));
+    save(folder / "aborted", "\x03" + acceptance() + pdu(7, big(2, 4)));
+    save(folder / "rejected", "\x03" + pdu(3, big(0x00010107, 4)));
+}
+
 }  // namespace
 
 void writeArchiveSeeds(const std::filesystem::path& corpus) {
     writeMultipartSeeds(corpus / "multipart");
     writeQidoSeeds(corpus / "qido");
+    writeAssociationSeeds(corpus / "association");
 }
 
 }  // namespace macula::fuzz

@@ -56,8 +56,13 @@ class WireConnection : public DcmTransportConnection {
     OFString& dumpConnectionParameters(OFString& text) override { return text; }
 
   private:
+    // At once and for good: thousands that wait for their end would use up the ports of this machine.
     void closeStandIn() {
-        if (getSocket() >= 0) ::close(getSocket());
+        const linger atOnce{1, 0};
+        if (getSocket() >= 0) {
+            setsockopt(getSocket(), SOL_SOCKET, SO_LINGER, &atOnce, sizeof atOnce);
+            ::close(getSocket());
+        }
         setSocket(-1);
     }
     Wire& wire_;
