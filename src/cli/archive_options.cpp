@@ -16,8 +16,7 @@ Result<net::SourceList> readSourceList() {
 Result<OpenArchive> openArchive(const ArchiveOptions& options) {
     MACULA_TRY(const net::SourceList list, readSourceList());
     MACULA_TRY(net::Source source, list.find(options.archive));
-    MACULA_TRY(const net::Secrets secrets, list.secretsOf(source));
-    MACULA_TRY(auto archive, net::archiveOf(source, secrets));
+    MACULA_TRY(auto archive, net::archiveOf(list, source));
     return OpenArchive{std::move(source), std::move(archive)};
 }
 

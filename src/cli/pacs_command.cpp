@@ -14,6 +14,7 @@
 #include "cli/shared/json_text.h"
 #include "cli/shared/report.h"
 #include "net/sources/source_json.h"
+#include "net/web/device_sign_in.h"
 #include "study/archive/archive_json.h"
 #include "study/spool/spool.h"
 
@@ -80,6 +81,24 @@ Result<void> testArchive(const ArchiveOptions& options) {
                  Text("The step that failed says what to do.")};
 }
 
+// Shows the code on stderr, so that scripts may read stdout.
+void showCode(const net::DeviceCode& code) {
+    fmt::print(stderr, "Open {} in a browser, on any device, and enter the code {}.\n", code.address,
+               code.userCode);
+    if (!code.wholeAddress.empty()) fmt::print(stderr, "Or open {}\n", code.wholeAddress);
+}
+
+Result<void> signIn(const ArchiveOptions& options) {
+    MACULA_TRY(net::SourceList list, readSourceList());
+    MACULA_TRY(const net::Source source, list.find(options.archive));
+    MACULA_TRY(const net::Secrets before, list.secretsOf(source));
+    Progress progress({}, interruptToken());
+    MACULA_TRY(const net::Secrets secrets, net::signInByDevice(source, before, showCode, progress));
+    MACULA_TRY_VOID(list.keep(source, secrets));
+    printNote(Text("Signed in."));
+    return {};
+}
+
 Result<void> removeArchive(const ArchiveOptions& options) {
     MACULA_TRY(net::SourceList list, readSourceList());
     MACULA_TRY_VOID(list.remove(options.archive));
@@ -138,6 +157,8 @@ void addPacs(CLI::App& app, Action& action) {
     list->callback([options, &action] { action = [options] { return listArchives(*options); }; });
     addNamed(*pacs, "test", "Try an archive step by step, and say what fails", *options)
         ->callback([options, &action] { action = [options] { return testArchive(*options); }; });
+    addNamed(*pacs, "sign-in", "Sign in at an archive by a browser (--sign-in device)", *options)
+        ->callback([options, &action] { action = [options] { return signIn(*options); }; });
     addNamed(*pacs, "remove", "Forget an archive and its password", *options)->callback([options, &action] {
         action = [options] { return removeArchive(*options); };
     });

@@ -19,7 +19,8 @@ const std::map<std::string, net::Retrieve> kRetrieveWords{
 const std::map<std::string, net::SignIn> kSignInWords{{"none", net::SignIn::none},
                                                       {"basic", net::SignIn::basic},
                                                       {"bearer", net::SignIn::bearer},
-                                                      {"client", net::SignIn::clientCredentials}};
+                                                      {"client", net::SignIn::clientCredentials},
+                                                      {"device", net::SignIn::device}};
 
 // "ARCHIVE@pacs.example.org:104"; an IPv6 address stands in brackets.
 Result<void> readAddress(const std::string& text, net::DimsePeer& peer) {
@@ -100,8 +101,10 @@ void addPacsOptions(CLI::App& command, PacsOptions& options) {
     command.add_option("--key", options.files.key, "PEM file of its key");
     command.add_option("--user", options.web.user, "User of the DICOMweb service");
     command.add_option("--sign-in", options.signIn, "How to sign in; basic if --user is given")
-        ->check(CLI::IsMember({"none", "basic", "bearer", "client"}));
+        ->check(CLI::IsMember({"none", "basic", "bearer", "client", "device"}));
     command.add_option("--token-url", options.web.tokenUrl, "OAuth 2: where tokens come from");
+    command.add_option("--device-url", options.web.deviceUrl,
+                       "OAuth 2 device flow: where codes for the sign-in by a browser come from");
     command.add_option("--client-id", options.web.clientId, "OAuth 2: our client ID");
     command.add_option("--scope", options.web.scope, "OAuth 2: what is asked for");
     command.add_option("--proxy", options.web.proxy, "HTTP proxy, if not that of the environment");

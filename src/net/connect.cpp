@@ -1,5 +1,6 @@
 #include "net/connect.h"
 
+#include <utility>
 #include <variant>
 
 #include "net/dimse/dimse_archive.h"
@@ -8,13 +9,29 @@
 
 namespace macula::net {
 
-Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& secrets) {
+namespace {
+
+Result<std::unique_ptr<Archive>> archiveFor(const Source& source, const Secrets& secrets, KeepSecrets keep) {
     if (const auto* dimse = std::get_if<DimsePeer>(&source.peer)) {
         MACULA_TRY_VOID(checkDimsePeer(*dimse));
         return makeDimseArchive(source, secrets);
     }
     MACULA_TRY_VOID(checkWebPeer(std::get<WebPeer>(source.peer), secrets));
-    return makeWebArchive(source, secrets);
+    return makeWebArchive(source, secrets, std::move(keep));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& secrets) {
+    return archiveFor(source, secrets, {});
+}
+
+Result<std::unique_ptr<Archive>> archiveOf(const SourceList& list, const Source& source) {
+    MACULA_TRY(const Secrets secrets, list.secretsOf(source));
+    // Where it cannot be kept, this archive still has it: the person signs in again another day.
+    return archiveFor(source, secrets, [own = SourceList(list), source](const Secrets& renewed) mutable {
+        static_cast<void>(own.keep(source, renewed));
+    });
 }
 
 }  // namespace macula::net

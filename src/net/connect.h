@@ -4,11 +4,15 @@
 #include <memory>
 
 #include "net/archive/archive.h"
+#include "net/sources/source_list.h"
 
 namespace macula::net {
 
 // Checks the settings and opens no connection. Fails with usage where they cannot work: no host, an AE title
 // longer than 16 characters, an address that is not http or https, a password over http to another machine.
 Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& secrets);
+
+// With the secrets that the list keeps. A token that takes the place of another is kept there too.
+Result<std::unique_ptr<Archive>> archiveOf(const SourceList& list, const Source& source);
 
 }  // namespace macula::net

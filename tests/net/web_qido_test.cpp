@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "net/archive/query_match.h"
 #include "net/web/dicom_json.h"
 #include "net/web/qido_answers.h"
 #include "net/web/qido_query.h"
@@ -154,9 +155,9 @@ TEST(Qido, WildcardsMatchAsInTheStandard) {
     FoundStudy study;
     study.patientName = "Yamada^T=\xe5\xb1\xb1^\xe5\xa4\xaa";
     study.patientId = "7 8";
-    EXPECT_TRUE(isOfQuery({.patientName = "\xe5\xb1\xb1*", .patientId = "7 8"}, study));
-    EXPECT_TRUE(isOfQuery({.patientName = "yamada^t"}, study));
-    EXPECT_FALSE(isOfQuery({.patientId = "7+8"}, study));
+    EXPECT_TRUE(matchesTexts({.patientName = "\xe5\xb1\xb1*", .patientId = "7 8"}, study));
+    EXPECT_TRUE(matchesTexts({.patientName = "yamada^t"}, study));
+    EXPECT_FALSE(matchesTexts({.patientId = "7+8"}, study));
 }
 
 TEST(Stow, AnswersAreRead) {

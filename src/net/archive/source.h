@@ -50,6 +50,8 @@ enum class SignIn {
     basic,              // user and Secrets::password
     bearer,             // Secrets::token
     clientCredentials,  // OAuth 2 (RFC 6749 4.4): a token from tokenUrl for clientId and Secrets::password
+    device,             // OAuth 2 device flow (RFC 8628): a person signs in by a browser, see
+                        // web/device_sign_in.h; then tokens from tokenUrl for Secrets::refreshToken
 };
 
 // An archive that speaks DICOMweb (PS3.18).
@@ -59,6 +61,7 @@ struct WebPeer {
     SignIn signIn = SignIn::none;
     std::string user;
     std::string tokenUrl;
+    std::string deviceUrl;  // of the device flow: where codes come from
     std::string clientId;
     std::string scope;
     std::string proxy;  // empty: that of the environment (https_proxy, no_proxy)
@@ -77,6 +80,7 @@ struct Source {
 struct Secrets {
     std::string password;       // of the user, or of the OAuth 2 client
     std::string token;          // bearer
+    std::string refreshToken;   // of the device flow
     std::string keyPassphrase;  // of Tls::key
 };
 

@@ -99,7 +99,8 @@ constexpr std::pair<std::string_view, Retrieve> kRetrieves[]{
 constexpr std::pair<std::string_view, SignIn> kSignIns[]{{"none", SignIn::none},
                                                          {"basic", SignIn::basic},
                                                          {"bearer", SignIn::bearer},
-                                                         {"clientCredentials", SignIn::clientCredentials}};
+                                                         {"clientCredentials", SignIn::clientCredentials},
+                                                         {"device", SignIn::device}};
 
 template <class Choice, std::size_t count>
 std::string nameOf(Choice choice, const std::pair<std::string_view, Choice> (&choices)[count]) {
@@ -153,6 +154,7 @@ Result<WebPeer> readWeb(const Json& object) {
     members.read("signIn", peer.signIn, kSignIns);
     members.read("user", peer.user);
     members.read("tokenUrl", peer.tokenUrl);
+    members.read("deviceUrl", peer.deviceUrl);
     members.read("clientId", peer.clientId);
     members.read("scope", peer.scope);
     members.read("proxy", peer.proxy);
@@ -199,11 +201,9 @@ Json jsonOf(const DimsePeer& peer) {
 Json jsonOf(const WebPeer& peer) {
     Json json{{"url", peer.url}};
     if (peer.signIn != SignIn::none) json["signIn"] = nameOf(peer.signIn, kSignIns);
-    const std::pair<const char*, const std::string*> texts[] = {{"user", &peer.user},
-                                                                {"tokenUrl", &peer.tokenUrl},
-                                                                {"clientId", &peer.clientId},
-                                                                {"scope", &peer.scope},
-                                                                {"proxy", &peer.proxy}};
+    const std::pair<const char*, const std::string*> texts[] = {
+        {"user", &peer.user},         {"tokenUrl", &peer.tokenUrl}, {"deviceUrl", &peer.deviceUrl},
+        {"clientId", &peer.clientId}, {"scope", &peer.scope},       {"proxy", &peer.proxy}};
     for (const auto& [name, text] : texts) {
         if (!text->empty()) json[name] = *text;
     }

@@ -181,6 +181,7 @@ Result<Secrets> SourceList::secretsOf(const Source& source) const {
     };
     read("password", secrets.password);
     read("token", secrets.token);
+    read("refreshToken", secrets.refreshToken);
     read("keyPassphrase", secrets.keyPassphrase);
     return secrets;
 }
@@ -190,6 +191,7 @@ Result<void> SourceList::keep(const Source& source, const Secrets& secrets) {
     nlohmann::json entry = nlohmann::json::object();
     if (!secrets.password.empty()) entry["password"] = secrets.password;
     if (!secrets.token.empty()) entry["token"] = secrets.token;
+    if (!secrets.refreshToken.empty()) entry["refreshToken"] = secrets.refreshToken;
     if (!secrets.keyPassphrase.empty()) entry["keyPassphrase"] = secrets.keyPassphrase;
     if (entry.empty() && !all.contains(source.name)) return {};
     if (entry.empty()) {

@@ -3,19 +3,13 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "net/archive/query.h"
 
 namespace macula::net {
 
 // The query with wildcards for all characters that would be encoded; nothing where there are none. It finds
-// more: what it finds must be compared with the query.
+// more: what it finds must be compared with the query (matchesTexts).
 std::optional<StudyQuery> withWildcards(const StudyQuery& query);
-bool isOfQuery(const StudyQuery& query, const FoundStudy& study);
-
-// Whether a value matches a key with * and ? (PS3.4 C.2.2.2.4). Small and capital letters of ASCII are the
-// same, since for most archives they are.
-bool matchesWildcards(std::string_view key, std::string_view value);
 
 }  // namespace macula::net

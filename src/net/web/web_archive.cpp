@@ -1,4 +1,5 @@
 #include "net/web/web_archive.h"
+#include "net/archive/query_match.h"
 
 #include <type_traits>
 #include <utility>
@@ -25,10 +26,10 @@ constexpr std::size_t kMostInstancesFound = 200'000;
 // Each call has connections of its own; the token of a sign-in is shared.
 class WebArchive final : public Archive {
   public:
-    WebArchive(const Source& source, const WebPeer& peer, const Secrets& secrets)
+    WebArchive(const Source& source, const WebPeer& peer, const Secrets& secrets, KeepSecrets keep)
         : service_(webAddressOf(peer.url).value().url),
           settings_(httpSettingsOf(source, peer, secrets)),
-          signIn_(peer, secrets, settings_) {}
+          signIn_(peer, secrets, settings_, std::move(keep)) {}
 
     Result<StudyAnswers> findStudies(const StudyQuery& query, Progress& progress) override {
         return guarded([&]() -> Result<StudyAnswers> {
@@ -37,7 +38,8 @@ class WebArchive final : public Archive {
             MACULA_TRY(auto found, studiesFor(client, query, progress));
             if (const auto wide = withWildcards(query); wide && found.found.empty()) {
                 MACULA_TRY(found, studiesFor(client, *wide, progress));
-                std::erase_if(found.found, [&](const FoundStudy& study) { return !isOfQuery(query, study); });
+                std::erase_if(found.found,
+                              [&](const FoundStudy& study) { return !matchesTexts(query, study); });
             }
             progress.advance();
             return StudyAnswers{std::move(found.found), found.isCutShort, found.unusable};
@@ -118,10 +120,10 @@ class WebArchive final : public Archive {
 
 }  // namespace
 
-std::unique_ptr<Archive> makeWebArchive(const Source& source, const Secrets& secrets) {
+std::unique_ptr<Archive> makeWebArchive(const Source& source, const Secrets& secrets, KeepSecrets keep) {
     const WebPeer* const peer = std::get_if<WebPeer>(&source.peer);
     MACULA_CHECK(peer != nullptr);
-    return std::make_unique<WebArchive>(source, *peer, secrets);
+    return std::make_unique<WebArchive>(source, *peer, secrets, std::move(keep));
 }
 
 }  // namespace macula::net

@@ -4,10 +4,11 @@
 #include <memory>
 
 #include "net/archive/archive.h"
+#include "net/web/sign_in.h"
 
 namespace macula::net {
 
 // Of a source whose peer is a WebPeer, and whose settings were checked (web_peer.h).
-std::unique_ptr<Archive> makeWebArchive(const Source& source, const Secrets& secrets);
+std::unique_ptr<Archive> makeWebArchive(const Source& source, const Secrets& secrets, KeepSecrets keep = {});
 
 }  // namespace macula::net

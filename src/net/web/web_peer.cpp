@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "base/parsing.h"
 #include "net/web/web_address.h"
@@ -36,7 +37,8 @@ Result<void> checkFiles(const Tls& tls) {
 }
 
 Result<void> checkSecretsOf(const WebPeer& peer, const Secrets& secrets) {
-    for (const std::string& text : {peer.user, peer.clientId, peer.scope, secrets.password, secrets.token}) {
+    for (const std::string& text :
+         {peer.user, peer.clientId, peer.scope, secrets.password, secrets.token, secrets.refreshToken}) {
         if (holdsControls(text))
             return badSetting(Text("A name, password or token of the sign-in holds a control character."),
                               Text("Enter it again, without a line end."));
@@ -55,10 +57,15 @@ Result<void> checkSecretsOf(const WebPeer& peer, const Secrets& secrets) {
 }
 
 Result<void> checkTokenService(const WebPeer& peer) {
-    auto address = webAddressOf(peer.tokenUrl);
-    if (!address || !mayHearSecrets(*address))
-        return badSetting(Text("The address of the service that gives tokens does not begin with https://."),
-                          Text("Enter the address that the administrator of the sign-in names."));
+    std::vector<std::string> urls{peer.tokenUrl};
+    if (peer.signIn == SignIn::device) urls.push_back(peer.deviceUrl);
+    for (const std::string& url : urls) {
+        const auto address = webAddressOf(url);
+        if (!address || !mayHearSecrets(*address))
+            return badSetting(
+                Text("The address of the service that gives tokens does not begin with https://."),
+                Text("Enter the address that the administrator of the sign-in names."));
+    }
     if (peer.clientId.empty())
         return badSetting(Text("The sign-in has no name of the client."),
                           Text("Enter the client and its secret, as they are registered."));
@@ -74,7 +81,8 @@ Result<void> checkWebPeer(const WebPeer& peer, const Secrets& secrets) {
             Text("A password or token would go over the network without encryption."),
             Text("Enter an address that begins with https://, or one of this machine, or no sign-in."));
     MACULA_TRY_VOID(checkSecretsOf(peer, secrets));
-    if (peer.signIn == SignIn::clientCredentials) MACULA_TRY_VOID(checkTokenService(peer));
+    if (peer.signIn == SignIn::clientCredentials || peer.signIn == SignIn::device)
+        MACULA_TRY_VOID(checkTokenService(peer));
     constexpr std::array kProxies{"http://", "https://", "socks5://", "socks5h://"};
     const std::string proxy = lowerCase(peer.proxy);
     const bool isProxy = proxy.empty() || std::ranges::any_of(kProxies, [&](const char* scheme) {

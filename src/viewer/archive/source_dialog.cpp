@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -9,10 +10,12 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStackedWidget>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "net/connect.h"
+#include "viewer/jobs/newest_posted.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
 
@@ -56,13 +59,20 @@ SourceDialog::SourceDialog(net::SourceList& sources, QWidget* parent)
       kind_(new QComboBox(this)),
       peers_(new QStackedWidget(this)),
       remark_(new QLabel(this)),
-      job_(this, {.ended = [this](const Result<std::vector<net::TestStep>>& steps) {
-               test_->setEnabled(true);
-               if (steps)
-                   showSteps(*steps);
-               else
-                   remark_->setText(inWindowsLanguage(steps.error()));
-           }}) {
+      job_(this, {.ended =
+                      [this](const Result<std::vector<net::TestStep>>& steps) {
+                          test_->setEnabled(true);
+                          if (steps)
+                              showSteps(*steps);
+                          else
+                              remark_->setText(inWindowsLanguage(steps.error()));
+                      }}),
+      signIn_(this, {.ended = [this](const Result<net::Secrets>& secrets) {
+                  showButtons();
+                  if (!secrets) return remark_->setText(inWindowsLanguage(secrets.error()));
+                  kept_ = *secrets;
+                  say(sources_.keep(shown_, kept_), tr("Signed in."));
+              }}) {
     setWindowTitle(tr("Archives"));
     describe(*chosen_, "source-chosen", tr("Archive"), tr("Which archive is changed here"));
     describe(*name_, "source-name", tr("Name"), tr("What you call it"));
@@ -130,6 +140,10 @@ QWidget* SourceDialog::makeButtons() {
     test_ = buttons->addButton(tr("Test"), QDialogButtonBox::ActionRole);
     save_ = buttons->addButton(tr("Save"), QDialogButtonBox::ApplyRole);
     remove_ = buttons->addButton(tr("Remove"), QDialogButtonBox::ActionRole);
+    signInButton_ = buttons->addButton(tr("Sign In…"), QDialogButtonBox::ActionRole);
+    signInButton_->setObjectName(QStringLiteral("source-sign-in"));
+    signInButton_->setToolTip(tr("Sign in at this archive by a browser"));
+    connect(signInButton_, &QPushButton::clicked, this, &SourceDialog::signIn);
     test_->setObjectName(QStringLiteral("source-test"));
     save_->setObjectName(QStringLiteral("source-save"));
     remove_->setObjectName(QStringLiteral("source-remove"));
@@ -155,6 +169,7 @@ void SourceDialog::listSources(const QString& chosen) {
 
 void SourceDialog::showSource(const std::optional<net::Source>& source) {
     job_.cancel();
+    signIn_.cancel();
     test_->setEnabled(true);
     shown_ = source.value_or(net::Source());
     kept_ = {};
@@ -174,7 +189,15 @@ void SourceDialog::showSource(const std::optional<net::Source>& source) {
     for (QWidget* each : std::initializer_list<QWidget*>{name_, kind_, peers_, save_, remove_})
         each->setEnabled(!shown_.isManaged);
     remove_->setEnabled(source && !shown_.isManaged);
+    showButtons();
     if (shown_.isManaged) remark_->setText(tr("Your administrator has set up this archive."));
+}
+
+// The way to sign in is set up by the command or the administrator.
+void SourceDialog::showButtons() {
+    const auto* web = std::get_if<net::WebPeer>(&shown_.peer);
+    signInButton_->setVisible(web != nullptr && web->signIn == net::SignIn::device);
+    signInButton_->setEnabled(!signIn_.running());
 }
 
 void SourceDialog::showPeer(const net::DimsePeer& peer) {
@@ -271,6 +294,24 @@ void SourceDialog::remove() {
     const Result<void> removed = sources_.remove(shown_.name);
     if (removed) listSources({});
     say(removed, tr("Removed."));
+}
+
+void SourceDialog::signIn() {
+    remark_->setText(tr("Asking for a code…"));
+    const NewestPosted<net::DeviceCode> codes(this, [this](const net::DeviceCode& code) { showCode(code); });
+    signIn_.start([source = shown_, secrets = kept_, codes](Progress& progress) {
+        return net::signInByDevice(source, secrets, codes, progress);
+    });
+    showButtons();
+}
+
+void SourceDialog::showCode(const net::DeviceCode& code) {
+    if (!signIn_.running()) return;
+    const QString address = QString::fromStdString(code.address);
+    remark_->setText(tr("Sign in in the browser, at %1, with the code %2. On another device it works too.")
+                         .arg(address, QString::fromStdString(code.userCode)));
+    const bool hasWhole = !code.wholeAddress.empty();
+    QDesktopServices::openUrl(QUrl(hasWhole ? QString::fromStdString(code.wholeAddress) : address));
 }
 
 void SourceDialog::showSteps(const std::vector<net::TestStep>& steps) {

@@ -7,6 +7,7 @@
 
 #include "net/archive/archive.h"
 #include "net/sources/source_list.h"
+#include "net/web/device_sign_in.h"
 #include "viewer/jobs/background_job.h"
 
 class QCheckBox;
@@ -43,6 +44,9 @@ class SourceDialog : public QDialog {
     bool save();
     void test();
     void remove();
+    void signIn();
+    void showCode(const net::DeviceCode& code);
+    void showButtons();
     void say(const Result<void>& outcome, const QString& told);
     void showSteps(const std::vector<net::TestStep>& steps);
 
@@ -66,8 +70,10 @@ class SourceDialog : public QDialog {
     QPushButton* test_ = nullptr;
     QPushButton* save_ = nullptr;
     QPushButton* remove_ = nullptr;
+    QPushButton* signInButton_ = nullptr;
     QLabel* remark_;
     BackgroundJob<std::vector<net::TestStep>> job_;
+    BackgroundJob<net::Secrets> signIn_;
 };
 
 }  // namespace macula::viewer
