@@ -34,6 +34,8 @@ Settings someSettings() {
     settings.keys = {{QStringLiteral("F3"), QStringLiteral("Ctrl+K")}, {QStringLiteral("F4"), QString()}};
     settings.folders = {{QStringLiteral("studies"), QStringLiteral("/archive")}};
     settings.windowPlace = QStringLiteral("AAEC");
+    settings.priors = PriorSearch::fetch;
+    settings.archiveColumns = QStringLiteral("AAED");
     return settings;
 }
 

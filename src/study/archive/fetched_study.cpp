@@ -126,6 +126,7 @@ Result<FetchedStudy> fetchStudy(net::Archive& archive, const std::string& source
     record.source = source;
     record.fetchedAt = nowInUtc();
     record.promised = asFound.instanceCount.value_or(0);
+    record.asFound = asFound;
     MACULA_TRY_VOID(note(*study, request, record));  // should the program be killed
     FetchedStudy fetched{.folder = study->folder(), .counts = {}, .isComplete = false, .messages = {}};
     MACULA_TRY(fetched.counts, archive.fetch(wanted, *study, progress));

@@ -27,6 +27,46 @@ std::vector<std::string> textsOf(const Json& json, const char* name) {
     return texts;
 }
 
+// The members of a study's answer that are texts, and their names.
+struct TextMember {
+    const char* name;
+    std::string net::FoundStudy::*text;
+};
+constexpr TextMember kTexts[] = {{"date", &net::FoundStudy::date},
+                                 {"time", &net::FoundStudy::time},
+                                 {"description", &net::FoundStudy::description},
+                                 {"accessionNumber", &net::FoundStudy::accessionNumber},
+                                 {"studyId", &net::FoundStudy::studyId},
+                                 {"patientName", &net::FoundStudy::patientName},
+                                 {"patientId", &net::FoundStudy::patientId},
+                                 {"patientBirthDate", &net::FoundStudy::patientBirthDate},
+                                 {"patientSex", &net::FoundStudy::patientSex},
+                                 {"referringPhysician", &net::FoundStudy::referringPhysician}};
+
+std::optional<std::size_t> countOf(const Json& json, const char* name) {
+    const auto member = json.find(name);
+    if (member == json.end() || !member->is_number_unsigned()) return std::nullopt;
+    return member->get<std::size_t>();
+}
+
+net::FoundStudy foundStudyOf(const Json& json, const std::string& studyInstanceUid) {
+    net::FoundStudy study;
+    study.studyInstanceUid = studyInstanceUid;
+    for (const TextMember& member : kTexts) study.*member.text = textOf(json, member.name);
+    study.modalities = textsOf(json, "modalities");
+    study.seriesCount = countOf(json, "seriesCount");
+    study.instanceCount = countOf(json, "instanceCount");
+    return study;
+}
+
+Json toJson(const net::FoundStudy& study) {
+    Json json{{"modalities", study.modalities}};
+    for (const TextMember& member : kTexts) json[member.name] = study.*member.text;
+    if (study.seriesCount) json["seriesCount"] = *study.seriesCount;
+    if (study.instanceCount) json["instanceCount"] = *study.instanceCount;
+    return json;
+}
+
 }  // namespace
 
 std::filesystem::path spoolRecordFile(const std::filesystem::path& folder) {
@@ -40,11 +80,12 @@ Result<SpoolRecord> readSpoolRecord(const std::filesystem::path& folder) {
     if (json.is_object()) {
         record.studyInstanceUid = textOf(json, "studyInstanceUid");
         record.source = textOf(json, "source");
-        const auto promised = json.find("promised");
-        if (promised != json.end() && promised->is_number_unsigned()) record.promised = *promised;
+        record.promised = countOf(json, "promised").value_or(0);
         record.never = textsOf(json, "never");
         record.fetchedAt = textOf(json, "fetchedAt");
         record.isComplete = json.value("isComplete", Json()) == true;
+        if (const auto study = json.find("study"); study != json.end() && study->is_object())
+            record.asFound = foundStudyOf(*study, record.studyInstanceUid);
     }
     if (record.studyInstanceUid.empty())
         return Error{ErrorCode::inputNotUsable, Text("The notes on a fetched study are damaged."),
@@ -53,13 +94,14 @@ Result<SpoolRecord> readSpoolRecord(const std::filesystem::path& folder) {
 }
 
 Result<void> writeSpoolRecord(const std::filesystem::path& folder, const SpoolRecord& record) {
-    const Json json{{"version", 1},
-                    {"studyInstanceUid", record.studyInstanceUid},
-                    {"source", record.source},
-                    {"promised", record.promised},
-                    {"never", record.never},
-                    {"isComplete", record.isComplete},
-                    {"fetchedAt", record.fetchedAt}};
+    Json json{{"version", 1},
+              {"studyInstanceUid", record.studyInstanceUid},
+              {"source", record.source},
+              {"promised", record.promised},
+              {"never", record.never},
+              {"isComplete", record.isComplete},
+              {"fetchedAt", record.fetchedAt}};
+    if (record.asFound) json["study"] = toJson(*record.asFound);
     const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
     return writeTextAtomically(spoolRecordFile(folder), text);
 }

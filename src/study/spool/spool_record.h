@@ -3,21 +3,24 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "net/archive/query.h"
 
 namespace macula::study {
 
 // Names a patient, as the files beside it do.
 struct SpoolRecord {
     std::string studyInstanceUid;
-    std::string source;              // the name of the archive it came from
-    std::size_t promised = 0;        // instances that the archive said it has
-    std::vector<std::string> never;  // SOP Instance UIDs of those that did not come
-    bool isComplete = false;         // all that was promised is there, and on the disk
-    std::string fetchedAt;           // UTC, ISO 8601
+    std::string source;                           // the name of the archive it came from
+    std::size_t promised = 0;                     // instances that the archive said it has
+    std::vector<std::string> never;               // SOP Instance UIDs of those that did not come
+    bool isComplete = false;                      // all that was promised is there, and on the disk
+    std::string fetchedAt;                        // UTC, ISO 8601
+    std::optional<net::FoundStudy> asFound = {};  // what the archive said of it
 };
 
 // Beside the folder of the study, in which only instances lie.

@@ -9,12 +9,16 @@
 
 #include "dicom/best_volume.h"
 #include "dicom/scan.h"
-#include "net/connect.h"
 #include "viewer/archive/archive_panel.h"
+#include "viewer/archive/archive_way.h"
+#include "viewer/archive/found_study_list.h"
+#include "viewer/archive/priors_controller.h"
 #include "viewer/archive/source_dialog.h"
+#include "viewer/browser/recent_menu.h"
 #include "viewer/jobs/newest_posted.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
+#include "viewer/settings/settings_controller.h"
 #include "viewer/status/notifications.h"
 #include "viewer/status/status_widgets.h"
 #include "viewer/status/study_notes.h"
@@ -22,58 +26,60 @@
 
 namespace macula::viewer {
 
-namespace {
-
-struct Way {
-    net::Source source;
-    net::Secrets secrets;
-};
-
-Result<Way> wayTo(const net::SourceList& sources, const QString& name) {
-    MACULA_TRY(net::Source source, sources.find(name.toStdString()));
-    MACULA_TRY(net::Secrets secrets, sources.secretsOf(source));
-    return Way{std::move(source), std::move(secrets)};
-}
-
-}  // namespace
-
-ArchiveController::ArchiveController(const WindowContext& context, OpeningController& opening)
+ArchiveController::ArchiveController(const WindowContext& context, Parts parts)
     : QObject(&context.window),
       context_(context),
-      opening_(opening),
+      parts_(parts),
       panel_(new ArchivePanel),
-      bar_(new WorkBar),
+      fetcher_(new StudyFetcher(this)),
+      priors_(new PriorsController(context, {.panel = *panel_,
+                                             .settings = parts.settings,
+                                             .fetcher = *fetcher_,
+                                             .sources = [this] { return sources_ ? &*sources_ : nullptr; },
+                                             .folders = [this] { return parts_.recent.paths(); }})),
       search_(this, {.ended =
-                         [this](const Result<net::StudyAnswers>& answers) {
+                         [this](const Result<study::Listing>& listing) {
                              panel_->setSearching(false);
-                             if (answers)
-                                 panel_->setAnswers(*answers);
-                             else
-                                 panel_->setRemark(inWindowsLanguage(answers.error()));
+                             if (listing) panel_->setListing(*listing, true);
                          }}),
-      fetch_(this, {.progressed =
-                        [this](const ProgressUpdate& update) {
-                            bar_->setProgress(inWindowsLanguage(update.stage), update.fraction);
-                        },
-                    .ended = [this](const Result<study::FetchedStudy>& fetched) { showWhole(fetched); }}),
       look_(this, {.ended = [this](const Result<std::filesystem::path>& folder) {
                 if (folder && !folder->empty()) showPart(*folder);
             }}) {
-    connect(panel_, &ArchivePanel::searchAsked, this, &ArchiveController::search);
-    connect(panel_, &ArchivePanel::openAsked, this, &ArchiveController::fetch);
-    connect(panel_, &ArchivePanel::setUpAsked, this, &ArchiveController::setUp);
-    connect(bar_, &WorkBar::cancelClicked, this, &ArchiveController::cancel);
+    connectPanel();
+    connectFetcher();
     context_.notes.setSource(NoteOn::archive, [this] { return notes(); });
     readSources();
 }
 
-void ArchiveController::cancel() {
-    if (!fetch_.cancel()) return;
-    look_.cancel();
-    bar_->hide();
-    panel_->setRemark(
-        tr("Fetching was cancelled. What came is kept; opening the study again goes on from there."));
-    context_.notes.show();
+void ArchiveController::connectPanel() {
+    connect(panel_, &ArchivePanel::searchAsked, this, &ArchiveController::search);
+    connect(panel_, &ArchivePanel::setUpAsked, this, &ArchiveController::setUp);
+    connect(panel_, &ArchivePanel::cancelAsked, this, [this] {
+        if (!search_.cancel()) return;
+        ++searches_;
+        panel_->setSearching(false);
+        panel_->setRemark(tr("The search was stopped."));
+    });
+    for (FoundStudyList* list : {&panel_->found(), &panel_->priors()}) {
+        connect(list, &FoundStudyList::openAsked, this, &ArchiveController::open);
+        connect(list, &FoundStudyList::besideAsked, this, &ArchiveController::openBeside);
+        connect(list, &FoundStudyList::fetchAsked, this,
+                [this](const study::ListedStudy& listed) { fetch(listed, FetchFor::keep); });
+    }
+    panel_->found().setColumns(parts_.settings.settings().archiveColumns);
+    connect(&panel_->found(), &FoundStudyList::columnsChanged, this,
+            [this] { parts_.settings.keepArchiveColumns(panel_->found().columns()); });
+}
+
+void ArchiveController::connectFetcher() {
+    connect(fetcher_, &StudyFetcher::arrived, this, &ArchiveController::lookAt);
+    connect(fetcher_, &StudyFetcher::ended, this, &ArchiveController::finish);
+    connect(fetcher_, &StudyFetcher::cancelled, this, [this] {
+        look_.cancel();
+        panel_->setRemark(
+            tr("Fetching was cancelled. What came is kept; opening the study again goes on from there."));
+        context_.notes.show();
+    });
 }
 
 void ArchiveController::addAction(QMenu& file) {
@@ -88,6 +94,11 @@ void ArchiveController::addAction(QMenu& file) {
 
 void ArchiveController::showNames(bool shown) {
     panel_->showNames(shown);
+}
+
+void ArchiveController::onStudyShown() {
+    panel_->found().setCanOpenBeside(true);
+    priors_->onStudyShown(parts_.opening.loader().source());
 }
 
 void ArchiveController::readSources() {
@@ -110,45 +121,57 @@ void ArchiveController::setUp() {
 
 void ArchiveController::search(const net::StudyQuery& query) {
     if (!sources_) return;
-    auto way = wayTo(*sources_, panel_->source());
-    if (!way) return panel_->setRemark(inWindowsLanguage(way.error()));
-    searched_ = panel_->source();
+    const SearchedPlaces where = panel_->places();
+    study::PlacesToSearch places{.archives = {}, .isHereToo = where.isHereToo, .folders = {}};
+    for (const QString& name : where.archives) places.archives.push_back(namedArchive(*sources_, name));
+    if (where.isHereToo) places.folders = parts_.recent.paths();
+    panel_->setListing({}, false);
     panel_->setSearching(true);
-    panel_->setRemark(tr("Searching…"));
-    search_.start([way = *std::move(way), query](Progress& progress) -> Result<net::StudyAnswers> {
-        MACULA_TRY(const auto archive, net::archiveOf(way.source, way.secrets));
-        return archive->findStudies(query, progress);
+    const NewestPosted<study::Listing> soFar(this,
+                                             [this, number = ++searches_](const study::Listing& listing) {
+                                                 if (number == searches_ && search_.running())
+                                                     panel_->setListing(listing, false);
+                                             });
+    search_.start([places = std::move(places), query, soFar](Progress& progress) -> Result<study::Listing> {
+        return study::searchStudies(places, query, progress, soFar);
     });
 }
 
-void ArchiveController::fetch(const net::FoundStudy& study) {
-    if (!sources_ || (fetch_.running() && coming_.studyInstanceUid == study.studyInstanceUid)) return;
-    // The one that was searched, whichever is chosen by now: a UID means nothing to another one.
-    auto way = wayTo(*sources_, searched_);
+void ArchiveController::open(const study::ListedStudy& listed) {
+    if (!listed.folder.empty() && (listed.isWhole || listed.archive.empty())) {
+        panel_->setRemark(QString());
+        return parts_.opening.open(listed.folder);
+    }
+    fetch(listed, FetchFor::show);
+}
+
+void ArchiveController::openBeside(const study::ListedStudy& listed) {
+    if (!listed.folder.empty() && (listed.isWhole || listed.archive.empty()))
+        return opensBeside_(listed.folder);
+    fetch(listed, FetchFor::beside);
+}
+
+// From the archive that named it: a UID means nothing to another one.
+void ArchiveController::fetch(const study::ListedStudy& listed, FetchFor purpose) {
+    if (!sources_) return;
+    auto way = wayTo(*sources_, QString::fromStdString(listed.archive));
     if (!way) return panel_->setRemark(inWindowsLanguage(way.error()));
-    look_.cancel();
-    coming_ = {.number = coming_.number + 1,
-               .studyInstanceUid = study.studyInstanceUid,
-               .openBefore = opening_.loader().source()};
+    if (purpose == FetchFor::show) {
+        look_.cancel();
+        coming_ = {.studyInstanceUid = listed.study.studyInstanceUid,
+                   .openBefore = parts_.opening.loader().source(),
+                   .folder = {},
+                   .lookedAt = 0};
+    }
     panel_->setRemark(QString());
-    bar_->begin(tr("Fetching a study"));
-    const NewestPosted<study::Arrival> arrived(
-        this, [this, number = coming_.number](const study::Arrival& arrival) { lookAt(number, arrival); });
-    const study::FetchRequest request{.studyInstanceUid = study.studyInstanceUid,
-                                      .chosen = study::identityOf(study)};
-    fetch_.start(
-        [way = *std::move(way), request, arrived](Progress& progress) -> Result<study::FetchedStudy> {
-            MACULA_TRY(const auto archive, net::archiveOf(way.source, way.secrets));
-            MACULA_TRY(study::Spool spool, study::Spool::open());
-            return study::fetchStudy(*archive, way.source.name, request, spool, progress, arrived);
-        });
+    fetcher_->fetch({listed.study, *std::move(way), purpose});
 }
 
 // Reading headers takes a part of the time in which they come: each time there are twice as many images, all
 // looks together read each header twice. What cannot be shown yet is no error.
-void ArchiveController::lookAt(std::uint64_t number, const study::Arrival& arrival) {
-    if (number != coming_.number || !fetch_.running() || look_.running() || opening_.loader().loading())
-        return;
+void ArchiveController::lookAt(const FetchOrder& order, const study::Arrival& arrival) {
+    if (order.purpose != FetchFor::show || order.study.studyInstanceUid != coming_.studyInstanceUid) return;
+    if (look_.running() || parts_.opening.loader().loading()) return;
     if (arrival.instances < 2 * coming_.lookedAt) return;
     coming_.lookedAt = arrival.instances;
     coming_.folder = arrival.folder;
@@ -159,39 +182,48 @@ void ArchiveController::lookAt(std::uint64_t number, const study::Arrival& arriv
 }
 
 void ArchiveController::showPart(const std::filesystem::path& folder) {
-    if (fetch_.running() && !isOtherOpen()) opening_.open(folder);
+    const FetchOrder* order = fetcher_->current();
+    const bool isComing = order != nullptr && order->purpose == FetchFor::show &&
+                          order->study.studyInstanceUid == coming_.studyInstanceUid;
+    if (isComing && !isOtherOpen()) parts_.opening.open(folder);
 }
 
 bool ArchiveController::isOtherOpen() const {
-    const study::StudySource& open = opening_.loader().source();
+    const study::StudySource& open = parts_.opening.loader().source();
     return open != coming_.openBefore && open != study::StudySource(coming_.folder);
 }
 
-void ArchiveController::showWhole(const Result<study::FetchedStudy>& fetched) {
-    bar_->hide();
-    look_.cancel();
+void ArchiveController::finish(const FetchOrder& order, const Result<study::FetchedStudy>& fetched) {
+    if (order.purpose == FetchFor::show) look_.cancel();
+    priors_->refresh();
     if (!fetched) {
         panel_->setRemark(inWindowsLanguage(fetched.error()));
-        context_.notifications.failUnlessCancelled(fetched.error());
+        if (order.purpose != FetchFor::keep) context_.notifications.failUnlessCancelled(fetched.error());
         context_.notes.show();
         return;
     }
-    if (coming_.folder.empty()) coming_.folder = fetched->folder;
     QStringList told{tr("%n images fetched", nullptr, int(fetched->counts.kept))};
     for (const Message& message : fetched->messages) told.append(inWindowsLanguage(message));
+    if (order.purpose == FetchFor::show) return showWhole(*fetched, std::move(told));
+    if (order.purpose == FetchFor::beside) opensBeside_(fetched->folder);
+    panel_->setRemark(told.join(QStringLiteral("\n")));
+}
+
+void ArchiveController::showWhole(const study::FetchedStudy& fetched, QStringList told) {
+    if (coming_.folder.empty()) coming_.folder = fetched.folder;
     if (isOtherOpen())
         told.append(tr("Another study was opened meanwhile. Open shows this one."));
     else
-        opening_.open(fetched->folder);
+        parts_.opening.open(fetched.folder);
     panel_->setRemark(told.join(QStringLiteral("\n")));
 }
 
 // A part of a study must not pass for all of it.
 QStringList ArchiveController::notes() const {
-    const study::StudySource& open = opening_.loader().source();
+    const study::StudySource& open = parts_.opening.loader().source();
     const auto record = open ? study::useSpooled(*open) : std::nullopt;
     if (!record || record->isComplete) return {};
-    if (fetch_.running() && *open == coming_.folder)
+    if (fetcher_->running() && fetcher_->current()->study.studyInstanceUid == record->studyInstanceUid)
         return {tr("Images of this study are still arriving from the archive.")};
     return {
         tr("This study is not known to be complete: images that the archive has may be missing. Fetch it "

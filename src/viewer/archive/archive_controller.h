@@ -1,17 +1,21 @@
-// Studies from archives: the panel that searches them, and fetching in the background.
+// Studies from archives and from this machine: the panel that searches them, and opening what it lists.
 #pragma once
 
 #include <QObject>
 #include <QStringList>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "net/archive/query.h"
 #include "net/sources/source_list.h"
 #include "study/archive/fetched_study.h"
+#include "study/archive/study_search.h"
 #include "study/open/opened_study.h"
+#include "viewer/archive/study_fetcher.h"
 #include "viewer/context/window_context.h"
 #include "viewer/jobs/background_job.h"
 
@@ -22,6 +26,9 @@ namespace macula::viewer {
 
 class ArchivePanel;
 class OpeningController;
+class PriorsController;
+class RecentMenu;
+class SettingsController;
 class WorkBar;
 
 // A study is shown as soon as there are enough images of it for a volume, again when there are twice as many,
@@ -31,46 +38,60 @@ class ArchiveController : public QObject {
     Q_OBJECT
 
   public:
-    ArchiveController(const WindowContext& context, OpeningController& opening);
+    struct Parts {
+        OpeningController& opening;
+        SettingsController& settings;
+        const RecentMenu& recent;
+    };
+    ArchiveController(const WindowContext& context, Parts parts);
 
     ArchivePanel& panel() const { return *panel_; }
-    WorkBar* bar() const { return bar_; }                     // while a study is fetched
+    WorkBar* bar() const { return fetcher_->bar(); }          // while studies are fetched
     void setShownAction(QAction& shown) { shown_ = &shown; }  // shows and hides the panel
+    // Opens a folder as the second volume.
+    void setOpensBeside(std::function<void(const std::filesystem::path&)> opens) {
+        opensBeside_ = std::move(opens);
+    }
     void addAction(QMenu& file);
     void showNames(bool shown);
-    bool fetching() const { return fetch_.running(); }
+    bool fetching() const { return fetcher_->running(); }
+    void onStudyShown();
 
   private:
-    // A study that comes, or came last. Another one that is fetched makes what is still heard of it void.
+    // A study that comes to be shown, or came last.
     struct Coming {
-        std::uint64_t number = 0;
         std::string studyInstanceUid;
         study::StudySource openBefore;  // what was open when it began
         std::filesystem::path folder;   // once something came
         std::size_t lookedAt = 0;       // instances
     };
 
+    void connectPanel();
+    void connectFetcher();
     void readSources();
     void setUp();
     void search(const net::StudyQuery& query);
-    void fetch(const net::FoundStudy& study);
-    void cancel();
-    void lookAt(std::uint64_t number, const study::Arrival& arrival);
+    void open(const study::ListedStudy& listed);
+    void openBeside(const study::ListedStudy& listed);
+    void fetch(const study::ListedStudy& listed, FetchFor purpose);
+    void lookAt(const FetchOrder& order, const study::Arrival& arrival);
     void showPart(const std::filesystem::path& folder);
-    void showWhole(const Result<study::FetchedStudy>& fetched);
+    void finish(const FetchOrder& order, const Result<study::FetchedStudy>& fetched);
+    void showWhole(const study::FetchedStudy& fetched, QStringList told);
     bool isOtherOpen() const;  // a person opened another study since the fetch began
     QStringList notes() const;
 
     WindowContext context_;
-    OpeningController& opening_;
+    Parts parts_;
     ArchivePanel* panel_;
-    WorkBar* bar_;
+    StudyFetcher* fetcher_;
+    PriorsController* priors_;
     QAction* shown_ = nullptr;
+    std::function<void(const std::filesystem::path&)> opensBeside_;
     std::optional<net::SourceList> sources_;
-    QString searched_;  // the archive whose answers are listed
+    std::uint64_t searches_ = 0;
     Coming coming_;
-    BackgroundJob<net::StudyAnswers> search_;
-    BackgroundJob<study::FetchedStudy> fetch_;
+    BackgroundJob<study::Listing> search_;
     BackgroundJob<std::filesystem::path> look_;  // whether what has come can be shown; its folder
 };
 

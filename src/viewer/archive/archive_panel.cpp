@@ -4,23 +4,25 @@
 #include <QDate>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
+#include <QSplitter>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "viewer/archive/found_study_model.h"
+#include "viewer/archive/found_study_list.h"
+#include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
 
 namespace macula::viewer {
 
 namespace {
 
-constexpr int kWidestColumnPx = 160;  // at first; a person can make columns wider
+// What an item of the list of places stands for.
+enum Place { everywhere, archive, thisMachine };
+
 constexpr const char* kModalities[] = {"CT", "MR", "PT", "NM", "CR", "DX", "MG", "US", "XA", "RF"};
 
 // "2026-11-30", "30.11.2026", or "20261130" as DICOM has it; nothing for what is no day.
@@ -41,22 +43,17 @@ std::string textOf(const QLineEdit& field) {
 }  // namespace
 
 ArchivePanel::ArchivePanel(QWidget* parent)
-    : QWidget(parent),
-      sources_(new QComboBox(this)),
-      model_(new FoundStudyModel(this)),
-      sorted_(new QSortFilterProxyModel(this)),
-      remark_(new QLabel(this)) {
-    describe(*sources_, "archive-source", tr("Archive"), tr("The archive (PACS) that is searched"));
-    sorted_->setSourceModel(model_);
-    sorted_->setSortRole(FoundStudyModel::sortRole);
-    remark_->setTextFormat(Qt::PlainText);
-    remark_->setWordWrap(true);
-    remark_->setObjectName(QStringLiteral("archive-remark"));
+    : QWidget(parent), places_(new QComboBox(this)), remark_(new QLabel(this)) {
+    describe(*places_, "archive-source", tr("Where to search"),
+             tr("All archives (PACS) and this machine, or one of them"));
+    makePlain(*remark_, "archive-remark");
+    auto* halves = new QSplitter(Qt::Vertical, this);
+    halves->setChildrenCollapsible(false);
+    halves->addWidget(makeFound());
+    halves->addWidget(makePriors());
     auto* column = new QVBoxLayout(this);
     column->addWidget(makeForm());
-    column->addWidget(makeList(), 1);
-    column->addWidget(remark_);
-    column->addWidget(makeButtons());
+    column->addWidget(halves, 1);
 }
 
 QLineEdit* ArchivePanel::addField(QFormLayout& form, const QString& label, const char* name,
@@ -78,9 +75,9 @@ QWidget* ArchivePanel::makeForm() {
     setUp->setToolTip(tr("Set up an archive, try it, or remove it"));
     connect(setUp, &QPushButton::clicked, this, &ArchivePanel::setUpAsked);
     auto* first = new QHBoxLayout;
-    first->addWidget(sources_, 1);
+    first->addWidget(places_, 1);
     first->addWidget(setUp);
-    form->addRow(tr("Archive"), first);
+    form->addRow(tr("Where"), first);
     patient_ = addField(*form, tr("Patient"), "archive-patient",
                         tr("Name, family name first; * stands for what is not known"));
     patientId_ = addField(*form, tr("Patient ID"), "archive-patient-id", tr("As the hospital writes it"));
@@ -98,58 +95,80 @@ QWidget* ArchivePanel::makeForm() {
     search_ = new QPushButton(tr("Search"), this);
     search_->setObjectName(QStringLiteral("archive-search"));
     search_->setToolTip(tr("Ask the archive; Enter in a field does the same"));
-    connect(search_, &QPushButton::clicked, this, &ArchivePanel::search);
+    connect(search_, &QPushButton::clicked, this, [this] {
+        if (isSearching_)
+            Q_EMIT cancelAsked();
+        else
+            search();
+    });
     form->addRow(QString(), search_);
     return box;
 }
 
-QWidget* ArchivePanel::makeList() {
-    list_ = new QTreeView(this);
-    describe(*list_, "archive-studies", tr("Studies in the archive"),
-             tr("Enter or a double click opens the selected study"));
-    list_->setModel(sorted_);
-    list_->setRootIsDecorated(false);
-    list_->setUniformRowHeights(true);
-    list_->setAlternatingRowColors(true);
-    list_->setSortingEnabled(true);
-    list_->sortByColumn(FoundStudyModel::date, Qt::DescendingOrder);
-    list_->header()->setSectionsMovable(true);
-    connect(list_, &QTreeView::activated, this, [this] {
-        if (const auto study = selected()) Q_EMIT openAsked(*study);
-    });
-    return list_;
+QWidget* ArchivePanel::makeFound() {
+    auto* box = new QWidget(this);
+    found_ = new FoundStudyList(QStringLiteral("archive-studies"), tr("Studies that match"), box);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(remark_);
+    column->addWidget(found_, 1);
+    return box;
 }
 
-QWidget* ArchivePanel::makeButtons() {
-    auto* row = new QWidget(this);
-    auto* buttons = new QHBoxLayout(row);
-    buttons->setContentsMargins(0, 0, 0, 0);
-    open_ = new QPushButton(tr("Open"), this);
-    open_->setObjectName(QStringLiteral("archive-open"));
-    open_->setToolTip(tr("Fetch the selected study, and show it as soon as images are there"));
-    connect(open_, &QPushButton::clicked, this, [this] {
-        if (const auto study = selected()) Q_EMIT openAsked(*study);
-    });
-    buttons->addStretch(1);
-    buttons->addWidget(open_);
-    open_->setEnabled(false);
-    connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            [this] { open_->setEnabled(selected().has_value()); });
-    return row;
+QWidget* ArchivePanel::makePriors() {
+    priorsBox_ = new QWidget(this);
+    priorsRemark_ = new QLabel(priorsBox_);
+    makePlain(*priorsRemark_, "archive-priors-remark");
+    auto* all = new QPushButton(tr("Search Everywhere"), priorsBox_);
+    describe(*all, "archive-priors-all", tr("Search everywhere for studies of this patient"),
+             tr("Ask all archives, and this machine, for other studies of the patient"));
+    connect(all, &QPushButton::clicked, this, &ArchivePanel::priorsAsked);
+    priors_ =
+        new FoundStudyList(QStringLiteral("archive-priors"), tr("Other studies of this patient"), priorsBox_);
+    priors_->hideColumns({FoundStudyModel::patient, FoundStudyModel::patientId, FoundStudyModel::birthDate,
+                          FoundStudyModel::accession});
+    auto* first = new QHBoxLayout;
+    first->addWidget(priorsRemark_, 1);
+    first->addWidget(all);
+    auto* column = new QVBoxLayout(priorsBox_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(first);
+    column->addWidget(priors_, 1);
+    priorsBox_->hide();
+    return priorsBox_;
 }
 
 void ArchivePanel::setSources(const std::vector<net::Source>& sources) {
-    const QString before = source();
-    sources_->clear();
-    for (const net::Source& each : sources) sources_->addItem(QString::fromStdString(each.name));
-    if (const int place = sources_->findText(before); place >= 0) sources_->setCurrentIndex(place);
-    search_->setEnabled(!sources.empty());
+    // Without archives there was nothing to choose.
+    const QString before = places_->count() > 1 ? places_->currentText() : QString();
+    places_->clear();
+    if (!sources.empty()) places_->addItem(tr("Everywhere"), int(Place::everywhere));
+    for (const net::Source& each : sources)
+        places_->addItem(QString::fromStdString(each.name), int(Place::archive));
+    places_->addItem(tr("This machine"), int(Place::thisMachine));
+    if (const int place = places_->findText(before); place >= 0 && !before.isEmpty())
+        places_->setCurrentIndex(place);
     if (sources.empty())
         setRemark(tr("No archive has been set up yet. Set one up, or ask your administrator."));
 }
 
-QString ArchivePanel::source() const {
-    return sources_->currentText();
+SearchedPlaces ArchivePanel::places() const {
+    switch (places_->currentData().toInt()) {
+        case Place::archive:
+            return {{places_->currentText()}, false};
+        case Place::thisMachine:
+            return {{}, true};
+        default:
+            return allPlaces();
+    }
+}
+
+SearchedPlaces ArchivePanel::allPlaces() const {
+    SearchedPlaces all{{}, true};
+    for (int i = 0; i < places_->count(); ++i) {
+        if (places_->itemData(i).toInt() == Place::archive) all.archives.append(places_->itemText(i));
+    }
+    return all;
 }
 
 std::optional<net::StudyQuery> ArchivePanel::query() {
@@ -177,30 +196,34 @@ std::optional<net::StudyQuery> ArchivePanel::query() {
 }
 
 void ArchivePanel::search() {
-    if (!search_->isEnabled()) return;
+    if (isSearching_) return;
     if (const auto asked = query()) Q_EMIT searchAsked(*asked);
 }
 
-std::optional<net::FoundStudy> ArchivePanel::selected() const {
-    const QModelIndexList rows = list_->selectionModel()->selectedRows();
-    if (rows.isEmpty()) return std::nullopt;
-    return model_->study(sorted_->mapToSource(rows.front()).row());
+void ArchivePanel::setListing(const study::Listing& listing, bool isWhole) {
+    const bool wasEmpty = !found_->selected().has_value();
+    found_->setStudies(listing.studies);
+    QStringList lines;
+    if (!listing.studies.empty()) {
+        QString count = tr("%n studies", nullptr, int(listing.studies.size()));
+        if (listing.isCutShort) count += tr("; there are more. Narrow the search.");
+        lines.append(count);
+    } else if (isWhole && listing.silent.empty()) {
+        lines.append(tr("No study matches."));
+    }
+    for (const study::SilentArchive& silent : listing.silent)
+        lines.append(
+            QStringLiteral("%1: %2").arg(QString::fromStdString(silent.name), inWindowsLanguage(silent.why)));
+    if (!isWhole) lines.append(tr("Searching…"));
+    setRemark(lines.join(QLatin1Char('\n')));
+    if (wasEmpty && !listing.studies.empty()) found_->view().setFocus();
 }
 
-void ArchivePanel::setAnswers(const net::StudyAnswers& answers) {
-    model_->setStudies(answers.studies);
-    for (int column = 0; column < FoundStudyModel::columnCountOf; ++column) {
-        list_->resizeColumnToContents(column);
-        list_->setColumnWidth(column, std::min(list_->columnWidth(column), kWidestColumnPx));
-    }
-    QString remark = tr("%n studies", nullptr, int(answers.studies.size()));
-    if (answers.isCutShort) remark += tr("; there are more. Narrow the search.");
-    if (answers.studies.empty()) remark = tr("No study matches.");
-    setRemark(remark);
-    if (!answers.studies.empty()) {
-        list_->setCurrentIndex(sorted_->index(0, 0));
-        list_->setFocus();
-    }
+void ArchivePanel::setPriors(const std::vector<study::ListedStudy>& priors, const QString& remark) {
+    priors_->setStudies(priors);
+    priors_->setVisible(!priors.empty());
+    priorsRemark_->setText(remark);
+    priorsBox_->setVisible(!remark.isEmpty());
 }
 
 void ArchivePanel::setRemark(const QString& text) {
@@ -208,11 +231,13 @@ void ArchivePanel::setRemark(const QString& text) {
 }
 
 void ArchivePanel::setSearching(bool searching) {
-    search_->setEnabled(!searching && sources_->count() > 0);
+    isSearching_ = searching;
+    search_->setText(searching ? tr("Stop Searching") : tr("Search"));
 }
 
 void ArchivePanel::showNames(bool shown) {
-    model_->showNames(shown);
+    found_->showNames(shown);
+    priors_->showNames(shown);
 }
 
 void ArchivePanel::focusSearch() {

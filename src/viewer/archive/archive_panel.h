@@ -1,25 +1,31 @@
-// Searches an archive, and lists the studies that match.
+// Searches archives and this machine, and lists the studies that match, and others of the open patient.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "net/archive/query.h"
 #include "net/archive/source.h"
+#include "study/archive/study_search.h"
 
 class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QSortFilterProxyModel;
-class QTreeView;
+class QSplitter;
 
 namespace macula::viewer {
 
-class FoundStudyModel;
+class FoundStudyList;
+
+// Where to search.
+struct SearchedPlaces {
+    QStringList archives;
+    bool isHereToo = false;
+};
 
 // Lives on the UI thread.
 class ArchivePanel : public QWidget {
@@ -28,29 +34,34 @@ class ArchivePanel : public QWidget {
   public:
     explicit ArchivePanel(QWidget* parent = nullptr);
 
-    void setSources(const std::vector<net::Source>& sources);  // keeps the chosen one if it is still there
-    QString source() const;                                    // its name; empty without any
-    void setAnswers(const net::StudyAnswers& answers);
+    void setSources(const std::vector<net::Source>& sources);  // keeps the chosen place if it is still there
+    SearchedPlaces places() const;
+    SearchedPlaces allPlaces() const;
+    void setListing(const study::Listing& listing, bool isWhole);
     void setRemark(const QString& text);  // below the list
     void setSearching(bool searching);
+    // Other studies of the open patient; hides the list without any, unless there is a remark.
+    void setPriors(const std::vector<study::ListedStudy>& priors, const QString& remark);
     void showNames(bool shown);
     void focusSearch();
+    FoundStudyList& found() const { return *found_; }
+    FoundStudyList& priors() const { return *priors_; }
 
   Q_SIGNALS:
     void searchAsked(const macula::net::StudyQuery& query);
-    void openAsked(const macula::net::FoundStudy& study);
+    void priorsAsked();  // those of all places
+    void cancelAsked();
     void setUpAsked();
 
   private:
     QWidget* makeForm();
-    QWidget* makeList();
-    QWidget* makeButtons();
+    QWidget* makeFound();
+    QWidget* makePriors();
     QLineEdit* addField(QFormLayout& form, const QString& label, const char* name, const QString& tip);
     std::optional<net::StudyQuery> query();  // nothing, with a remark, where a date is none
     void search();
-    std::optional<net::FoundStudy> selected() const;
 
-    QComboBox* sources_;
+    QComboBox* places_;
     QLineEdit* patient_ = nullptr;
     QLineEdit* patientId_ = nullptr;
     QLineEdit* accession_ = nullptr;
@@ -59,11 +70,12 @@ class ArchivePanel : public QWidget {
     QComboBox* modality_ = nullptr;
     QLineEdit* description_ = nullptr;
     QPushButton* search_ = nullptr;
-    QPushButton* open_ = nullptr;
-    FoundStudyModel* model_;
-    QSortFilterProxyModel* sorted_;
-    QTreeView* list_ = nullptr;
-    QLabel* remark_ = nullptr;
+    bool isSearching_ = false;
+    QLabel* remark_;
+    FoundStudyList* found_ = nullptr;
+    QWidget* priorsBox_ = nullptr;
+    QLabel* priorsRemark_ = nullptr;
+    FoundStudyList* priors_ = nullptr;
 };
 
 }  // namespace macula::viewer

@@ -14,9 +14,17 @@ bool namesSomebody(int column) {
            column == FoundStudyModel::birthDate || column == FoundStudyModel::accession;
 }
 
+QString placeOf(const study::ListedStudy& listed) {
+    const QString archive = QString::fromStdString(listed.archive);
+    if (listed.folder.empty()) return archive;
+    if (archive.isEmpty()) return FoundStudyModel::tr("this machine");
+    return listed.isWhole ? FoundStudyModel::tr("%1, fetched").arg(archive)
+                          : FoundStudyModel::tr("%1, partly fetched").arg(archive);
+}
+
 }  // namespace
 
-void FoundStudyModel::setStudies(std::vector<net::FoundStudy> studies) {
+void FoundStudyModel::setStudies(std::vector<study::ListedStudy> studies) {
     beginResetModel();
     studies_ = std::move(studies);
     endResetModel();
@@ -35,7 +43,8 @@ int FoundStudyModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : int(columnCountOf);
 }
 
-QString FoundStudyModel::text(const net::FoundStudy& study, int column) const {
+QString FoundStudyModel::text(const study::ListedStudy& listed, int column) const {
+    const net::FoundStudy& study = listed.study;
     if (!namesShown_ && namesSomebody(column)) return tr("hidden");
     switch (column) {
         case patient:
@@ -58,6 +67,8 @@ QString FoundStudyModel::text(const net::FoundStudy& study, int column) const {
             return QString::fromStdString(study.accessionNumber);
         case images:
             return study.instanceCount ? QString::number(*study.instanceCount) : QString();
+        case place:
+            return placeOf(listed);
         default:
             return {};
     }
@@ -65,13 +76,14 @@ QString FoundStudyModel::text(const net::FoundStudy& study, int column) const {
 
 QVariant FoundStudyModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
-    const net::FoundStudy& study = studies_[std::size_t(index.row())];
-    if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return text(study, index.column()).simplified();
+    const study::ListedStudy& listed = studies_[std::size_t(index.row())];
+    const net::FoundStudy& study = listed.study;
+    if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return text(listed, index.column()).simplified();
     if (role != sortRole) return {};
     // Later studies of a day stand behind earlier ones.
     if (index.column() == date) return QString::fromStdString(study.date + study.time);
     if (index.column() == images) return study.instanceCount ? int(*study.instanceCount) : -1;
-    return text(study, index.column());
+    return text(listed, index.column());
 }
 
 QVariant FoundStudyModel::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -93,6 +105,8 @@ QVariant FoundStudyModel::headerData(int section, Qt::Orientation orientation, i
             return tr("Accession number");
         case images:
             return tr("Images");
+        case place:
+            return tr("Place");
         default:
             return {};
     }

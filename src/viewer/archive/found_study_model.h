@@ -1,10 +1,10 @@
-// The Qt item model of the studies that an archive found.
+// The Qt item model of the studies that a search found.
 #pragma once
 
 #include <QAbstractTableModel>
 #include <vector>
 
-#include "net/archive/query.h"
+#include "study/archive/study_search.h"
 
 namespace macula::viewer {
 
@@ -23,15 +23,16 @@ class FoundStudyModel : public QAbstractTableModel {
         birthDate,
         accession,
         images,
+        place,
         columnCountOf
     };
     enum Role { sortRole = Qt::UserRole };
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void setStudies(std::vector<net::FoundStudy> studies);
+    void setStudies(std::vector<study::ListedStudy> studies);
     void showNames(bool shown);  // otherwise name, ID, date of birth and accession number are hidden
-    const net::FoundStudy& study(int row) const { return studies_[std::size_t(row)]; }
+    const study::ListedStudy& study(int row) const { return studies_[std::size_t(row)]; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -39,9 +40,9 @@ class FoundStudyModel : public QAbstractTableModel {
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   private:
-    QString text(const net::FoundStudy& study, int column) const;
+    QString text(const study::ListedStudy& listed, int column) const;
 
-    std::vector<net::FoundStudy> studies_;
+    std::vector<study::ListedStudy> studies_;
     bool namesShown_ = true;
 };
 

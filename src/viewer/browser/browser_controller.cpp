@@ -8,6 +8,7 @@
 #include <set>
 
 #include "live/store/study_keeper.h"
+#include "study/spool/spool.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/editor/study_editor.h"
@@ -85,7 +86,9 @@ void BrowserController::connectLoader() {
         &loader, &StudyLoader::found, this,
         [this](const std::shared_ptr<const study::FoundVolumes>& found) { showFound(found, std::nullopt); });
     connect(&loader, &StudyLoader::loaded, this, [this, &loader] {
-        if (const study::StudySource& source = loader.source()) recent_->add(*source);
+        const study::StudySource& source = loader.source();
+        // The folder of a fetched study has no name for people; the panel Archive lists it.
+        if (source && source->parent_path() != study::spoolFolder()) recent_->add(*source);
     });
     // Keeps the list of a folder that was read to its end, so that another series can be chosen from it.
     const auto goBack = [this] {

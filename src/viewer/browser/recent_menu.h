@@ -18,6 +18,8 @@ class RecentMenu : public QMenu {
     void clearAll();
     void showNames(bool shown);  // the menu is disabled while names are hidden
 
+    const std::vector<std::filesystem::path>& paths() const { return paths_; }
+
   Q_SIGNALS:
     void chosen(const QString& path);
 

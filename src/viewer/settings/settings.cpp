@@ -3,6 +3,7 @@
 #include <QJsonDocument>
 #include <QStandardPaths>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <system_error>
 
@@ -17,6 +18,15 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = 1u << 20;
 constexpr int kVersion = 1;
+
+constexpr const char* kPriorSearches[] = {"none", "list", "fetch"};
+
+PriorSearch priorSearchOf(const QString& name) {
+    for (std::size_t i = 0; i < std::size(kPriorSearches); ++i) {
+        if (name == QLatin1String(kPriorSearches[i])) return PriorSearch(i);
+    }
+    return Settings{}.priors;
+}
 
 // Takes members out of the object; the unknown ones are left.
 class Members {
@@ -86,6 +96,8 @@ Result<Settings> settingsFromJson(const std::string& text) {
     settings.keys = members.texts(QStringLiteral("keys"));
     settings.folders = members.texts(QStringLiteral("folders"));
     settings.windowPlace = members.text(QStringLiteral("windowPlace"), {});
+    settings.priors = priorSearchOf(members.text(QStringLiteral("priors"), {}));
+    settings.archiveColumns = members.text(QStringLiteral("archiveColumns"), {});
     settings.others = members.rest();
     return settings;
 }
@@ -102,6 +114,9 @@ std::string toJson(const Settings& settings) {
     object[QStringLiteral("quality")] = settings.quality;
     object[QStringLiteral("deidentifies")] = settings.deidentifies;
     object[QStringLiteral("showsNames")] = settings.showsNames;
+    object[QStringLiteral("priors")] = QLatin1String(kPriorSearches[std::size_t(settings.priors)]);
+    if (!settings.archiveColumns.isEmpty())
+        object[QStringLiteral("archiveColumns")] = settings.archiveColumns;
     const auto write = [&](const QString& name, const QMap<QString, QString>& texts) {
         QJsonObject members;
         for (auto text = texts.begin(); text != texts.end(); ++text) members[text.key()] = text.value();
@@ -127,6 +142,8 @@ Settings withChanges(Settings stored, const Settings& before, const Settings& af
     take(&Settings::deidentifies);
     take(&Settings::showsNames);
     take(&Settings::windowPlace);
+    take(&Settings::priors);
+    take(&Settings::archiveColumns);
     for (auto field : {&Settings::keys, &Settings::folders}) {
         const QMap<QString, QString>& old = before.*field;
         const QMap<QString, QString>& now = after.*field;

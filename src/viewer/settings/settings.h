@@ -16,6 +16,9 @@ inline constexpr int kMostKeptDays = 36500;
 inline constexpr int kLeastModelCapMb = 100;
 inline constexpr int kMostModelCapMb = 1'000'000;
 
+// What the window does about other studies of the patient whose study came from an archive.
+enum class PriorSearch { none, list, fetch };
+
 struct Settings {
     std::optional<Language> language = {};  // nothing: that of the desktop
     bool highContrast = false;
@@ -30,7 +33,9 @@ struct Settings {
     QMap<QString, QString> keys = {};     // chosen keys: see KeyBook
     QMap<QString, QString> folders = {};  // see LastFolders
     QString windowPlace = {};             // see WindowPlace; empty: the default
-    QJsonObject others = {};              // from a later version: written back unchanged
+    PriorSearch priors = PriorSearch::list;
+    QString archiveColumns = {};  // of the list of studies, see ArchivePanel; empty: the default
+    QJsonObject others = {};      // from a later version: written back unchanged
 
     bool operator==(const Settings&) const = default;
 };

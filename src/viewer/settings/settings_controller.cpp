@@ -54,6 +54,12 @@ void SettingsController::keepWindowPlace(const QString& place) {
     take(settings);
 }
 
+void SettingsController::keepArchiveColumns(const QString& columns) {
+    Settings settings = settings_;
+    settings.archiveColumns = columns;
+    take(settings);
+}
+
 void SettingsController::take(const Settings& settings) {
     const Settings before = std::exchange(settings_, settings);
     if (settings == before) return;

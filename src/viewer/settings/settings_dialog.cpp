@@ -46,6 +46,7 @@ SettingsDialog::SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isK
       folder_(new QLineEdit(before_.storeFolder, this)),
       keepDays_(new QSpinBox(this)),
       modelCap_(new QSpinBox(this)),
+      priors_(new QComboBox(this)),
       keys_(new KeysPage(std::move(keys), before_.keys, this)) {
     setWindowTitle(tr("Settings"));
     auto* pages = new QTabWidget(this);
@@ -55,6 +56,7 @@ SettingsDialog::SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isK
     pages->addTab(makeLook(), tr("Look"));
     pages->addTab(makePictures(), tr("Pictures"));
     pages->addTab(makeSessions(), tr("Sessions"));
+    pages->addTab(makeArchives(), tr("Archives"));
     pages->addTab(keys_, tr("Keys"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Take all pages as they are"));
@@ -161,6 +163,23 @@ QWidget* SettingsDialog::makeSessions() {
     return page;
 }
 
+QWidget* SettingsDialog::makeArchives() {
+    auto* page = new QWidget(this);
+    describe(*priors_, "settings-priors", tr("Other studies of the patient"),
+             tr("When a study from an archive is open, its archive is asked for others of this patient"));
+    priors_->addItem(tr("Do not search"), int(PriorSearch::none));
+    priors_->addItem(tr("List them"), int(PriorSearch::list));
+    priors_->addItem(tr("List them, and fetch the last two to compare with"), int(PriorSearch::fetch));
+    priors_->setCurrentIndex(priors_->findData(int(before_.priors)));
+    auto* form = new QFormLayout(page);
+    form->addRow(tr("&Other studies of the patient"), priors_);
+    form->addRow(
+        remark(tr("Fetched are earlier studies of the last five years that hold the same kind of images. "
+                  "Archives themselves are set up in the panel Archive."),
+               page));
+    return page;
+}
+
 void SettingsDialog::askForFolder() {
     auto* dialog = new QFileDialog(this, tr("Folder of stored sessions"), folder_->text());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -183,6 +202,7 @@ Settings SettingsDialog::settings() const {
     now.storeFolder = folder.isEmpty() ? QString() : QDir(folder).absolutePath();
     now.keepDays = keepDays_->value() > 0 ? std::optional(keepDays_->value()) : std::nullopt;
     now.modelCapMb = modelCap_->value();
+    now.priors = PriorSearch(priors_->currentData().toInt());
     now.keys = keys_->own();
     return now;
 }

@@ -27,6 +27,7 @@ class SettingsDialog : public QDialog {
     QWidget* makeLook();
     QWidget* makePictures();
     QWidget* makeSessions();
+    QWidget* makeArchives();
     void askForFolder();
 
     Settings before_;
@@ -39,6 +40,7 @@ class SettingsDialog : public QDialog {
     QLineEdit* folder_;
     QSpinBox* keepDays_;
     QSpinBox* modelCap_;
+    QComboBox* priors_;
     KeysPage* keys_;
 };
 

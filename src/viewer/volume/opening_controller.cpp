@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <utility>
 
+#include "study/spool/spool.h"
 #include "viewer/editor/study_editor.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
@@ -53,7 +54,8 @@ void OpeningController::connectOutcomes() {
 // Stores the state first, because it may be the same study that is opened.
 void OpeningController::open(study::StudySource source) {
     states_.keep();
-    if (source) context_.files.sawStudy(QString::fromStdString(source->string()));
+    if (source && source->parent_path() != study::spoolFolder())
+        context_.files.sawStudy(QString::fromStdString(source->string()));
     loader_.open(std::move(source));
 }
 

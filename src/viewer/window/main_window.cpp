@@ -36,6 +36,7 @@
 #include "viewer/presets/presets_controller.h"
 #include "viewer/quality/quality_controller.h"
 #include "viewer/second/second_volume_controller.h"
+#include "viewer/second/second_volume_loader.h"
 #include "viewer/segmentation/segmentation_panel.h"
 #include "viewer/segmentation/segmentations_controller.h"
 #include "viewer/settings/file_dialogs.h"
@@ -149,7 +150,8 @@ void MainWindow::makePanels() {
     QDockWidget* studies =
         panels_->add(Qt::LeftDockWidgetArea, &browser_->browser(), tr("Studies"), "studies-panel", key(0));
     browser_->setShownAction(*studies->toggleViewAction());
-    archive_ = new ArchiveController(context_, *opening_);
+    archive_ = new ArchiveController(
+        context_, {.opening = *opening_, .settings = *settings_, .recent = browser_->recent()});
     QDockWidget* archive =
         panels_->add(Qt::LeftDockWidgetArea, &archive_->panel(), tr("Archive"), "archive-panel");
     archive_->setShownAction(*archive->toggleViewAction());
@@ -171,6 +173,7 @@ void MainWindow::makePanels() {
 
 void MainWindow::makeOthers() {
     second_ = new SecondVolumeController(context_, *browser_, panes_->pairs());
+    archive_->setOpensBeside([this](const std::filesystem::path& folder) { second_->loader().open(folder); });
     quality_ = new QualityController(context_, options_.sampleLimit);
     panes_->shareOwnWindows(options_.sessions);
     if (options_.calibrates) quality_->calibrate(options_.sessions);
@@ -211,6 +214,7 @@ void MainWindow::connectStudy() {
     connect(opening_, &OpeningController::loaded, this, &MainWindow::showStudy);
     connect(opening_, &OpeningController::cancelled, this, &MainWindow::loadingCancelled);
     connect(notifications_, &Notifications::failed, this, &MainWindow::failed);
+    connect(this, &MainWindow::studyShown, archive_, &ArchiveController::onStudyShown);
     connect(this, &MainWindow::studyShown, movies_, &MoviesController::onStudyShown);
     connect(this, &MainWindow::studyShown, presentations_, &PresentationsController::onStudyShown);
     connect(headset_, &HeadsetController::ended, this, &MainWindow::headsetEnded);

@@ -1,0 +1,61 @@
+// A list of studies that a search found, and what can be done with the selected one.
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "study/archive/study_search.h"
+#include "viewer/archive/found_study_model.h"
+
+class QPushButton;
+class QSortFilterProxyModel;
+class QTreeView;
+
+namespace macula::viewer {
+
+// Lives on the UI thread.
+class FoundStudyList : public QWidget {
+    Q_OBJECT
+
+  public:
+    // `name` is the object name of the list; its buttons' begin with it.
+    FoundStudyList(const QString& name, const QString& title, QWidget* parent = nullptr);
+
+    // Keeps the selection where that study is still there, else selects the first.
+    void setStudies(std::vector<study::ListedStudy> studies);
+    void showNames(bool shown);
+    void hideColumns(const QList<FoundStudyModel::Column>& columns);
+    void setCanOpenBeside(bool can);  // whether a study is open
+    std::optional<study::ListedStudy> selected() const;
+    QTreeView& view() const { return *list_; }
+
+    // Widths, order and choice of columns as text; an invalid text changes nothing.
+    QString columns() const;
+    void setColumns(const QString& columns);
+
+  Q_SIGNALS:
+    void openAsked(const macula::study::ListedStudy& study);
+    void besideAsked(const macula::study::ListedStudy& study);
+    void fetchAsked(const macula::study::ListedStudy& study);
+    void columnsChanged();
+
+  private:
+    void makeButtons(QWidget& row, const QString& name);
+    void makeMenuOfColumns();
+    void fitColumns();
+    void showButtons();
+
+    FoundStudyModel* model_;
+    QSortFilterProxyModel* sorted_;
+    QTreeView* list_;
+    QPushButton* open_ = nullptr;
+    QPushButton* beside_ = nullptr;
+    QPushButton* fetch_ = nullptr;
+    bool canOpenBeside_ = false;
+    bool hasOwnColumns_ = false;  // those that a person chose are not fitted to their contents
+};
+
+}  // namespace macula::viewer
