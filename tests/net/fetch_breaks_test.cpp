@@ -2,6 +2,7 @@
 // MACULA_EVERY_BREAK=1 breaks 200 times among 1000 images.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLeastBytes = 100;
 constexpr std::size_t kMostBytes = 400'000;
 constexpr int kMostFetches = 2000;
+constexpr std::size_t kImagesOfPart = 60;
 const std::string kStudyUid = "2.25.88";
 
 struct Extent {
@@ -30,16 +32,21 @@ Extent extent() {
     return every != nullptr && *every == '1' ? Extent{1000, 200} : Extent{60, 10};
 }
 
-// Of about 9 kB each.
+// Of about 9 kB each. Sent in parts: no program of others may take long in a test.
 void fill(Orthanc& archive, int images) {
-    const dicom::test::TemporaryFolder folder;
     dicom::test::SyntheticSeries series;
     series.studyUid = kStudyUid;
     series.seriesUid = kStudyUid + ".1";
     series.size = {64, 64, images};
     series.rawInstead = [](const dicom::test::Slice&, int i, int j) { return i + j; };
-    dicom::test::writeFiles(folder.path(), series);
-    sendFolder(folder.path(), archive.dicomPort(), archive.title());
+    const auto slices = dicom::test::slicesOf(series);
+    for (std::size_t begin = 0; begin < slices.size(); begin += kImagesOfPart) {
+        const dicom::test::TemporaryFolder folder;
+        const auto first = slices.begin() + static_cast<std::ptrdiff_t>(begin);
+        const std::size_t count = std::min(kImagesOfPart, slices.size() - begin);
+        dicom::test::writeFiles(folder.path(), series, {first, first + static_cast<std::ptrdiff_t>(count)});
+        sendFolder(folder.path(), archive.dicomPort(), archive.title());
+    }
 }
 
 void expectAllDespiteBreaks(Archive& archive, CuttingFront& front, const Extent& extent) {
