@@ -308,7 +308,7 @@ void SourceDialog::signIn() {
 void SourceDialog::showCode(const net::DeviceCode& code) {
     if (!signIn_.running()) return;
     const QString address = QString::fromStdString(code.address);
-    remark_->setText(tr("Sign in in the browser, at %1, with the code %2. On another device it works too.")
+    remark_->setText(tr("Sign in with a browser, on this device or another, at %1. The code is %2.")
                          .arg(address, QString::fromStdString(code.userCode)));
     const bool hasWhole = !code.wholeAddress.empty();
     QDesktopServices::openUrl(QUrl(hasWhole ? QString::fromStdString(code.wholeAddress) : address));

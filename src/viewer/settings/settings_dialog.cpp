@@ -173,10 +173,10 @@ QWidget* SettingsDialog::makeArchives() {
     priors_->setCurrentIndex(priors_->findData(int(before_.priors)));
     auto* form = new QFormLayout(page);
     form->addRow(tr("&Other studies of the patient"), priors_);
-    form->addRow(
-        remark(tr("Fetched are earlier studies of the last five years that hold the same kind of images. "
-                  "Archives themselves are set up in the panel Archive."),
-               page));
+    form->addRow(remark(tr("Macula fetches earlier studies of the last five years that hold the same kind of "
+                           "images. The panel "
+                           "Archive is where archives are set up."),
+                        page));
     return page;
 }
 

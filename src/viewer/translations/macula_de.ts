@@ -874,6 +874,17 @@
     </message>
 </context>
 <context>
+    <name>TimeLeft</name>
+    <message>
+        <source>%1 min left</source>
+        <translation>noch %1 min</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>noch %1 s</translation>
+    </message>
+</context>
+<context>
     <name>Visibility</name>
     <message>
         <source>its values are %1 to %2 %3</source>
@@ -9350,14 +9361,6 @@
         <translation>Prüfen Sie beide AE-Titel, und fragen Sie die Verwaltung des Archivs, was sein Protokoll sagt.</translation>
     </message>
     <message>
-        <source>The archive has no room for this instance (status {}).</source>
-        <translation>Das Archiv hat keinen Platz für diese Instanz (Status {}).</translation>
-    </message>
-    <message>
-        <source>Ask the administrator of the archive to make room, then send again.</source>
-        <translation>Bitten Sie die Verwaltung des Archivs, Platz zu schaffen, und senden Sie dann noch einmal.</translation>
-    </message>
-    <message>
         <source>The archive says that this instance does not fit its own kind (status {}).</source>
         <translation>Das Archiv sagt, dass diese Instanz nicht zu ihrer eigenen Art passt (Status {}).</translation>
     </message>
@@ -10114,10 +10117,6 @@
         <translation>Prüfen Sie in den Einstellungen des Archivs seine Adresse, den Client, dessen Geheimnis und den Scope.</translation>
     </message>
     <message>
-        <source>sign in</source>
-        <translation>die Anmeldung auszuführen</translation>
-    </message>
-    <message>
         <source>The service that gives tokens failed: {}</source>
         <translation>Der Dienst, der Tokens ausgibt, meldet einen Fehler: {}</translation>
     </message>
@@ -10549,6 +10548,66 @@
         <source>Leave it out, and ask whoever runs the proxy to allow this machine without one.</source>
         <translation>Lassen Sie das weg, und bitten Sie die Verwaltung des Proxys, diesen Rechner ohne Anmeldung zuzulassen.</translation>
     </message>
+    <message>
+        <source>The archive has no room for this instance, or cannot use it (status {}).</source>
+        <translation>Das Archiv hat keinen Platz für diese Instanz oder kann mit ihr nichts anfangen (Status {}).</translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive what its log says, then send again.</source>
+        <translation>Fragen Sie den Administrator des Archivs, was dessen Protokoll sagt, und senden Sie dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>The service that signs people in gave no code.</source>
+        <translation>Der Anmeldedienst hat keinen Code ausgestellt.</translation>
+    </message>
+    <message>
+        <source>Check its address, the client and the scope in the settings of the archive.</source>
+        <translation>Prüfen Sie seine Adresse, den Client und den Scope in den Einstellungen des Archivs.</translation>
+    </message>
+    <message>
+        <source>The service that signs people in failed: {}</source>
+        <translation>Der Anmeldedienst ist gescheitert: {}</translation>
+    </message>
+    <message>
+        <source>The sign-in was declined in the browser.</source>
+        <translation>Die Anmeldung wurde im Browser abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Begin again, and agree there.</source>
+        <translation>Beginnen Sie noch einmal und stimmen Sie dort zu.</translation>
+    </message>
+    <message>
+        <source>Nobody signed in before the code ran out.</source>
+        <translation>Niemand hat sich angemeldet, bevor der Code abgelaufen ist.</translation>
+    </message>
+    <message>
+        <source>Begin again, and type the new code in the browser.</source>
+        <translation>Beginnen Sie noch einmal und geben Sie den neuen Code im Browser ein.</translation>
+    </message>
+    <message>
+        <source>Nobody signs in at this archive by a browser.</source>
+        <translation>Bei diesem Archiv meldet man sich nicht mit einem Browser an.</translation>
+    </message>
+    <message>
+        <source>Set it up so, or enter a password for it.</source>
+        <translation>Richten Sie es so ein, oder geben Sie ein Passwort dafür ein.</translation>
+    </message>
+    <message>
+        <source>Waiting for the sign-in in a browser</source>
+        <translation>Warten auf die Anmeldung in einem Browser</translation>
+    </message>
+    <message>
+        <source>The sign-in at the archive is over.</source>
+        <translation>Die Anmeldung beim Archiv ist abgelaufen.</translation>
+    </message>
+    <message>
+        <source>Sign in again: in the settings of the archive, or by macula pacs sign-in.</source>
+        <translation>Melden Sie sich noch einmal an: in den Einstellungen des Archivs oder mit macula pacs sign-in.</translation>
+    </message>
+    <message>
+        <source>Searching</source>
+        <translation>Suchen</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -10563,14 +10622,6 @@
     <message>
         <source>Search a PACS, and fetch a study from it</source>
         <translation>Ein PACS durchsuchen und eine Studie abrufen</translation>
-    </message>
-    <message>
-        <source>Searching…</source>
-        <translation>Es wird gesucht…</translation>
-    </message>
-    <message>
-        <source>Fetching a study</source>
-        <translation>Eine Studie wird abgerufen</translation>
     </message>
     <message numerus="yes">
         <source>%n images fetched</source>
@@ -10591,17 +10642,13 @@
         <source>This study is not known to be complete: images that the archive has may be missing. Fetch it again.</source>
         <translation>Es ist nicht bekannt, ob diese Studie vollständig ist: Bilder, die das Archiv hat, können fehlen. Rufen Sie sie noch einmal ab.</translation>
     </message>
+    <message>
+        <source>The search was stopped.</source>
+        <translation>Die Suche wurde abgebrochen.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchivePanel</name>
-    <message>
-        <source>Archive</source>
-        <translation>Archiv</translation>
-    </message>
-    <message>
-        <source>The archive (PACS) that is searched</source>
-        <translation>Das Archiv (PACS), das durchsucht wird</translation>
-    </message>
     <message>
         <source>Set up…</source>
         <translation>Einrichten…</translation>
@@ -10675,18 +10722,6 @@
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Studies in the archive</source>
-        <translation>Studien im Archiv</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Fetch the selected study, and show it as soon as images are there</source>
-        <translation>Die gewählte Studie abrufen und zeigen, sobald Bilder da sind</translation>
-    </message>
-    <message>
         <source>No archive has been set up yet. Set one up, or ask your administrator.</source>
         <translation>Es ist noch kein Archiv eingerichtet. Richten Sie eines ein, oder fragen Sie Ihre Systemverwaltung.</translation>
     </message>
@@ -10714,8 +10749,52 @@
         <translation>Das Archiv fragen; die Eingabetaste in einem Feld tut dasselbe</translation>
     </message>
     <message>
-        <source>Enter or a double click opens the selected study</source>
-        <translation>Eingabe oder ein Doppelklick öffnet die gewählte Studie</translation>
+        <source>Where to search</source>
+        <translation>Wo gesucht wird</translation>
+    </message>
+    <message>
+        <source>All archives (PACS) and this machine, or one of them</source>
+        <translation>Alle Archive (PACS) und dieser Rechner, oder eines davon</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Studies that match</source>
+        <translation>Gefundene Studien</translation>
+    </message>
+    <message>
+        <source>Search Everywhere</source>
+        <translation>Überall suchen</translation>
+    </message>
+    <message>
+        <source>Search everywhere for studies of this patient</source>
+        <translation>Überall nach Studien dieses Patienten suchen</translation>
+    </message>
+    <message>
+        <source>Ask all archives, and this machine, for other studies of the patient</source>
+        <translation>Alle Archive und diesen Rechner nach anderen Studien des Patienten fragen</translation>
+    </message>
+    <message>
+        <source>Other studies of this patient</source>
+        <translation>Andere Studien dieses Patienten</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>This machine</source>
+        <translation>Dieser Rechner</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche läuft …</translation>
+    </message>
+    <message>
+        <source>Stop Searching</source>
+        <translation>Suche abbrechen</translation>
     </message>
 </context>
 <context>
@@ -11180,6 +11259,45 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::FoundStudyList</name>
+    <message>
+        <source>Enter or a double click opens the selected study</source>
+        <translation>Eingabe oder ein Doppelklick öffnet die gewählte Studie</translation>
+    </message>
+    <message>
+        <source>Fetch</source>
+        <translation>Abrufen</translation>
+    </message>
+    <message>
+        <source>Fetch the selected study in the background, and keep it on this machine</source>
+        <translation>Die gewählte Studie im Hintergrund abrufen und auf diesem Rechner behalten</translation>
+    </message>
+    <message>
+        <source>Beside</source>
+        <translation>Daneben</translation>
+    </message>
+    <message>
+        <source>Show the selected study beside the open one, as a second volume</source>
+        <translation>Die gewählte Studie als zweites Volumen neben der geöffneten zeigen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Show the selected study; from an archive as soon as images are there</source>
+        <translation>Die gewählte Studie zeigen; aus einem Archiv, sobald Bilder da sind</translation>
+    </message>
+    <message>
+        <source>A right click chooses the columns; drag to move them, click to sort</source>
+        <translation>Ein Rechtsklick wählt die Spalten; Ziehen verschiebt, Klicken sortiert</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::FoundStudyModel</name>
     <message>
         <source>hidden</source>
@@ -11216,6 +11334,22 @@
     <message>
         <source>Images</source>
         <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>this machine</source>
+        <translation>dieser Rechner</translation>
+    </message>
+    <message>
+        <source>%1, fetched</source>
+        <translation>%1, abgerufen</translation>
+    </message>
+    <message>
+        <source>%1, partly fetched</source>
+        <translation>%1, zum Teil abgerufen</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
     </message>
 </context>
 <context>
@@ -13106,6 +13240,39 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::PriorsController</name>
+    <message>
+        <source>The images name neither an ID nor a name and a date of birth, by which others of this patient could be found.</source>
+        <translation>Die Bilder nennen weder eine ID noch Name und Geburtsdatum, mit denen andere dieses Patienten zu finden wären.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche läuft …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other studies of this patient</source>
+        <translation>
+            <numerusform>%n andere Studie dieses Patienten</numerusform>
+            <numerusform>%n andere Studien dieses Patienten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No other study of this patient was found.</source>
+        <translation>Keine andere Studie dieses Patienten gefunden.</translation>
+    </message>
+    <message>
+        <source>No other study of this patient is on this machine.</source>
+        <translation>Keine andere Studie dieses Patienten liegt auf diesem Rechner.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other studies of this patient are listed in the panel Archive.</source>
+        <translation>
+            <numerusform>%n andere Studie dieses Patienten steht im Bereich Archiv.</numerusform>
+            <numerusform>%n andere Studien dieses Patienten stehen im Bereich Archiv.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::QualityControl</name>
     <message>
         <source>%L1 s</source>
@@ -13875,6 +14042,38 @@
         <source>Names and IDs are not kept, but previews and views tell as much of a patient as pictures do.</source>
         <translation>Namen und IDs werden nicht aufbewahrt, aber Vorschauen und Ansichten verraten so viel von einem Patienten wie Bilder.</translation>
     </message>
+    <message>
+        <source>Archives</source>
+        <translation>Archive</translation>
+    </message>
+    <message>
+        <source>Other studies of the patient</source>
+        <translation>Andere Studien des Patienten</translation>
+    </message>
+    <message>
+        <source>When a study from an archive is open, its archive is asked for others of this patient</source>
+        <translation>Ist eine Studie aus einem Archiv geöffnet, wird dieses nach anderen des Patienten gefragt</translation>
+    </message>
+    <message>
+        <source>Do not search</source>
+        <translation>Nicht suchen</translation>
+    </message>
+    <message>
+        <source>List them</source>
+        <translation>Auflisten</translation>
+    </message>
+    <message>
+        <source>List them, and fetch the last two to compare with</source>
+        <translation>Auflisten, und die letzten beiden zum Vergleich abrufen</translation>
+    </message>
+    <message>
+        <source>&amp;Other studies of the patient</source>
+        <translation>&amp;Andere Studien des Patienten</translation>
+    </message>
+    <message>
+        <source>Macula fetches earlier studies of the last five years that hold the same kind of images. The panel Archive is where archives are set up.</source>
+        <translation>Macula ruft frühere Studien der letzten fünf Jahre ab, die Bilder derselben Art enthalten. Archive werden im Bereich Archiv eingerichtet.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ShownAdditions</name>
@@ -14120,6 +14319,26 @@
         <source>Forget this archive and its password; what was fetched stays</source>
         <translation>Dieses Archiv und sein Passwort vergessen; was abgerufen wurde, bleibt</translation>
     </message>
+    <message>
+        <source>Signed in.</source>
+        <translation>Angemeldet.</translation>
+    </message>
+    <message>
+        <source>Sign In…</source>
+        <translation>Anmelden …</translation>
+    </message>
+    <message>
+        <source>Sign in at this archive by a browser</source>
+        <translation>Sich mit einem Browser bei diesem Archiv anmelden</translation>
+    </message>
+    <message>
+        <source>Asking for a code…</source>
+        <translation>Ein Code wird angefordert …</translation>
+    </message>
+    <message>
+        <source>Sign in with a browser, on this device or another, at %1. The code is %2.</source>
+        <translation>Melden Sie sich mit einem Browser an, auf diesem oder einem anderen Gerät, unter %1. Der Code ist %2.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::StateController</name>
@@ -14306,6 +14525,20 @@
     <message>
         <source>Nothing of this folder is open.</source>
         <translation>Aus diesem Ordner ist nichts geöffnet.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::StudyFetcher</name>
+    <message>
+        <source>Fetching a study</source>
+        <translation>Eine Studie wird abgerufen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>noch %n weitere</numerusform>
+            <numerusform>noch %n weitere</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -144,6 +144,23 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::PriorsController</name>
+    <message numerus="yes">
+        <source>%n other studies of this patient</source>
+        <translation>
+            <numerusform>%n other study of this patient</numerusform>
+            <numerusform>%n other studies of this patient</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other studies of this patient are listed in the panel Archive.</source>
+        <translation>
+            <numerusform>%n other study of this patient is listed in the panel Archive.</numerusform>
+            <numerusform>%n other studies of this patient are listed in the panel Archive.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SegmentationKeeper</name>
     <message numerus="yes">
         <source>There are %n segmentations of this volume: F11.</source>
@@ -170,6 +187,16 @@
         <translation>
             <numerusform>, %n sample left out</numerusform>
             <numerusform>, %n samples left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::StudyFetcher</name>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
         </translation>
     </message>
 </context>
