@@ -60,7 +60,9 @@ ArchiveController::ArchiveController(const WindowContext& context, OpeningContro
                 if (folder && !folder->empty()) showPart(*folder);
             }}) {
     connect(panel_, &ArchivePanel::searchAsked, this, &ArchiveController::search);
-    connect(panel_, &ArchivePanel::openAsked, this, &ArchiveController::fetch);
+    // From the one that was searched, whichever is chosen by now: a UID means nothing to another one.
+    connect(panel_, &ArchivePanel::openAsked, this,
+            [this](const net::FoundStudy& study) { fetchFrom(searched_, study); });
     connect(panel_, &ArchivePanel::setUpAsked, this, &ArchiveController::setUp);
     connect(bar_, &WorkBar::cancelClicked, this, &ArchiveController::cancel);
     context_.notes.setSource(NoteOn::archive, [this] { return notes(); });
@@ -121,11 +123,11 @@ void ArchiveController::search(const net::StudyQuery& query) {
     });
 }
 
-void ArchiveController::fetch(const net::FoundStudy& study) {
+void ArchiveController::fetchFrom(const QString& archive, const net::FoundStudy& study) {
+    readSources();  // a link may mean one that was set up since
     if (!sources_ || (fetch_.running() && coming_.studyInstanceUid == study.studyInstanceUid)) return;
-    // The one that was searched, whichever is chosen by now: a UID means nothing to another one.
-    auto way = wayTo(*sources_, searched_);
-    if (!way) return panel_->setRemark(inWindowsLanguage(way.error()));
+    auto way = wayTo(*sources_, archive);
+    if (!way) return context_.notifications.fail(way.error());
     look_.cancel();
     coming_ = {.number = coming_.number + 1,
                .studyInstanceUid = study.studyInstanceUid,

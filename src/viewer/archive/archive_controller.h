@@ -37,6 +37,8 @@ class ArchiveController : public QObject {
     WorkBar* bar() const { return bar_; }                     // while a study is fetched
     void setShownAction(QAction& shown) { shown_ = &shown; }  // shows and hides the panel
     void addAction(QMenu& file);
+    // Fetches a study that this archive has, and opens it as it comes.
+    void fetchFrom(const QString& archive, const net::FoundStudy& study);
     void showNames(bool shown);
     bool fetching() const { return fetch_.running(); }
 
@@ -53,7 +55,6 @@ class ArchiveController : public QObject {
     void readSources();
     void setUp();
     void search(const net::StudyQuery& query);
-    void fetch(const net::FoundStudy& study);
     void cancel();
     void lookAt(std::uint64_t number, const study::Arrival& arrival);
     void showPart(const std::filesystem::path& folder);

@@ -4,6 +4,7 @@
 #include <QJsonObject>
 #include <QMap>
 #include <QString>
+#include <QStringList>
 #include <filesystem>
 #include <optional>
 
@@ -15,6 +16,7 @@ namespace macula::viewer {
 inline constexpr int kMostKeptDays = 36500;
 inline constexpr int kLeastModelCapMb = 100;
 inline constexpr int kMostModelCapMb = 1'000'000;
+inline constexpr int kMostWatchedFolders = 16;
 
 struct Settings {
     std::optional<Language> language = {};  // nothing: that of the desktop
@@ -29,6 +31,7 @@ struct Settings {
     bool showsNames = true;      // over the picture, when the window opens
     QMap<QString, QString> keys = {};     // chosen keys: see KeyBook
     QMap<QString, QString> folders = {};  // see LastFolders
+    QStringList watchedFolders = {};      // see WatchController
     QString windowPlace = {};             // see WindowPlace; empty: the default
     QJsonObject others = {};              // from a later version: written back unchanged
 
