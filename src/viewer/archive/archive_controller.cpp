@@ -123,10 +123,10 @@ void ArchiveController::search(const net::StudyQuery& query) {
     });
 }
 
-void ArchiveController::fetchFrom(const QString& archive, const net::FoundStudy& study) {
+void ArchiveController::fetchFrom(const QString& from, const net::FoundStudy& study) {
     readSources();  // a link may mean one that was set up since
     if (!sources_ || (fetch_.running() && coming_.studyInstanceUid == study.studyInstanceUid)) return;
-    auto way = wayTo(*sources_, archive);
+    auto way = wayTo(*sources_, from);
     if (!way) return context_.notifications.fail(way.error());
     look_.cancel();
     coming_ = {.number = coming_.number + 1,

@@ -37,8 +37,8 @@ class ArchiveController : public QObject {
     WorkBar* bar() const { return bar_; }                     // while a study is fetched
     void setShownAction(QAction& shown) { shown_ = &shown; }  // shows and hides the panel
     void addAction(QMenu& file);
-    // Fetches a study that this archive has, and opens it as it comes.
-    void fetchFrom(const QString& archive, const net::FoundStudy& study);
+    // Fetches a study that the archive of this name has, and opens it as it comes.
+    void fetchFrom(const QString& from, const net::FoundStudy& study);
     void showNames(bool shown);
     bool fetching() const { return fetch_.running(); }
 
