@@ -56,7 +56,7 @@ class Links : public CommandTest {
 
 TEST_F(Links, AStudyIsFoundByItsUidAndItsPatient) {
     for (const std::string& link :
-         {"macula://open?study=" + series_.studyUid, "macula://open?patient=SYN1&archive=cloud",
+         {"macula://open?study=" + series_.studyUid, std::string("macula://open?patient=SYN1&archive=cloud"),
           "macula://IHEInvokeImageDisplay?requestType=STUDY&studyUID=" + series_.studyUid,
           std::string(
               "https://any.example.org/IHEInvokeImageDisplay?requestType=PATIENT&patientID=SYN1^^^H")}) {
@@ -90,14 +90,14 @@ TEST_F(Links, SeveralStudiesAreNotChosenFromByChance) {
         "macula://IHEInvokeImageDisplay?requestType=PATIENT&patientID=SYN1&mostRecentResults=1";
     EXPECT_EQ(fetched({"--link", newest}).size(), 1u);
     expectFailure({"--link", newest + "&modalitiesInStudy=MR"}, kExitArchive, "also answered");
-    expectFailure({"--link", newest + "&patientBirthDate=1901-01-01"}, kExitArchive, "also answered");
+    expectFailure({"--link", newest + "&upperDateTime=1999-12-31"}, kExitArchive, "no study that fits");
 }
 
 TEST_F(Links, BadCallsAreToldApart) {
     expectFailure({}, kExitUsage, "from which archive");
     expectFailure({"--link", "macula://open?patient=SYN1*"}, kExitUsage, "wildcard");
     expectFailure({"--link", "macula://open?patient=SYN1", "--accession", "1"}, kExitUsage, "says itself");
-    expectFailure({"--manifest", at("study")}, kExitInput, "manifest");
+    expectFailure({"--manifest", write("a.txt", "text")}, kExitInput, "no imaging manifest");
 }
 
 TEST_F(Links, AManifestIsFetchedFromWhereItSays) {

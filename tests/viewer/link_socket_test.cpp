@@ -6,7 +6,8 @@
 
 #include <QLocalSocket>
 #include <QTemporaryDir>
-#include <fstream>
+#include <atomic>
+#include <chrono>
 #include <thread>
 
 #include "study/link/link_text.h"
@@ -104,6 +105,7 @@ TEST_F(LinkSocketTest, ASocketThatAKilledWindowLeftIsPassedOver) {
         fs::create_hard_link(path.toStdString(), folder / "kept");
     }
     fs::rename(folder / "kept", stale);
+    fs::last_write_time(stale, fs::file_time_type::clock::now() + std::chrono::minutes(1));  // tried first
     EXPECT_TRUE(handedOver(QStringLiteral("macula://open?study=1.2")));
     EXPECT_FALSE(fs::exists(stale));
 }

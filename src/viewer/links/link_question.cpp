@@ -39,11 +39,15 @@ QString patientText(const study::StudyLink& link, bool showsNames) {
     return text;
 }
 
-QString archivesText(const std::vector<net::Source>& sources) {
-    if (sources.size() > kMostNamed) return Words::tr("%n archives", nullptr, int(sources.size()));
+QString whereText(const std::vector<net::Source>& sources) {
+    if (sources.size() > kMostNamed)
+        return Words::tr("Macula would ask %n archives for it.", nullptr, int(sources.size()));
+    if (sources.size() == 1)
+        return Words::tr("Macula would ask the archive %1 for it.")
+            .arg(QString::fromStdString(sources.front().name));
     QStringList names;
     for (const net::Source& each : sources) names.append(QString::fromStdString(each.name));
-    return names.join(QStringLiteral(", "));
+    return Words::tr("Macula would ask these archives for it: %1.").arg(names.join(QStringLiteral(", ")));
 }
 
 }  // namespace
@@ -65,10 +69,11 @@ QString whatIsAsked(const study::StudyLink& link, bool showsNames) {
 QMessageBox* askToFetch(QWidget* parent, const study::StudyLink& link,
                         const std::vector<net::Source>& sources, bool showsNames,
                         std::function<void()> fetch) {
-    auto* box = new QMessageBox(QMessageBox::Question, Words::tr("Fetch What a Link Asks For?"),
-                                Words::tr("A link asks Macula to open %1. Macula would ask for it here: %2.")
-                                    .arg(whatIsAsked(link, showsNames), archivesText(sources)),
-                                QMessageBox::Cancel, parent);
+    auto* box =
+        new QMessageBox(QMessageBox::Question, Words::tr("Fetch What a Link Asks For?"),
+                        Words::tr("A link asks Macula to open %1.").arg(whatIsAsked(link, showsNames)) +
+                            QLatin1Char(' ') + whereText(sources),
+                        QMessageBox::Cancel, parent);
     box->setTextFormat(Qt::PlainText);  // a link chooses parts of it
     QStringList more = inWindowsLanguage(link.notDone);
     more.append(Words::tr("Any web page can make such a link: fetch only what you expect."));

@@ -33,6 +33,7 @@ LinksController::LinksController(const WindowContext& context, ArchiveController
 
 void LinksController::open(const QString& link) {
     if (question_ != nullptr) {
+        question_->raise();
         question_->activateWindow();
         return context_.notifications.refuse(
             tr("Another link came while a question about a link was open, and was not followed."),

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "viewer/jobs/post.h"
 #include "viewer/menus/controls.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/settings/settings.h"
@@ -41,7 +42,7 @@ WatchController::WatchController(const WindowContext& context, OpeningController
 }
 
 void WatchController::addMenu(QMenu& file) {
-    menu_ = file.addMenu(tr("Watched Folders"));
+    menu_ = file.addMenu(tr("&Watched Folders"));
     menu_->setToolTipsVisible(true);
     fillMenu();
 }
@@ -49,7 +50,7 @@ void WatchController::addMenu(QMenu& file) {
 void WatchController::fillMenu() {
     if (menu_ == nullptr) return;
     menu_->clear();
-    QAction* add = menu_->addAction(tr("Watch a Folder…"), this, &WatchController::askForFolder);
+    QAction* add = menu_->addAction(tr("&Watch a Folder…"), this, &WatchController::askForFolder);
     describe(*add, "watch-add", tr("Say when a study appears in a folder; nothing is opened by itself"));
     add->setEnabled(folders_.size() < kMostWatchedFolders);
     if (!folders_.isEmpty()) menu_->addSeparator();
@@ -101,7 +102,7 @@ void WatchController::stopWatching(const QString& folder) {
     folders_.removeAll(folder);
     std::erase_if(watched_, [&](const auto& each) { return each->folder() == path; });
     bar_->dropFolder(path);
-    QMetaObject::invokeMethod(this, &WatchController::fillMenu, Qt::QueuedConnection);
+    post(this, [this] { fillMenu(); });
     Q_EMIT foldersChanged(folders_);
 }
 
