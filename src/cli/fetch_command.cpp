@@ -172,7 +172,8 @@ void addFetch(CLI::App& app, Action& action) {
     addArchive(*command, *options);
     command->get_option("ARCHIVE")->required(false);
     addQuery(*command, *options);
-    command->add_option("--series", options->series, "Series Instance UIDs; without it, all series");
+    CLI::Option* series =
+        command->add_option("--series", options->series, "Series Instance UIDs; without it, all series");
     CLI::Option* link = command->add_option("--link", options->link,
                                             "What a link asks for: macula://open?study=UID, or an IHE Invoke "
                                             "Image Display; ARCHIVE may be left out then");
@@ -180,7 +181,8 @@ void addFetch(CLI::App& app, Action& action) {
         ->add_option("--manifest", options->manifest,
                      "What a file names that is an imaging manifest (IHE MADO, XDS-I.b); ARCHIVE may be left "
                      "out then")
-        ->excludes(link);
+        ->excludes(link)
+        ->excludes(series);
     command->add_option("--into", options->into,
                         "Folder for fetched studies; without it, a private one of yours");
     command->add_flag("--all", options->all, "Fetch all studies that match");

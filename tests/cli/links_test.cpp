@@ -1,4 +1,7 @@
 // macula fetch of what a link or a manifest names, from archives that really run.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -80,6 +83,7 @@ TEST_F(Links, AnArchiveThatDoesNotAnswerDoesNotHideWhatAnotherHas) {
 TEST_F(Links, SeveralStudiesAreNotChosenFromByChance) {
     series_.studyUid = "2.25.2000";
     series_.seriesUid = "2.25.2001";
+    series_.edits.push_back([](DcmItem& item) { dicom::test::put(item, DCM_PatientBirthDate, "19700228"); });
     std::vector<dicom::test::Slice> slices = dicom::test::slicesOf(series_);
     for (auto& slice : slices) slice.sopInstanceUid += ".2";
     dicom::test::writeFiles(folder_ / "other", series_, slices);
@@ -89,6 +93,11 @@ TEST_F(Links, SeveralStudiesAreNotChosenFromByChance) {
     const std::string newest =
         "macula://IHEInvokeImageDisplay?requestType=PATIENT&patientID=SYN1&mostRecentResults=1";
     EXPECT_EQ(fetched({"--link", newest}).size(), 1u);
+    const std::string all =
+        "macula://IHEInvokeImageDisplay?requestType=PATIENT&patientID=SYN1&patientBirthDate=";
+    EXPECT_EQ(fetched({"--link", all + "1970-02-28", "--all"}).size(), 2u)
+        << "the other has no date of birth";
+    EXPECT_EQ(fetched({"--link", all + "1980-02-28"}).size(), 1u);
     expectFailure({"--link", newest + "&modalitiesInStudy=MR"}, kExitArchive, "also answered");
     expectFailure({"--link", newest + "&upperDateTime=1999-12-31"}, kExitArchive, "no study that fits");
 }

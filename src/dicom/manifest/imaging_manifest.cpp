@@ -149,6 +149,10 @@ std::size_t ManifestStudy::instances() const {
     return count;
 }
 
+Text imagingManifestKind() {
+    return Text("Imaging manifest");
+}
+
 bool isImagingManifest(const Dataset& header) {
     if (header.shortText(tag::kSopClassUid) != kKeyObjectSelection) return false;
     const std::vector<Dataset> titles = header.items(kConceptName);

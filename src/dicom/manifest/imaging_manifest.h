@@ -50,6 +50,9 @@ struct ImagingManifest {
     std::size_t unusable = 0;            // references without a valid UID, which are left out
 };
 
+// How lists call such an object, as describeSopClass calls others.
+Text imagingManifestKind();
+
 // Whether an object that was read is one: by its class and the code of its title, which other Key Object
 // Selections do not have. Never by a name.
 bool isImagingManifest(const Dataset& header);

@@ -141,7 +141,7 @@ PresentationHeading headingOf(const Dataset& header, const std::vector<Dataset>&
 OtherObject readObject(const std::filesystem::path& file, const Dataset& header,
                        const std::string& sopClass) {
     OtherObject object{.file = file, .sopClassUid = sopClass, .kind = describeSopClass(sopClass)};
-    if (isImagingManifest(header)) object.kind = Text("Imaging manifest");
+    if (isImagingManifest(header)) object.kind = imagingManifestKind();
     const bool isPresentation = isPresentationState(sopClass);
     const std::vector<Dataset> series =
         isPresentation ? referencedSeriesOf(header) : header.items(tag::kReferencedSeries);

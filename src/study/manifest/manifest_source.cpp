@@ -87,25 +87,34 @@ const dicom::ManifestSeries* strangersSeries(const dicom::ManifestStudy& study,
     return found == study.series.end() ? nullptr : &*found;
 }
 
+// What the manifest says of the place is the error's `where`: a name could hide in it.
 Error noSource(const dicom::ManifestStudy& study, const net::SourceList& sources) {
     const Text orName("Or say which archive has the study: macula fetch ARCHIVE --manifest FILE.");
-    const auto error = [&](Text message, Text hint) {
-        return Error{ErrorCode::usage, std::move(message), {}, Text::joined({std::move(hint), orName}, " ")};
-    };
+    const Text name("Say which archive has the study: macula fetch ARCHIVE --manifest FILE.");
     const dicom::ManifestSeries* series = strangersSeries(study, sources);
     if (series == nullptr)
-        return error(Text("The manifest says that the series of a study lie in different archives."), Text());
-    if (!series->place.urls.empty())
-        return error(
-            Text("The manifest says that images lie at {}, and no archive of that address is set up.",
-                 serviceOf(series->place.urls.front())),
-            Text("If you trust this address, set it up as an archive, and open the manifest again."));
-    if (!series->place.aeTitles.empty())
-        return error(
-            Text("The manifest says that the archive {} has images, and none of that AE title is set up.",
-                 series->place.aeTitles.front()),
-            Text("Set it up, and open the manifest again."));
-    return error(Text("The manifest does not say where its images lie."), Text());
+        return {ErrorCode::usage,
+                Text("The manifest says that the series of a study lie in different archives."),
+                {},
+                name};
+    const dicom::RetrievePlace& place = series->place;
+    if (!place.urls.empty())
+        return {
+            ErrorCode::usage,
+            Text("The manifest says that images lie at an address of which no archive is set up."),
+            serviceOf(place.urls.front()),
+            Text::joined({Text("If you trust this address, set it up as an archive, and open the manifest "
+                               "again."),
+                          orName},
+                         " ")};
+    if (!place.aeTitles.empty())
+        return {
+            ErrorCode::usage,
+            Text("The manifest says that images lie in an archive whose AE title is not set up."),
+            place.aeTitles.front(),
+            Text::joined({Text("Set up the archive of this AE title, and open the manifest again."), orName},
+                         " ")};
+    return {ErrorCode::usage, Text("The manifest does not say where its images lie."), {}, name};
 }
 
 }  // namespace

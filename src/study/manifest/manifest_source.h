@@ -15,7 +15,7 @@ bool isOfService(const std::string& url, const net::WebPeer& service, const std:
 
 // The archive whose address or AE title the manifest gives for all series of the study. A manifest is
 // somebody's claim: nobody connects to an address that only it names. Fails with usage where no archive that
-// is set up has the address, which the error then names.
+// is set up has the address, which is then the `where` of the error.
 Result<net::Source> sourceOf(const dicom::ManifestStudy& study, const net::SourceList& sources);
 
 }  // namespace macula::study

@@ -45,7 +45,7 @@ LinkChoice::LinkChoice(study::LinkedStudies found, bool showsNames, QWidget* par
     column->addWidget(list_, 1);
     column->addWidget(archive_);
     column->addWidget(buttons);
-    constexpr int kWidthPx = 800;
+    constexpr int kWidthPx = 880;
     constexpr int kHeightPx = 360;
     resize(kWidthPx, kHeightPx);
     connect(buttons, &QDialogButtonBox::accepted, this, &LinkChoice::choose);

@@ -41,13 +41,13 @@ QString patientText(const study::StudyLink& link, bool showsNames) {
 
 QString whereText(const std::vector<net::Source>& sources) {
     if (sources.size() > kMostNamed)
-        return Words::tr("Macula would ask %n archives for it.", nullptr, int(sources.size()));
+        return Words::tr("Macula would ask %n archives.", nullptr, int(sources.size()));
     if (sources.size() == 1)
-        return Words::tr("Macula would ask the archive %1 for it.")
+        return Words::tr("Macula would ask the archive %1.")
             .arg(QString::fromStdString(sources.front().name));
     QStringList names;
     for (const net::Source& each : sources) names.append(QString::fromStdString(each.name));
-    return Words::tr("Macula would ask these archives for it: %1.").arg(names.join(QStringLiteral(", ")));
+    return Words::tr("Macula would ask these archives: %1.").arg(names.join(QStringLiteral(", ")));
 }
 
 }  // namespace

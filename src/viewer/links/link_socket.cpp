@@ -8,6 +8,8 @@
 #include <QGuiApplication>
 #include <QLocalSocket>
 #include <QTimer>
+#include <algorithm>
+#include <cerrno>
 
 #include "base/sha256.h"
 #include "study/link/link_text.h"
