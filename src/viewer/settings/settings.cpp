@@ -47,10 +47,10 @@ class Members {
             if (text->isString()) texts.insert(text.key(), text->toString());
         return texts;
     }
-    QStringList list(const QString& name, qsizetype most) {
+    QStringList list(const QString& name, std::size_t most) {
         QStringList texts;
         for (const QJsonValue& value : object_.take(name).toArray()) {
-            if (value.isString() && !texts.contains(value.toString()) && texts.size() < most)
+            if (value.isString() && !texts.contains(value.toString()) && std::size_t(texts.size()) < most)
                 texts.append(value.toString());
         }
         return texts;

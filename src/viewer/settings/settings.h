@@ -5,6 +5,7 @@
 #include <QMap>
 #include <QString>
 #include <QStringList>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 
@@ -16,7 +17,7 @@ namespace macula::viewer {
 inline constexpr int kMostKeptDays = 36500;
 inline constexpr int kLeastModelCapMb = 100;
 inline constexpr int kMostModelCapMb = 1'000'000;
-inline constexpr int kMostWatchedFolders = 16;
+inline constexpr std::size_t kMostWatchedFolders = 16;
 
 struct Settings {
     std::optional<Language> language = {};  // nothing: that of the desktop

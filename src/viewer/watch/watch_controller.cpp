@@ -6,7 +6,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <algorithm>
-#include <filesystem>
+#include <limits>
 
 #include "viewer/jobs/post.h"
 #include "viewer/menus/controls.h"
@@ -18,24 +18,9 @@
 
 namespace macula::viewer {
 
-namespace {
-
-using Clock = study::WatchedFolder::Clock;
-
-constexpr int kPauseTimesLook = 20;  // a look takes at most a twentieth of the time
-
-}  // namespace
-
 WatchController::WatchController(const WindowContext& context, OpeningController& opening,
                                  const QStringList& folders, WatchPace pace)
-    : QObject(&context.window),
-      context_(context),
-      opening_(opening),
-      pace_(pace),
-      bar_(new ArrivalBar),
-      look_(this, {.ended = [this](const Result<Looked>& looked) { take(looked); }}) {
-    timer_.setSingleShot(true);
-    connect(&timer_, &QTimer::timeout, this, &WatchController::look);
+    : QObject(&context.window), context_(context), opening_(opening), pace_(pace), bar_(new ArrivalBar) {
     connect(bar_, &ArrivalBar::openAsked, this,
             [this](const study::ArrivedStudy& study) { opening_.open(study.file); });
     for (const QString& folder : folders) begin(folder);
@@ -52,11 +37,12 @@ void WatchController::fillMenu() {
     menu_->clear();
     QAction* add = menu_->addAction(tr("&Watch a Folder…"), this, &WatchController::askForFolder);
     describe(*add, "watch-add", tr("Say when a study appears in a folder; nothing is opened by itself"));
-    add->setEnabled(folders_.size() < kMostWatchedFolders);
-    if (!folders_.isEmpty()) menu_->addSeparator();
-    for (const QString& folder : folders_) {
+    add->setEnabled(looks_.size() < kMostWatchedFolders);
+    if (!looks_.empty()) menu_->addSeparator();
+    for (const FolderLook* look : looks_) {
+        const QString& folder = look->folder();
         QString name = namesShown_ ? QDir(folder).dirName() : tr("a folder");
-        if (absent_.contains(folder)) name = tr("%1 (cannot be read now)").arg(name);
+        if (look->isAbsent()) name = tr("%1 (cannot be read now)").arg(name);
         QAction* stop =
             menu_->addAction(tr("Stop Watching %1").arg(name.replace(QLatin1Char('&'), QStringLiteral("&&"))),
                              this, [this, folder] { stopWatching(folder); });
@@ -77,67 +63,47 @@ void WatchController::askForFolder() {
 
 void WatchController::watch(const QString& path) {
     const QString folder = QDir(path).absolutePath();
-    if (folders_.contains(folder))
+    if (folders().contains(folder))
         return context_.notifications.showNote(tr("This folder is watched already."));
-    if (folders_.size() >= kMostWatchedFolders)
+    if (looks_.size() >= kMostWatchedFolders)
         return context_.notifications.refuse(tr("No more folders can be watched."),
                                              tr("Stop watching another one first."));
     begin(folder);
     fillMenu();
-    Q_EMIT foldersChanged(folders_);
+    Q_EMIT foldersChanged(folders());
     context_.notifications.showNote(
         tr("Macula now says when a study appears in this folder. What is there already is not told."));
 }
 
 void WatchController::begin(const QString& folder) {
-    if (folders_.contains(folder) || folders_.size() >= kMostWatchedFolders) return;
-    folders_.append(folder);
-    watched_.push_back(std::make_shared<study::WatchedFolder>(folder.toStdString(), pace_.quiet));
-    if (!look_.running()) timer_.start(0);
+    if (folders().contains(folder) || looks_.size() >= kMostWatchedFolders) return;
+    auto* look = new FolderLook(folder, pace_, this);
+    looks_.push_back(look);
+    connect(look, &FolderLook::arrived, bar_, &ArrivalBar::add);
+    connect(look, &FolderLook::absenceChanged, this, &WatchController::fillMenu);
 }
 
 // A menu must not destroy the action that called this.
 void WatchController::stopWatching(const QString& folder) {
-    const std::filesystem::path path = folder.toStdString();
-    folders_.removeAll(folder);
-    std::erase_if(watched_, [&](const auto& each) { return each->folder() == path; });
-    bar_->dropFolder(path);
+    const auto stopped = std::ranges::find(looks_, folder, &FolderLook::folder);
+    if (stopped == looks_.end()) return;
+    delete *stopped;
+    looks_.erase(stopped);
+    bar_->dropFolder(folder.toStdString());
     post(this, [this] { fillMenu(); });
-    Q_EMIT foldersChanged(folders_);
+    Q_EMIT foldersChanged(folders());
 }
 
-void WatchController::look() {
-    if (watched_.empty() || look_.running()) return;
-    look_.start([watched = watched_](Progress& progress) -> Result<Looked> {
-        const Clock::time_point begun = Clock::now();
-        Looked looked;
-        for (const auto& folder : watched) {
-            if (progress.cancelled()) break;
-            auto arrived = folder->look(Clock::now(), progress);
-            if (!arrived) {
-                if (arrived.error().code != ErrorCode::cancelled)
-                    looked.absent.append(QString::fromStdString(folder->folder().string()));
-                continue;
-            }
-            looked.arrived.insert(looked.arrived.end(), arrived->begin(), arrived->end());
-        }
-        looked.took = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begun);
-        return looked;
-    });
+QStringList WatchController::folders() const {
+    QStringList folders;
+    for (const FolderLook* look : looks_) folders.append(look->folder());
+    return folders;
 }
 
-void WatchController::take(const Result<Looked>& looked) {
-    ++looks_;
-    timer_.start(looked ? std::max(pace_.every, kPauseTimesLook * looked->took) : pace_.every);
-    if (!looked) return;
-    if (absent_ != looked->absent) {
-        absent_ = looked->absent;
-        fillMenu();
-    }
-    for (const study::ArrivedStudy& study : looked->arrived) {
-        // The look began before a person stopped watching the folder.
-        if (folders_.contains(QString::fromStdString(study.folder.string()))) bar_->add(study);
-    }
+std::size_t WatchController::looks() const {
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (const FolderLook* look : looks_) least = std::min(least, look->looks());
+    return least;
 }
 
 }  // namespace macula::viewer

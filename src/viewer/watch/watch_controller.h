@@ -3,14 +3,11 @@
 
 #include <QObject>
 #include <QStringList>
-#include <QTimer>
-#include <chrono>
-#include <memory>
+#include <cstddef>
 #include <vector>
 
-#include "study/watch/watched_folder.h"
 #include "viewer/context/window_context.h"
-#include "viewer/jobs/background_job.h"
+#include "viewer/watch/folder_look.h"
 
 class QMenu;
 
@@ -19,14 +16,7 @@ namespace macula::viewer {
 class ArrivalBar;
 class OpeningController;
 
-// How often folders are looked at, and how long nothing may change in a study before it counts as whole.
-struct WatchPace {
-    std::chrono::milliseconds every{3000};
-    std::chrono::milliseconds quiet{6000};
-};
-
-// Looks again and again, since network file systems do not tell of changes; a look that takes long is
-// followed by a longer pause. Lives on the UI thread; files are read on another.
+// Lives on the UI thread; files are read on others.
 class WatchController : public QObject {
     Q_OBJECT
 
@@ -37,8 +27,8 @@ class WatchController : public QObject {
     ArrivalBar& bar() const { return *bar_; }  // it belongs to the widget that shows it
     void addMenu(QMenu& file);
     void showNames(bool shown);
-    const QStringList& folders() const { return folders_; }
-    std::size_t looks() const { return looks_; }  // at all folders, so far
+    QStringList folders() const;
+    std::size_t looks() const;  // how often the folder was looked at for which that is least
     void watch(const QString& folder);
     void stopWatching(const QString& folder);
 
@@ -46,31 +36,17 @@ class WatchController : public QObject {
     void foldersChanged(const QStringList& folders);  // to keep
 
   private:
-    // What one look at all folders found.
-    struct Looked {
-        std::vector<study::ArrivedStudy> arrived;
-        QStringList absent;  // folders that cannot be read now
-        std::chrono::milliseconds took{0};
-    };
-
     void fillMenu();
     void askForFolder();
     void begin(const QString& folder);
-    void look();
-    void take(const Result<Looked>& looked);
 
     WindowContext context_;
     OpeningController& opening_;
     WatchPace pace_;
-    QStringList folders_;
-    QStringList absent_;
-    std::size_t looks_ = 0;
     bool namesShown_ = true;
-    std::vector<std::shared_ptr<study::WatchedFolder>> watched_;  // only a look in progress uses them
+    std::vector<FolderLook*> looks_;
     ArrivalBar* bar_;
     QMenu* menu_ = nullptr;
-    QTimer timer_;
-    BackgroundJob<Looked> look_;
 };
 
 }  // namespace macula::viewer
