@@ -11,6 +11,8 @@
 #include "cli/shared/json_text.h"
 #include "cli/shared/report.h"
 #include "study/archive/archive_json.h"
+#include "study/link/linked_studies.h"
+#include "study/manifest/manifest_fetch.h"
 
 namespace macula::cli {
 
@@ -18,9 +20,19 @@ namespace {
 
 struct FetchOptions : ArchiveOptions, QueryOptions {
     std::vector<std::string> series;
+    std::string link;
+    std::filesystem::path manifest;
     std::filesystem::path into;
     bool all = false;
 };
+
+Result<void> refuseSeveral(std::size_t studies, const FetchOptions& options) {
+    if (studies < 2 || options.all) return {};
+    return Error{ErrorCode::usage,
+                 Text("{} studies match.", studies),
+                 {},
+                 Text("Narrow the search, or fetch all of them with --all.")};
+}
 
 // Which studies the search means: one, unless all are wanted.
 Result<std::vector<std::string>> studiesToFetch(net::Archive& archive, const FetchOptions& options,
@@ -37,11 +49,7 @@ Result<std::vector<std::string>> studiesToFetch(net::Archive& archive, const Fet
                      Text("The archive has no study that matches."),
                      {},
                      Text("Check the search with macula find.")};
-    if (answers.studies.size() > 1 && !options.all)
-        return Error{ErrorCode::usage,
-                     Text("{} studies match.", answers.studies.size()),
-                     {},
-                     Text("Narrow the search, or fetch all of them with --all.")};
+    MACULA_TRY_VOID(refuseSeveral(answers.studies.size(), options));
     std::vector<std::string> uids;
     for (const net::FoundStudy& study : answers.studies) uids.push_back(study.studyInstanceUid);
     return uids;
@@ -55,28 +63,104 @@ void printFetched(const study::FetchedStudy& fetched) {
         printWarning(message.sentence.english() + " " + message.action.english());
 }
 
-Result<void> fetch(const FetchOptions& options) {
+// Prints each study once it is there.
+class Report {
+  public:
+    explicit Report(const FetchOptions& options) : options_(options) {}
+
+    void add(const study::FetchedStudy& fetched) {
+        json_.push_back(study::toJson(fetched));
+        incomplete_ += fetched.isComplete ? 0 : 1;
+        if (!options_.json) printFetched(fetched);
+    }
+    Result<void> end() const {
+        if (options_.json) fmt::print("{}\n", jsonText(json_));
+        if (incomplete_ == 0) return {};
+        return Error{ErrorCode::archiveNotUsable,
+                     Text("Not all came of {} of {} studies.", incomplete_, json_.size()),
+                     {},
+                     Text("Run the same command again: it fetches only what is missing.")};
+    }
+
+  private:
+    const FetchOptions& options_;
+    nlohmann::ordered_json json_ = nlohmann::ordered_json::array();
+    std::size_t incomplete_ = 0;
+};
+
+Result<void> fetchSearched(const FetchOptions& options, study::Spool& spool, Progress& progress,
+                           Report& report) {
     MACULA_TRY(const OpenArchive open, openArchive(options));
-    Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const auto uids, studiesToFetch(*open.archive, options, progress));
-    MACULA_TRY(study::Spool spool,
-               options.into.empty() ? study::Spool::open() : study::Spool::chosen(options.into));
-    auto json = nlohmann::ordered_json::array();
-    std::size_t incomplete = 0;
     for (const std::string& uid : uids) {
         MACULA_TRY(
             const study::FetchedStudy fetched,
             study::fetchStudy(*open.archive, open.source.name, {uid, options.series}, spool, progress));
-        json.push_back(study::toJson(fetched));
-        incomplete += fetched.isComplete ? 0 : 1;
-        if (!options.json) printFetched(fetched);
+        report.add(fetched);
     }
-    if (options.json) fmt::print("{}\n", jsonText(json));
-    if (incomplete == 0) return {};
-    return Error{ErrorCode::archiveNotUsable,
-                 Text("Not all came of {} of {} studies.", incomplete, uids.size()),
-                 {},
-                 Text("Run the same command again: it fetches only what is missing.")};
+    return {};
+}
+
+// Whoever types a link means it: only the window asks.
+Result<void> fetchLinked(const FetchOptions& options, study::Spool& spool, Progress& progress,
+                         Report& report) {
+    MACULA_TRY(study::StudyLink link, study::studyLinkOf(options.link));
+    MACULA_TRY(const net::SourceList sources, readSourceList());
+    if (!options.archive.empty()) link.archive = options.archive;
+    for (const Text& notDone : link.notDone) printNote(notDone);
+    MACULA_TRY(const study::LinkedStudies found, study::findLinked(link, sources, progress));
+    for (const Text& remark : found.remarks) printWarning(remark);
+    MACULA_TRY_VOID(refuseSeveral(found.studies.size(), options));
+    for (const study::LinkedStudy& linked : found.studies) {
+        ArchiveOptions named;
+        named.archive = linked.archive;
+        MACULA_TRY(const OpenArchive open, openArchive(named));
+        const study::FetchRequest request{.studyInstanceUid = linked.study.studyInstanceUid,
+                                          .seriesInstanceUids = options.series,
+                                          .chosen = study::identityOf(linked.study)};
+        MACULA_TRY(const study::FetchedStudy fetched,
+                   study::fetchStudy(*open.archive, open.source.name, request, spool, progress));
+        report.add(fetched);
+    }
+    return {};
+}
+
+Result<void> fetchManifested(const FetchOptions& options, study::Spool& spool, Progress& progress,
+                             Report& report) {
+    MACULA_TRY(const dicom::ImagingManifest manifest, dicom::readImagingManifest(options.manifest));
+    if (manifest.unusable > 0)
+        printWarning(
+            Text("{} references of the manifest have no UID, and were left out.", manifest.unusable));
+    MACULA_TRY(const net::SourceList sources, readSourceList());
+    MACULA_TRY(const auto fetched, study::fetchManifest(manifest, sources, options.archive, spool, progress));
+    for (const study::FetchedStudy& each : fetched) report.add(each);
+    return {};
+}
+
+Result<void> fetch(const FetchOptions& options) {
+    const bool searches = options.link.empty() && options.manifest.empty();
+    if (searches && options.archive.empty())
+        return Error{ErrorCode::usage,
+                     Text("It is not said from which archive to fetch."),
+                     {},
+                     Text("Give the name of one, as macula pacs list prints it; or --link or --manifest.")};
+    if (!searches && !isEmpty(options.query))
+        return Error{ErrorCode::usage,
+                     Text("A link or a manifest says itself which studies are meant."),
+                     {},
+                     Text("Leave the keys of the search out.")};
+    MACULA_TRY(study::Spool spool,
+               options.into.empty() ? study::Spool::open() : study::Spool::chosen(options.into));
+    Progress progress(terminalProgressBar(), interruptToken());
+    Report report(options);
+    if (!options.link.empty()) {
+        MACULA_TRY_VOID(fetchLinked(options, spool, progress, report));
+    } else if (!options.manifest.empty()) {
+        MACULA_TRY_VOID(fetchManifested(options, spool, progress, report));
+    } else {
+        MACULA_TRY_VOID(fetchSearched(options, spool, progress, report));
+    }
+    return report.end();
 }
 
 }  // namespace
@@ -86,8 +170,19 @@ void addFetch(CLI::App& app, Action& action) {
     auto* command = app.add_subcommand(
         "fetch", "Fetch a study from an archive (PACS), and print the folder where it lies then");
     addArchive(*command, *options);
+    command->get_option("ARCHIVE")->required(false);
     addQuery(*command, *options);
-    command->add_option("--series", options->series, "Series Instance UIDs; without it, all series");
+    CLI::Option* series =
+        command->add_option("--series", options->series, "Series Instance UIDs; without it, all series");
+    CLI::Option* link = command->add_option("--link", options->link,
+                                            "What a link asks for: macula://open?study=UID, or an IHE Invoke "
+                                            "Image Display; ARCHIVE may be left out then");
+    command
+        ->add_option("--manifest", options->manifest,
+                     "What a file names that is an imaging manifest (IHE MADO, XDS-I.b); ARCHIVE may be left "
+                     "out then")
+        ->excludes(link)
+        ->excludes(series);
     command->add_option("--into", options->into,
                         "Folder for fetched studies; without it, a private one of yours");
     command->add_flag("--all", options->all, "Fetch all studies that match");

@@ -14,6 +14,7 @@
 #include "live/quality/quality_front.h"
 #include "viewer/language/language.h"
 #include "viewer/language/window_language.h"
+#include "viewer/links/link_socket.h"
 #include "viewer/program/command_line.h"
 #include "viewer/program/quit_signals.h"
 #include "viewer/program/startup.h"
@@ -73,7 +74,13 @@ int run(QApplication& application, const CommandLine& line, const ReadSettings& 
     keepWorkWhenAskedToEnd(application, window, quitSignals);
     window.show();
     if (read.error) window.tell(*read.error);
-    window.open(sourceOf(line));
+    LinkServer server;
+    QObject::connect(&server, &LinkServer::linkCame, &window, &MainWindow::openLink);
+    if (line.link) {
+        window.openLink(*line.link);
+    } else {
+        window.open(sourceOf(line));
+    }
     return QApplication::exec();
 }
 
@@ -93,6 +100,7 @@ int main(int argc, char** argv) {
     if (wanted.calibrates) return calibrate(wanted);
     const auto application = openApplication(argc, argv);
     if (!application) return tellError(application.error());
+    if (wanted.link && wanted.isAlone && handOver(*wanted.link)) return kExitDone;
     useLanguageAndTheme(**application, wanted, desktopLanguage());
     return run(**application, wanted, read);
 }

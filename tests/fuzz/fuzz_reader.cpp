@@ -4,6 +4,7 @@
 
 #include "dicom/best_volume.h"
 #include "dicom/loader.h"
+#include "dicom/manifest/imaging_manifest.h"
 #include "dicom/pixels/pixels.h"
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/softcopy_state.h"
@@ -83,6 +84,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!found.frames.empty()) readPixels(found);
     loadLabels(file);
     (void)readMediaDirectory(file);
+    (void)readImagingManifest(file);
     macula::Progress progress;
     if (const auto scan = scanFolder(file, progress)) loadBest(*scan);
     return 0;

@@ -121,9 +121,22 @@ void writeAssociationSeeds(const std::filesystem::path& folder) {
     save(folder / "rejected", "\x03" + pdu(3, big(0x00010107, 4)));
 }
 
+void writeLinkSeeds(const std::filesystem::path& folder) {
+    save(folder / "study", "macula://open?study=1.2.840.1&archive=Hospital%20B");
+    save(folder / "patient", "macula://open/?patient=P%2F1&issuer=S%C3%BCd");
+    save(folder / "iid_study",
+         "macula://IHEInvokeImageDisplay?requestType=STUDY&studyUID=1.2,1.3&viewerType=IHE_BIR&keyImagesOnly="
+         "true");
+    save(folder / "iid_patient",
+         "https://a/IHEInvokeImageDisplay?requestType=PATIENT&patientID=1^^^A%261.2%26ISO&lowerDateTime="
+         "2013-01-01T00:00:00&mostRecentResults=2&modalitiesInStudy=CT,MR");
+    save(folder / "bad", "macula://open?accession=%zz&accession=*&file=/a#b");
+}
+
 }  // namespace
 
 void writeArchiveSeeds(const std::filesystem::path& corpus) {
+    writeLinkSeeds(corpus / "link");
     writeMultipartSeeds(corpus / "multipart");
     writeQidoSeeds(corpus / "qido");
     writeAssociationSeeds(corpus / "association");

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/english.h"
+#include "dicom/manifest/imaging_manifest.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/write/uid.h"
 #include "study/found_by_hand.h"
@@ -188,6 +189,22 @@ TEST(StudyTree, ImagesOfOneSeriesEachAreOneRowThatAsks) {
     const StudyTree tree = studyTree(found);
     ASSERT_EQ(tree.rows.size(), 1u);
     EXPECT_EQ(tree.rows[0].title, found.scan().messages[0].sentence);
+}
+
+TEST(StudyTree, AManifestSaysWhereItsImagesAre) {
+    dicom::Scan scan;
+    dicom::Series manifest = test::seriesOf(1, "", {}, "KO");
+    manifest.objects.push_back({.kind = dicom::imagingManifestKind()});
+    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20210405", "Chest", {manifest}));
+    manifest.objects.push_back({.kind = Text("Structured report")});
+    manifest.number = 2;
+    scan.studies.back().series.push_back(manifest);
+    const FoundVolumes found(std::move(scan));
+    const StudyTree tree = studyTree(found);
+    EXPECT_NE(tree.rows[rowTitled(tree, "Series 1")].whyNot.english().find("Open its file"),
+              std::string::npos);
+    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 2")].whyNot.english().find("Open its file"),
+              std::string::npos);
 }
 
 TEST(StudyTree, AnEmptyScanHasNoRows) {

@@ -41,6 +41,22 @@ TEST(CommandLine, ReadsAllOptions) {
     EXPECT_EQ(line->device, QStringLiteral("llvmpipe"));
 }
 
+TEST(CommandLine, TellsLinksFromPaths) {
+    const auto link = parse({"macula://open?study=1.2"});
+    ASSERT_TRUE(link.ok());
+    EXPECT_EQ(link->link, QStringLiteral("macula://open?study=1.2"));
+    EXPECT_FALSE(link->folder);
+    EXPECT_TRUE(link->isAlone);
+    EXPECT_FALSE(parse({"--view", "left", "macula://open?study=1.2"})->isAlone);
+    EXPECT_EQ(parse({"macula:--preset=x"})->link, QStringLiteral("macula:--preset=x")) << "the window tells";
+    EXPECT_EQ(parse({"file:///some/f%C3%B6lder%20x"})->folder, QStringLiteral("/some/f\u00f6lder x"));
+    EXPECT_EQ(parse({"file://localhost/a"})->folder, QStringLiteral("/a"));
+    for (const char* elsewhere : {"file://host/a", "file:a", "file:///a?b", "file:///a#b"})
+        EXPECT_FALSE(parse({QString::fromLatin1(elsewhere)}).ok()) << elsewhere;
+    EXPECT_FALSE(parse({"macula://open?study=1.2", "/a"}).ok());
+    EXPECT_FALSE(parse({"--calibrate", "macula://open?study=1.2"}).ok());
+}
+
 TEST(CommandLine, APersonSeesFourPanes) {
     EXPECT_EQ(parse({})->layout, scene::Layout::fourPanes);
     EXPECT_FALSE(parse({})->choosesLayout);

@@ -33,6 +33,7 @@ Settings someSettings() {
     settings.showsNames = false;
     settings.keys = {{QStringLiteral("F3"), QStringLiteral("Ctrl+K")}, {QStringLiteral("F4"), QString()}};
     settings.folders = {{QStringLiteral("studies"), QStringLiteral("/archive")}};
+    settings.watchedFolders = {QStringLiteral("/incoming"), QStringLiteral("/media/discs")};
     settings.windowPlace = QStringLiteral("AAEC");
     settings.priors = PriorSearch::fetch;
     settings.archiveColumns = QStringLiteral("AAED");

@@ -54,6 +54,8 @@ class WindowTest : public testing::Test {
         options.sampleLimit = 2;
         options.usesModel = usesModel_;
         options.sessions = sessions_;
+        options.settings = settings_;
+        options.watchPace = watchPace_;
         options.showsInHeadset = showsInHeadset_;
         return options;
     }
@@ -135,6 +137,8 @@ class WindowTest : public testing::Test {
     std::optional<ViewDirection> firstView_ = ViewDirection::anterior;  // nothing: as programs do
     bool showsInHeadset_ = false;
     bool usesModel_ = false;  // to search for one takes seconds: for tests that are about it
+    Settings settings_;
+    WatchPace watchPace_;
     std::optional<std::filesystem::path> sessions_;  // where models and states are kept; nothing: nowhere
     int argc_ = 1;
     char name_[5] = "test";

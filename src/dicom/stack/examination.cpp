@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "dicom/manifest/imaging_manifest.h"
 #include "dicom/read/presentation_tags.h"
 #include "dicom/read/random_file.h"
 #include "dicom/read/sop_class.h"
@@ -140,6 +141,7 @@ PresentationHeading headingOf(const Dataset& header, const std::vector<Dataset>&
 OtherObject readObject(const std::filesystem::path& file, const Dataset& header,
                        const std::string& sopClass) {
     OtherObject object{.file = file, .sopClassUid = sopClass, .kind = describeSopClass(sopClass)};
+    if (isImagingManifest(header)) object.kind = imagingManifestKind();
     const bool isPresentation = isPresentationState(sopClass);
     const std::vector<Dataset> series =
         isPresentation ? referencedSeriesOf(header) : header.items(tag::kReferencedSeries);

@@ -105,10 +105,12 @@ Result<FetchedStudy> fetchStudy(net::Archive& archive, const std::string& source
                                 Spool& spool, Progress& progress, const ArrivalListener& arrived) {
     MACULA_TRY(const net::FoundStudy asFound, askForStudy(archive, request.studyInstanceUid, progress));
     if (request.chosen && samePatient(*request.chosen, identityOf(asFound)) == SamePatient::no)
-        return Error{ErrorCode::archiveNotUsable,
-                     Text("The archive now names another patient for this study than in the list."),
-                     {},
-                     Text("Search again, and tell the administrator of the archive.")};
+        return Error{
+            ErrorCode::archiveNotUsable,
+            Text("The archive names another patient for this study than the list or the manifest that it was "
+                 "chosen from."),
+            {},
+            Text("Do not rely on either. Search again, and tell the administrator of the archive.")};
     MACULA_TRY(const std::unique_ptr<SpooledStudy> study,
                spool.study(request.studyInstanceUid, progress.token()));
     MACULA_TRY_VOID(spool.purge());

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parsing.h"
+#include "dicom/manifest/imaging_manifest.h"
 #include "dicom/read/sop_class.h"
 #include "study/list/search_text.h"
 #include "study/open/presented_volume.h"
@@ -49,6 +50,14 @@ Text whyNoVolume(const dicom::Series& series) {
     for (const Message& message : series.messages) {
         if (message.severity >= Severity::blocksVolume) return message.sentence;
     }
+    const bool isOfManifests = series.stacks.empty() && !series.objects.empty() &&
+                               std::ranges::all_of(series.objects, [](const dicom::OtherObject& object) {
+                                   return object.kind == dicom::imagingManifestKind();
+                               });
+    if (isOfManifests)
+        return Text(
+            "This is an imaging manifest: it names images that lie in an archive. Open its file to fetch "
+            "them.");
     const auto largest = std::max_element(
         series.stacks.begin(), series.stacks.end(),
         [](const dicom::Stack& a, const dicom::Stack& b) { return a.frames.size() < b.frames.size(); });

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
+#include <algorithm>
 #include <utility>
 
 #include "dicom/best_volume.h"
@@ -36,7 +37,7 @@ ArchiveController::ArchiveController(const WindowContext& context, Parts parts)
                                              .settings = parts.settings,
                                              .fetcher = *fetcher_,
                                              .sources = [this] { return sources_ ? &*sources_ : nullptr; },
-                                             .folders = [this] { return parts_.recent.paths(); }})),
+                                             .folders = [this] { return foldersHere(); }})),
       search_(this, {.ended =
                          [this](const Result<study::Listing>& listing) {
                              panel_->setSearching(false);
@@ -124,7 +125,7 @@ void ArchiveController::search(const net::StudyQuery& query) {
     const SearchedPlaces where = panel_->places();
     study::PlacesToSearch places{.archives = {}, .isHereToo = where.isHereToo, .folders = {}};
     for (const QString& name : where.archives) places.archives.push_back(namedArchive(*sources_, name));
-    if (where.isHereToo) places.folders = parts_.recent.paths();
+    if (where.isHereToo) places.folders = foldersHere();
     panel_->setListing({}, false);
     panel_->setSearching(true);
     const NewestPosted<study::Listing> soFar(this,
@@ -135,6 +136,16 @@ void ArchiveController::search(const net::StudyQuery& query) {
     search_.start([places = std::move(places), query, soFar](Progress& progress) -> Result<study::Listing> {
         return study::searchStudies(places, query, progress, soFar);
     });
+}
+
+// Those that were opened before, and those that are watched.
+std::vector<std::filesystem::path> ArchiveController::foldersHere() const {
+    std::vector<std::filesystem::path> folders = parts_.recent.paths();
+    for (const QString& each : parts_.settings.settings().watchedFolders) {
+        const std::filesystem::path folder = each.toStdString();
+        if (std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
+    }
+    return folders;
 }
 
 void ArchiveController::open(const study::ListedStudy& listed) {
@@ -151,11 +162,16 @@ void ArchiveController::openBeside(const study::ListedStudy& listed) {
     fetch(listed, FetchFor::beside);
 }
 
+void ArchiveController::fetchFrom(const QString& from, const net::FoundStudy& study) {
+    readSources();  // a link may mean one that was set up since
+    fetch({.study = study, .archive = from.toStdString(), .folder = {}, .isWhole = false}, FetchFor::show);
+}
+
 // From the archive that named it: a UID means nothing to another one.
 void ArchiveController::fetch(const study::ListedStudy& listed, FetchFor purpose) {
     if (!sources_) return;
     auto way = wayTo(*sources_, QString::fromStdString(listed.archive));
-    if (!way) return panel_->setRemark(inWindowsLanguage(way.error()));
+    if (!way) return context_.notifications.fail(way.error());
     if (purpose == FetchFor::show) {
         look_.cancel();
         coming_ = {.studyInstanceUid = listed.study.studyInstanceUid,

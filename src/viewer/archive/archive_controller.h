@@ -53,6 +53,8 @@ class ArchiveController : public QObject {
         opensBeside_ = std::move(opens);
     }
     void addAction(QMenu& file);
+    // Fetches a study that the archive of this name has, and opens it as it comes.
+    void fetchFrom(const QString& from, const net::FoundStudy& study);
     void showNames(bool shown);
     bool fetching() const { return fetcher_->running(); }
     void onStudyShown();
@@ -71,6 +73,7 @@ class ArchiveController : public QObject {
     void readSources();
     void setUp();
     void search(const net::StudyQuery& query);
+    std::vector<std::filesystem::path> foldersHere() const;
     void open(const study::ListedStudy& listed);
     void openBeside(const study::ListedStudy& listed);
     void fetch(const study::ListedStudy& listed, FetchFor purpose);

@@ -39,7 +39,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     }
     MACULA_TRY(CommandLine result, shared.read(parser, parser.positionalArguments()));
     result.calibrates = parser.isSet(calibrate);
-    if (result.calibrates && result.folder)
+    if (result.calibrates && (result.folder || result.link))
         return shared.usage(QStringLiteral("--calibrate measures the machine, and opens nothing."),
                             "Leave out the folder.");
     result.showsInHeadset = parser.isSet(headset);

@@ -16,6 +16,8 @@ namespace macula::viewer {
 
 struct CommandLine {
     std::optional<QString> folder;  // nothing: the phantom
+    std::optional<QString> link;    // instead of a folder; not yet understood: the window says what is wrong
+    bool isAlone = false;           // no option says how what is opened is to be shown
     QString preset;                 // empty: by modality
     QString lights;                 // empty: the default
     QString device;

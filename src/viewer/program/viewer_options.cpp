@@ -2,9 +2,11 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <QUrl>
 
 #include "pipeline/trace/settings.h"
 #include "scene/camera/view_directions.h"
+#include "study/link/link_text.h"
 #include "viewer/keys/keys.h"
 #include "viewer/theme/theme.h"
 
@@ -43,7 +45,8 @@ void ViewerOptions::addTo(QCommandLineParser& parser) const {
     parser.addPositionalArgument(
         QStringLiteral("FOLDER"),
         QStringLiteral("A folder with DICOM files, or a file: one of its images, its "
-                       "DICOMDIR, or NIfTI, NRRD or MetaImage."),
+                       "DICOMDIR, an imaging manifest, or NIfTI, NRRD or MetaImage; or a link, "
+                       "macula://open?study=UID."),
         QStringLiteral("[FOLDER]"));
     parser.addOptions({preset_, lights_, view_, device_, size_, layout_, language_, highContrast_, fontScale_,
                        samples_, noModel_, sessions_, noSession_, keepDays_});
@@ -63,6 +66,18 @@ std::optional<QString> ViewerOptions::textAskedFor(const QCommandLineParser& par
 Error ViewerOptions::usage(const QString& message, const QString& hint) const {
     const QString next = hint.isEmpty() ? QStringLiteral("Run %1 --help.").arg(program_) : hint;
     return {ErrorCode::usage, Text::verbatim(message.toStdString()), {}, Text::verbatim(next.toStdString())};
+}
+
+// Desktops pass files as addresses where a program takes links too.
+Result<QString> ViewerOptions::pathOf(const QString& given) const {
+    if (!given.startsWith(QLatin1String("file:"), Qt::CaseInsensitive)) return given;
+    const QUrl address(given, QUrl::StrictMode);
+    const bool isHere = address.host().isEmpty() || address.host() == QLatin1String("localhost");
+    if (!address.isValid() || !isHere || !address.path().startsWith(QLatin1Char('/')) || address.hasQuery() ||
+        address.hasFragment())
+        return usage(QStringLiteral("The address of a file is none of this machine."),
+                     "Give the path of the folder or file.");
+    return address.path(QUrl::FullyDecoded);
 }
 
 Result<QSize> ViewerOptions::parseSize(const QString& text) const {
@@ -87,8 +102,14 @@ Result<int> ViewerOptions::parseDays(const QString& source, const QString& text)
 
 Result<CommandLine> ViewerOptions::read(const QCommandLineParser& parser, const QStringList& folders) const {
     CommandLine result;
-    if (folders.size() > 1) return usage(QStringLiteral("Only one folder can be opened at a time."));
-    if (!folders.isEmpty()) result.folder = folders.front();
+    if (folders.size() > 1) return usage(QStringLiteral("Only one folder or link can be opened at a time."));
+    if (!folders.isEmpty() && study::isLink(folders.front().toStdString())) {
+        if (user_ == User::script) return usage(QStringLiteral("A script opens no links."), "Give a folder.");
+        result.link = folders.front();
+    } else if (!folders.isEmpty()) {
+        MACULA_TRY(result.folder, pathOf(folders.front()));
+    }
+    result.isAlone = parser.optionNames().isEmpty();
     result.preset = parser.value(preset_);
     result.lights = parser.value(lights_);
     result.device = parser.value(device_);

@@ -23,7 +23,7 @@ class ViewerOptions {
     void addTo(QCommandLineParser& parser) const;
     // The text that --help or --version asks for.
     std::optional<QString> textAskedFor(const QCommandLineParser& parser) const;
-    // `folders` are the arguments that are no options. Fails with usage.
+    // `folders` are the arguments that are no options: paths, or a link. Fails with usage.
     Result<CommandLine> read(const QCommandLineParser& parser, const QStringList& folders) const;
     // What is told in the terminal, in English. Without a hint it points to --help.
     Error usage(const QString& message, const QString& hint = {}) const;
@@ -31,6 +31,7 @@ class ViewerOptions {
   private:
     Result<void> readPanes(const QCommandLineParser& parser, CommandLine& result) const;
     Result<void> readSessions(const QCommandLineParser& parser, CommandLine& result) const;
+    Result<QString> pathOf(const QString& given) const;
     Result<QSize> parseSize(const QString& text) const;
     Result<int> parseDays(const QString& source, const QString& text) const;
 

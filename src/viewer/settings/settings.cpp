@@ -1,5 +1,6 @@
 #include "viewer/settings/settings.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QStandardPaths>
 #include <cmath>
@@ -56,6 +57,14 @@ class Members {
             if (text->isString()) texts.insert(text.key(), text->toString());
         return texts;
     }
+    QStringList list(const QString& name, std::size_t most) {
+        QStringList texts;
+        for (const QJsonValue& value : object_.take(name).toArray()) {
+            if (value.isString() && !texts.contains(value.toString()) && std::size_t(texts.size()) < most)
+                texts.append(value.toString());
+        }
+        return texts;
+    }
     QJsonObject rest() const { return object_; }
 
   private:
@@ -95,6 +104,7 @@ Result<Settings> settingsFromJson(const std::string& text) {
     settings.showsNames = members.flag(QStringLiteral("showsNames"), settings.showsNames);
     settings.keys = members.texts(QStringLiteral("keys"));
     settings.folders = members.texts(QStringLiteral("folders"));
+    settings.watchedFolders = members.list(QStringLiteral("watchedFolders"), kMostWatchedFolders);
     settings.windowPlace = members.text(QStringLiteral("windowPlace"), {});
     settings.priors = priorSearchOf(members.text(QStringLiteral("priors"), {}));
     settings.archiveColumns = members.text(QStringLiteral("archiveColumns"), {});
@@ -124,6 +134,8 @@ std::string toJson(const Settings& settings) {
     };
     write(QStringLiteral("keys"), settings.keys);
     write(QStringLiteral("folders"), settings.folders);
+    if (!settings.watchedFolders.isEmpty())
+        object[QStringLiteral("watchedFolders")] = QJsonArray::fromStringList(settings.watchedFolders);
     if (!settings.windowPlace.isEmpty()) object[QStringLiteral("windowPlace")] = settings.windowPlace;
     return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
 }
@@ -144,6 +156,11 @@ Settings withChanges(Settings stored, const Settings& before, const Settings& af
     take(&Settings::windowPlace);
     take(&Settings::priors);
     take(&Settings::archiveColumns);
+    for (const QString& folder : before.watchedFolders)
+        if (!after.watchedFolders.contains(folder)) stored.watchedFolders.removeAll(folder);
+    for (const QString& folder : after.watchedFolders)
+        if (!before.watchedFolders.contains(folder) && !stored.watchedFolders.contains(folder))
+            stored.watchedFolders.append(folder);
     for (auto field : {&Settings::keys, &Settings::folders}) {
         const QMap<QString, QString>& old = before.*field;
         const QMap<QString, QString>& now = after.*field;

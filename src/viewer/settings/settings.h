@@ -4,6 +4,8 @@
 #include <QJsonObject>
 #include <QMap>
 #include <QString>
+#include <QStringList>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 
@@ -15,6 +17,7 @@ namespace macula::viewer {
 inline constexpr int kMostKeptDays = 36500;
 inline constexpr int kLeastModelCapMb = 100;
 inline constexpr int kMostModelCapMb = 1'000'000;
+inline constexpr std::size_t kMostWatchedFolders = 16;
 
 // What the window does about other studies of the patient whose study came from an archive.
 enum class PriorSearch { none, list, fetch };
@@ -32,6 +35,7 @@ struct Settings {
     bool showsNames = true;      // over the picture, when the window opens
     QMap<QString, QString> keys = {};     // chosen keys: see KeyBook
     QMap<QString, QString> folders = {};  // see LastFolders
+    QStringList watchedFolders = {};      // see WatchController
     QString windowPlace = {};             // see WindowPlace; empty: the default
     PriorSearch priors = PriorSearch::list;
     QString archiveColumns = {};  // of the list of studies, see ArchivePanel; empty: the default

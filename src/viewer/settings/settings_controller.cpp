@@ -60,6 +60,12 @@ void SettingsController::keepArchiveColumns(const QString& columns) {
     take(settings);
 }
 
+void SettingsController::keepWatched(const QStringList& folders) {
+    Settings settings = settings_;
+    settings.watchedFolders = folders;
+    take(settings);
+}
+
 void SettingsController::take(const Settings& settings) {
     const Settings before = std::exchange(settings_, settings);
     if (settings == before) return;

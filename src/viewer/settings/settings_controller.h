@@ -29,6 +29,7 @@ class SettingsController : public QObject {
     void keepFolders(const QMap<QString, QString>& folders);
     void keepWindowPlace(const QString& place);
     void keepArchiveColumns(const QString& columns);
+    void keepWatched(const QStringList& folders);
 
     QAction* addAction(QMenu& edit);
     // Gives the actions of the window the keys that a person chose. Call it once, when all actions exist and

@@ -1,10 +1,14 @@
 #include "viewer/volume/study_loader.h"
 
 #include <chrono>
+#include <system_error>
 #include <utility>
 
+#include "dicom/manifest/imaging_manifest.h"
+#include "formats/volume_file.h"
 #include "study/open/found_volumes.h"
 #include "viewer/jobs/newest_posted.h"
+#include "viewer/jobs/post.h"
 #include "viewer/language/window_language.h"
 
 namespace macula::viewer {
@@ -22,6 +26,14 @@ Result<study::OpenedStudy> completed(Result<study::OpenedStudy> study,
     return study;
 }
 
+// Looked at before its folder is: that of a manifest may be one of downloads, and large.
+bool isManifest(const std::filesystem::path& path) {
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(path, failure) || formats::isVolumeFileName(path)) return false;
+    const dicom::HeaderFile file = dicom::readHeader(path);
+    return file.header && dicom::isImagingManifest(*file.header);
+}
+
 }  // namespace
 
 StudyLoader::StudyLoader(QObject* parent)
@@ -34,8 +46,15 @@ StudyLoader::StudyLoader(QObject* parent)
 
 void StudyLoader::open(study::StudySource source, bool join) {
     source_ = source;
-    job_.start([source = std::move(source), join, keeper = keeper_, prepare = prepare_,
-                tells = tellsOf(++opening_)](Progress& progress) {
+    job_.start([this, source = std::move(source), join, keeper = keeper_, prepare = prepare_,
+                tells = tellsOf(++opening_),
+                opening = opening_](Progress& progress) -> Result<study::OpenedStudy> {
+        if (source && isManifest(*source)) {
+            post(this, [this, opening, path = QString::fromStdString(source->string())] {
+                if (opening == opening_ && loading()) Q_EMIT foundManifest(path);
+            });
+            return Error{ErrorCode::cancelled, Text("Loading was cancelled."), {}, {}};
+        }
         return completed(study::openStudy(source, progress, {.join = join, .foundSoFar = tells}), keeper,
                          prepare);
     });

@@ -44,6 +44,8 @@ class StudyLoader : public QObject {
     void found(std::shared_ptr<const macula::study::FoundVolumes> found);
     void loaded(const macula::study::OpenedStudy& study);
     void askedToJoin(const QString& path, const QString& question);  // open(path, true) is yes
+    // The file that was to be opened is an imaging manifest; `cancelled` follows.
+    void foundManifest(const QString& path);
     void failed(const macula::Error& error);
     void cancelled();
 

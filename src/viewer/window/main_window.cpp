@@ -21,6 +21,8 @@
 #include "viewer/keys/focus_order.h"
 #include "viewer/keys/keys.h"
 #include "viewer/lights/lights_controller.h"
+#include "viewer/links/links_controller.h"
+#include "viewer/links/manifests_controller.h"
 #include "viewer/look/look_controller.h"
 #include "viewer/look/view3d_controller.h"
 #include "viewer/output/models_controller.h"
@@ -45,6 +47,7 @@
 #include "viewer/status/status_widgets.h"
 #include "viewer/transfer/transfer_function_editor.h"
 #include "viewer/volume/table_controller.h"
+#include "viewer/watch/arrival_bar.h"
 
 namespace macula::viewer {
 
@@ -125,11 +128,14 @@ void MainWindow::makeStudy() {
     viewport_->setTools({&clips_->scissors(), &lights_->tool(), &clips_->handles()});
     pick_ = new PickController(context_, clips_->scissors());
 
+    watch_ = new WatchController(context_, *opening_, options_.settings.watchedFolders, options_.watchPace);
+
     auto* centre = new QWidget(this);
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(&panes_->grid(), 1);
+    column->addWidget(&watch_->bar());
     column->addWidget(&notes_->bar());
     column->addWidget(&notifications_->bar());
     setCentralWidget(centre);
@@ -156,6 +162,8 @@ void MainWindow::makePanels() {
         panels_->add(Qt::LeftDockWidgetArea, &archive_->panel(), tr("Archive"), "archive-panel");
     archive_->setShownAction(*archive->toggleViewAction());
     panels_->sharePlace(studies, archive);
+    links_ = new LinksController(context_, *archive_);
+    manifests_ = new ManifestsController(context_, *opening_);
     QDockWidget* first = panels_->add(kRight, transfer_, tr("Transfer Function"), "transfer-panel", key(1));
     QDockWidget* second = panels_->add(kRight, clips_->makePanel(), tr("Clip"), "clip-panel", key(2));
     clips_->setDock(*second);
@@ -204,6 +212,7 @@ void MainWindow::connectSettings() {
     const auto endDrag = [this] { viewport_->window().endDrag(); };
     connect(files_, &FileDialogs::aboutToOpen, this, endDrag);
     connect(files_, &FileDialogs::foldersChanged, settings_, &SettingsController::keepFolders);
+    connect(watch_, &WatchController::foldersChanged, settings_, &SettingsController::keepWatched);
     connect(settings_, &SettingsController::aboutToAsk, this, endDrag);
     connect(settings_, &SettingsController::namesToggled, this,
             [this](bool shown) { showNames(options_.namesPatient && shown); });
@@ -217,6 +226,7 @@ void MainWindow::connectStudy() {
     connect(this, &MainWindow::studyShown, archive_, &ArchiveController::onStudyShown);
     connect(this, &MainWindow::studyShown, movies_, &MoviesController::onStudyShown);
     connect(this, &MainWindow::studyShown, presentations_, &PresentationsController::onStudyShown);
+    connect(this, &MainWindow::studyShown, manifests_, &ManifestsController::onStudyShown);
     connect(headset_, &HeadsetController::ended, this, &MainWindow::headsetEnded);
     if (options_.showsInHeadset)
         connect(this, &MainWindow::studyShown, headset_, &HeadsetController::begin, Qt::SingleShotConnection);

@@ -23,6 +23,7 @@
 #include "viewer/volume/opening_controller.h"
 #include "viewer/volume/shown_volume.h"
 #include "viewer/volume/state_controller.h"
+#include "viewer/watch/watch_controller.h"
 #include "viewer/window/status_controller.h"
 
 namespace macula::viewer {
@@ -32,7 +33,9 @@ class BrowserController;
 class ClipsController;
 class HeadsetController;
 class LightsController;
+class LinksController;
 class LookController;
+class ManifestsController;
 class MeasurementsController;
 class ModelsController;
 class MoviesController;
@@ -78,6 +81,7 @@ struct MainWindowOptions {
     Settings settings = {};
     std::optional<std::filesystem::path> settingsFile = {};  // where to keep them; nothing: not kept
     bool showsInHeadset = false;                             // shows the first study in a headset
+    WatchPace watchPace = {};
 };
 
 // Lists the features: each has a controller, which owns its actions, panels and jobs. The window places them,
@@ -91,6 +95,8 @@ class MainWindow : public QMainWindow {
     ~MainWindow() override;  // waits until learnt models are saved
 
     void open(study::StudySource source) { opening_->open(std::move(source)); }
+    // Asks first; see LinksController.
+    void openLink(const QString& link);
     // open() ends with this when it succeeds.
     void showStudy(const study::OpenedStudy& study);
     void cancelLoading() { opening_->loader().cancel(); }
@@ -186,6 +192,8 @@ class MainWindow : public QMainWindow {
     TransferFunctionEditor* transfer_ = nullptr;
     SegmentationsController* segmentations_ = nullptr;
     ArchiveController* archive_ = nullptr;
+    LinksController* links_ = nullptr;
+    ManifestsController* manifests_ = nullptr;
     BrowserController* browser_ = nullptr;
     SecondVolumeController* second_ = nullptr;
     QualityController* quality_ = nullptr;
@@ -199,6 +207,7 @@ class MainWindow : public QMainWindow {
     LookController* look_ = nullptr;
     View3dController* view3d_ = nullptr;
     StatusController* status_ = nullptr;
+    WatchController* watch_ = nullptr;
     QuitController* quit_ = nullptr;
     QAction* names_ = nullptr;
 };

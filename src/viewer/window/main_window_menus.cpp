@@ -13,6 +13,8 @@
 #include "viewer/headset/headset_controller.h"
 #include "viewer/keys/keys.h"
 #include "viewer/lights/lights_controller.h"
+#include "viewer/links/links_controller.h"
+#include "viewer/links/manifests_controller.h"
 #include "viewer/look/look_controller.h"
 #include "viewer/look/view3d_controller.h"
 #include "viewer/output/models_controller.h"
@@ -55,6 +57,7 @@ void MainWindow::makeFileMenu() {
     opening_->addActions(*file);
     archive_->addAction(*file);
     file->addMenu(&browser_->recent());
+    watch_->addMenu(*file);
     opening_->addPhantomAction(*file);
     second_->addFileActions(*file);
     file->addSeparator();
@@ -118,8 +121,9 @@ void MainWindow::makeToolBar() {
 }
 
 void MainWindow::makeStatusBar() {
-    for (WorkBar* bar : {opening_->bar(), archive_->bar(), table_->bar(), segmentations_->bar(),
-                         pictures_->bar(), movies_->bar(), models_->bar(), quality_->bar(), clips_->bar()})
+    for (WorkBar* bar : {opening_->bar(), archive_->bar(), links_->bar(), manifests_->bar(), table_->bar(),
+                         segmentations_->bar(), pictures_->bar(), movies_->bar(), models_->bar(),
+                         quality_->bar(), clips_->bar()})
         statusBar()->addWidget(bar);
     status_->addTo(*statusBar());
 }

@@ -13,6 +13,7 @@
 #include "viewer/clip/voxel_cutting.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
+#include "viewer/links/links_controller.h"
 #include "viewer/look/view3d_controller.h"
 #include "viewer/pick/pick_controller.h"
 #include "viewer/quality/quality_controller.h"
@@ -68,9 +69,18 @@ void MainWindow::showNames(bool shown) {
     panes_->showNames(shown);
     browser_->showNames(shown);
     archive_->showNames(shown);
+    links_->showNames(shown);
+    watch_->showNames(shown);
     segmentations_->panel().showNames(shown);
     names_->setChecked(shown);
     status_->showTexts();
+}
+
+void MainWindow::openLink(const QString& link) {
+    if (isMinimized()) setWindowState(windowState() & ~Qt::WindowMinimized);
+    raise();
+    activateWindow();
+    links_->open(link);
 }
 
 // Letters of tools are shortcuts of the window, but not in a list.
