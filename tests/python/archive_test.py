@@ -100,7 +100,7 @@ class Fetches(WithFolder):
                     waits.clear()
                     met.wait()
 
-            with archive() as at:
+            with archive("orthanc") as at:  # dcmqrscp sends to one after the other
                 came.append(at.fetch(UID, self.folder / name, arrived=meet).kept)
 
         threads = [threading.Thread(target=fetch, args=(name,)) for name in "ab"]
