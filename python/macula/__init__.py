@@ -6,6 +6,7 @@
     view.set_preset("cinematic-bone")
     view.draw(640, 480).save("bone.png")
     live = view.live(store="MODELS")  # frame by frame, with a model that is trained and kept
+    archive = macula.Archive("Hospital")  # a PACS that is set up: find, fetch, send
 
 NOT FOR PRIMARY DIAGNOSIS. Lengths are millimetres in the patient's LPS: +x to the patient's left, +y to posterior, +z
 to superior. Show the notes of studies and pictures to whoever sees them. Objects are used by one thread at a time: what
@@ -22,85 +23,18 @@ import pathlib
 import threading
 
 from . import _interface, _png
+from ._archive import Archive, Fetched, Found, Refusal, Sent, archives
+from ._calls import Error, Watch as _Watch, check as _check, library as _library, texts as _texts
 from ._handle import Handle as _Handle, bytes_of as _bytes, is_heard as _is_heard, numbers as _numbers, whole as _whole
 
-__all__ = ["Device", "Error", "Frame", "Live", "Model", "Picture", "Study", "View", "built_in", "log_to", "names",
-           "open", "study_of", "version"]
+__all__ = ["Archive", "Device", "Error", "Fetched", "Found", "Frame", "Live", "Model", "Picture", "Refusal", "Sent",
+           "Study", "View", "archives", "built_in", "log_to", "names", "open", "study_of", "version"]
 
-_library = _interface.load()
-_CANCELLED = 5
 _TYPES = {"b": 1, "B": 2, "h": 3, "H": 4, "i": 5, "I": 6, "f": 7, "d": 8}  # MACULA_INT8 ...
 _UNITS = {None: 0, "HU": 1}
 _KINDS = {"presets": 0, "clips": 1, "lights": 2, "looks": 3, "qualities": 4}
 _DENOISE = {None: 0, True: 1, False: 2}
 _MOST = 2 ** 32 - 1
-
-
-class Error(RuntimeError):
-    """What Macula could not do: `message` and `advice` for a person; `place`, which may name a patient, is in neither
-    of them and belongs in no log."""
-
-    def __init__(self, status, message, advice, place):
-        super().__init__(f"{message} {advice}".strip())
-        self.status, self.message, self.advice, self.place = status, message, advice, place
-
-    def __reduce__(self):  # it goes from process to process
-        return Error, (self.status, self.message, self.advice, self.place)
-
-    @property
-    def is_cancelled(self):
-        return self.status == _CANCELLED
-
-
-def _check(status):
-    if status == 0:
-        return
-    error = _interface.ErrorStruct()
-    _library.macula_last_error(error)
-    raise Error(error.status, *((text or b"").decode("utf-8", "replace")
-                                for text in (error.message, error.advice, error.place)))
-
-
-def _texts(told, handle):
-    texts = []
-    while (text := told(handle, len(texts))) is not None:
-        texts.append(text.decode("utf-8", "replace"))
-    return texts
-
-
-class _Watch:
-    """Hands progress to a function of Python, which cancels by returning True. What it raises, Ctrl-C too, cancels, and
-    is raised again once Macula has come back."""
-
-    def __init__(self, listener):
-        self._listener, self._raised = listener, None
-        self._told = _interface.Told(self._hear)  # must live as long as the call
-        self.progress = _interface.Progress(told=self._told)
-
-    def _hear(self, _user, stage, fraction):
-        try:
-            stops = self._listener is not None and self._listener(stage.decode("utf-8", "replace"), fraction)
-            return 1 if stops else 0
-        except BaseException as raised:  # nothing may go through C
-            self._raised = raised
-            return 1
-
-    def check(self, status):
-        raised, self._raised = self._raised, None
-        if raised is not None:
-            raise raised
-        _check(status)
-
-    def made(self, status, kind, handle, close):
-        """What a call has opened, which is closed where a listener has raised meanwhile."""
-        opened = kind(handle, close) if handle else None
-        try:
-            self.check(status)
-        except BaseException:
-            if opened is not None:
-                opened.close()
-            raise
-        return opened
 
 
 def version():

@@ -34,6 +34,21 @@ def whole(value, most, what):
     return number
 
 
+class _AtOnce:
+    """A lock that nobody waits for."""
+
+    def __init__(self, lock):
+        self._lock = lock
+
+    def __enter__(self):
+        if not self._lock.acquire(blocking=False):
+            raise ValueError("It is in use by another thread. Make one for each, and call nothing of Macula from "
+                             "functions that hear of progress.")
+
+    def __exit__(self, *_raised):
+        self._lock.release()
+
+
 class Handle:
     """What is closed once."""
 
@@ -54,13 +69,13 @@ class Handle:
         return self._handle
 
     @contextlib.contextmanager
-    def _held(self):
+    def _held(self, waits=True):
         """The handle, from a call to what there is to know of what it made: that must not be of another call. Where it
-        is closed meanwhile, that waits."""
+        is closed meanwhile, that waits. Without `waits`, it is an error that another thread has it."""
         if self._user == threading.get_ident():
             raise ValueError("It is in use. Functions that hear of progress must not call Macula.")
         try:
-            with self._in_use:
+            with self._in_use if waits else _AtOnce(self._in_use):
                 self._user = threading.get_ident()
                 try:
                     yield self._open()

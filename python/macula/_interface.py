@@ -46,6 +46,42 @@ class Volume(Sized):
                 ("is_uncalibrated", c_int32), ("reserved", c_int32)]
 
 
+class Secrets(Sized):
+    _fields_ = [("size", c_uint32), ("reserved", c_uint32), ("password", c_char_p), ("token", c_char_p),
+                ("key_passphrase", c_char_p)]
+
+
+class Query(Sized):
+    _fields_ = [("size", c_uint32), ("most_answers", c_uint32), ("patient_name", c_char_p), ("patient_id", c_char_p),
+                ("patient_birth_date", c_char_p), ("accession_number", c_char_p), ("study_id", c_char_p),
+                ("study_uid", c_char_p), ("date_from", c_char_p), ("date_to", c_char_p), ("modality", c_char_p),
+                ("description", c_char_p), ("referring_physician", c_char_p)]
+
+
+Arrived = CFUNCTYPE(c_int32, c_void_p, c_char_p, c_uint64, c_uint64)
+
+
+class Fetch(Sized):
+    _fields_ = [("size", c_uint32), ("series_count", c_uint32), ("study_uid", c_char_p),
+                ("series_uids", POINTER(c_char_p)), ("into", c_char_p), ("arrived", Arrived), ("user", c_void_p)]
+
+
+class Fetched(Sized):
+    _fields_ = [("size", c_uint32), ("is_complete", c_int32), ("folder", c_char_p), ("promised", c_uint64),
+                ("kept", c_uint64), ("had_already", c_uint64), ("refused", c_uint64), ("never", c_uint64),
+                ("bytes", c_uint64)]
+
+
+class Sent(Sized):
+    _fields_ = [("size", c_uint32), ("reserved", c_uint32), ("files", c_uint64), ("stored", c_uint64),
+                ("refused", c_uint64)]
+
+
+class Refusal(Sized):
+    _fields_ = [("size", c_uint32), ("reserved", c_uint32), ("file", c_char_p), ("why", c_char_p),
+                ("advice", c_char_p)]
+
+
 class Camera(Sized):
     _fields_ = [("size", c_uint32), ("reserved", c_uint32), ("position_mm", c_double * 3), ("target_mm", c_double * 3),
                 ("up", c_double * 3), ("vertical_fov_deg", c_double), ("parallel_height_mm", c_double)]
@@ -107,6 +143,16 @@ LogLine = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
 # Those with a status first: what they return is checked. A handle is a void pointer.
 _STATUS = {
     "macula_last_error": [POINTER(ErrorStruct)],
+    "macula_cancel_create": [POINTER(c_void_p)],
+    "macula_archives": [POINTER(c_char_p)],
+    "macula_archive_open": [c_char_p, POINTER(Secrets), POINTER(c_void_p)],
+    "macula_archive_of_json": [c_char_p, POINTER(Secrets), POINTER(c_void_p)],
+    "macula_archive_test": [c_void_p, POINTER(Progress), POINTER(c_char_p)],
+    "macula_archive_find": [c_void_p, POINTER(Query), POINTER(Progress), POINTER(c_char_p)],
+    "macula_archive_series": [c_void_p, c_char_p, POINTER(Progress), POINTER(c_char_p)],
+    "macula_archive_fetch": [c_void_p, POINTER(Fetch), POINTER(Progress), POINTER(Fetched)],
+    "macula_archive_send": [c_void_p, POINTER(c_char_p), c_uint32, POINTER(Progress), POINTER(Sent)],
+    "macula_archive_refusal": [c_void_p, c_uint32, POINTER(Refusal)],
     "macula_study_open": [c_char_p, POINTER(Open), POINTER(Progress), POINTER(c_void_p)],
     "macula_study_of_voxels": [POINTER(Voxels), POINTER(Progress), POINTER(c_void_p)],
     "macula_study_choose": [c_void_p, c_uint32, POINTER(Progress)],
@@ -143,6 +189,10 @@ _STATUS = {
 }
 _OTHERS = {
     "macula_version": (c_char_p, []),
+    "macula_cancel_now": (None, [c_void_p]),
+    "macula_cancel_close": (None, [c_void_p]),
+    "macula_archive_note": (c_char_p, [c_void_p, c_uint32]),
+    "macula_archive_close": (None, [c_void_p]),
     "macula_name": (c_char_p, [c_int32, c_uint32]),
     "macula_study_volumes": (c_uint32, [c_void_p]),
     "macula_study_title": (c_char_p, [c_void_p, c_uint32]),

@@ -18,6 +18,7 @@
 #include "c/utf8_text.h"
 #include "formats/raw_image.h"
 #include "study/open/found_volumes.h"
+#include "study/spool/spool_record.h"
 
 namespace macula::c {
 
@@ -50,6 +51,14 @@ std::string choiceOf(const study::OpenedStudy& study) {
     const int patients = study.found == nullptr ? 1 : study.found->scan().patients;
     if (patients > 1) return study.whyThisSeries.english() + " Check that it is of the patient you mean.";
     return study.volumeTitles.size() > 1 ? study.whyThisSeries.english() : std::string();
+}
+
+// A part of a study that was fetched must not pass for all of it.
+std::string doubtOf(const std::filesystem::path& path) {
+    const auto record = study::readSpoolRecord(path.has_filename() ? path : path.parent_path());
+    if (!record || record->isComplete) return {};
+    return "This study is not known to be complete: images that the archive has may be missing. Fetch it "
+           "again.";
 }
 
 // The messages about the study, and what loading assumed; nothing twice.
@@ -209,7 +218,9 @@ macula_status macula_study_open(const char* path, const macula_open* how, const 
                                     {.join = options.join != 0, .series = series, .asksWhichPatient = true}));
         const std::string choice = series.empty() ? choiceOf(opened) : std::string();
         MACULA_TRY(std::unique_ptr<macula_study> made, studyOf(std::move(opened)));
-        if (!choice.empty()) made->notes.insert(made->notes.begin(), choice);
+        const std::string doubt = source ? doubtOf(*source) : std::string();
+        for (const std::string& note : {doubt, choice})
+            if (!note.empty()) made->notes.insert(made->notes.begin(), note);
         return made;
     });
 }

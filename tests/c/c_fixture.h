@@ -13,6 +13,7 @@
 namespace macula::test {
 
 struct Close {
+    void operator()(macula_archive* handle) const { macula_archive_close(handle); }
     void operator()(macula_study* handle) const { macula_study_close(handle); }
     void operator()(macula_view* handle) const { macula_view_close(handle); }
     void operator()(macula_device* handle) const { macula_device_close(handle); }

@@ -67,7 +67,10 @@ class Interface(unittest.TestCase):
         layout = (pathlib.Path(__file__).parents[1] / "c/layout.txt").read_text().split("\n")
         promised = {name: (int(size), int(offset)) for name, size, offset in (line.split() for line in layout if line)}
         ours = {"macula_error": _interface.ErrorStruct, "macula_progress": _interface.Progress,
-                "macula_open": _interface.Open, "macula_voxels": _interface.Voxels, "macula_volume": _interface.Volume,
+                "macula_open": _interface.Open, "macula_secrets": _interface.Secrets,
+                "macula_query": _interface.Query, "macula_fetch": _interface.Fetch,
+                "macula_fetched": _interface.Fetched, "macula_sent": _interface.Sent,
+                "macula_refusal": _interface.Refusal, "macula_voxels": _interface.Voxels, "macula_volume": _interface.Volume,
                 "macula_camera": _interface.Camera, "macula_picture": _interface.Picture,
                 "macula_drawn": _interface.Drawn, "macula_live_options": _interface.LiveOptions,
                 "macula_frame": _interface.Frame, "macula_pick": _interface.Pick, "macula_picked": _interface.Picked,

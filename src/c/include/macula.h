@@ -1,6 +1,7 @@
 /* The C interface of Macula: open a study, choose how it is drawn, draw it into memory or into an image of
- * your own device, show it live, and train, keep and resume the model that the live picture is drawn with.
- * Include this file; each header that it includes has what belongs to the noun in its name.
+ * your own device, show it live, train, keep and resume the model that the live picture is drawn with, and
+ * fetch studies from archives. Include this file; each header that it includes has what belongs to the noun
+ * in its name.
  *
  * NOT FOR PRIMARY DIAGNOSIS. Macula is not a medical device: docs/risk.md.
  *
@@ -30,9 +31,10 @@
  *     and does not close those. Fork only while no call is under way and no live picture is open, because
  *     their locks would stay locked in the child.
  *   - Files are written only in the places that macula_live_open, macula_live_save and
- *     macula_live_write_model are given. Nothing is printed: the log goes to macula_log_to, or to stderr if
- *     MACULA_LOG is set in the environment. Sentences, error texts, stages and the log name no patient;
- *     titles and the `place` of an error may.
+ *     macula_live_write_model are given, and where macula_archive_fetch says. Only calls for an archive open
+ *     connections. Nothing is printed: the log goes to macula_log_to, or to stderr if MACULA_LOG is set in
+ *     the environment. Sentences, error texts, stages and the log name no patient; titles, answers of
+ *     archives, names of files and the `place` of an error may.
  *   - If Macula finds a mistake of its own, it neither goes on with a wrong picture nor ends your program:
  *     the call returns MACULA_FAULT, and the handles that it was given can only be closed. It ends the
  *     program only if it finds the mistake while something is closed or freed.
@@ -40,6 +42,7 @@
 #ifndef MACULA_H
 #define MACULA_H
 
+#include "macula/archive.h"
 #include "macula/camera.h"
 #include "macula/device.h"
 #include "macula/live.h"
