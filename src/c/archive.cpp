@@ -50,8 +50,8 @@ Result<net::Source> sourceOf(const char* text) {
 }
 
 struct Chosen {
-    net::Source source;
-    net::Secrets secrets;
+    std::string name;
+    std::unique_ptr<net::Archive> archive;
 };
 
 // Opens a handle for what `choose()` returns.
@@ -60,10 +60,10 @@ macula_status openedArchive(macula_archive** archive, const Choose& choose) {
     if (archive != nullptr) *archive = nullptr;
     return guarded([&]() -> Result<void> {
         if (archive == nullptr) return nullHandle();
-        MACULA_TRY(const Chosen chosen, choose());
+        MACULA_TRY(Chosen chosen, choose());
         auto made = std::make_unique<macula_archive>();
-        made->name = chosen.source.name;
-        MACULA_TRY(made->archive, net::archiveOf(chosen.source, chosen.secrets));
+        made->name = std::move(chosen.name);
+        made->archive = std::move(chosen.archive);
         *archive = opened(std::move(made));
         return {};
     });
@@ -93,18 +93,21 @@ macula_status macula_archives(const char** json) {
 macula_status macula_archive_open(const char* name, const macula_secrets* secrets, macula_archive** archive) {
     return openedArchive(archive, [&]() -> Result<Chosen> {
         MACULA_TRY(const net::SourceList list, net::SourceList::read(net::SourceFiles::ofUser()));
-        MACULA_TRY(net::Source source, list.find(textOrEmpty(name)));
-        MACULA_TRY(net::Secrets with, secrets == nullptr ? list.secretsOf(source) : secretsOf(secrets));
-        return Chosen{std::move(source), std::move(with)};
+        MACULA_TRY(const net::Source source, list.find(textOrEmpty(name)));
+        MACULA_TRY(const net::Secrets given, secretsOf(secrets));
+        MACULA_TRY(auto made,
+                   secrets == nullptr ? net::archiveOf(list, source) : net::archiveOf(source, given));
+        return Chosen{source.name, std::move(made)};
     });
 }
 
 macula_status macula_archive_of_json(const char* json, const macula_secrets* secrets,
                                      macula_archive** archive) {
     return openedArchive(archive, [&]() -> Result<Chosen> {
-        MACULA_TRY(net::Source source, sourceOf(json));
-        MACULA_TRY(net::Secrets with, secretsOf(secrets));
-        return Chosen{std::move(source), std::move(with)};
+        MACULA_TRY(const net::Source source, sourceOf(json));
+        MACULA_TRY(const net::Secrets given, secretsOf(secrets));
+        MACULA_TRY(auto made, net::archiveOf(source, given));
+        return Chosen{source.name, std::move(made)};
     });
 }
 
