@@ -41,6 +41,16 @@ Json jsonOf(const net::FoundSeries& series) {
             {"instanceCount", numberOrNull(series.instanceCount)}};
 }
 
+Json jsonOf(const std::vector<Message>& messages) {
+    Json list = Json::array();
+    for (const Message& message : messages) {
+        list.push_back({{"key", message.key},
+                        {"sentence", message.sentence.english()},
+                        {"action", message.action.english()}});
+    }
+    return list;
+}
+
 }  // namespace
 
 Json toJson(const net::StudyAnswers& answers) {
@@ -59,12 +69,6 @@ Json toJson(const std::vector<net::FoundSeries>& series) {
 Json toJson(const FetchedStudy& fetched) {
     Json never = Json::array();
     for (const net::FoundInstance& instance : fetched.counts.never) never.push_back(instance.sopInstanceUid);
-    Json messages = Json::array();
-    for (const Message& message : fetched.messages) {
-        messages.push_back({{"key", message.key},
-                            {"sentence", message.sentence.english()},
-                            {"action", message.action.english()}});
-    }
     return {{"folder", fetched.folder.string()},
             {"isComplete", fetched.isComplete},
             {"promised", fetched.counts.promised},
@@ -73,7 +77,17 @@ Json toJson(const FetchedStudy& fetched) {
             {"refused", fetched.counts.refused},
             {"never", std::move(never)},
             {"bytes", fetched.counts.bytes},
-            {"messages", std::move(messages)}};
+            {"messages", jsonOf(fetched.messages)}};
+}
+
+Json toJson(const ReceivedStudy& received) {
+    return {{"folder", received.folder.string()},
+            {"senders", received.senders},
+            {"kept", received.kept},
+            {"hadAlready", received.hadAlready},
+            {"refused", received.refused},
+            {"instances", received.instances},
+            {"messages", jsonOf(received.messages)}};
 }
 
 Json toJson(const net::Sent& sent) {
