@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "net/dimse/committing.h"
 #include "net/dimse/connection_test.h"
 #include "net/dimse/connector.h"
 #include "net/dimse/fetch.h"
@@ -97,6 +98,12 @@ class DimseArchive : public Archive {
     Result<Sent> send(std::span<const std::filesystem::path> files, Progress& progress) override {
         const QuietToolkit quiet;
         return Sending(connector_, files, progress).run();
+    }
+
+    Result<std::vector<Commitment>> commit(std::span<const std::filesystem::path> files,
+                                           std::chrono::seconds patience, Progress& progress) override {
+        const QuietToolkit quiet;
+        return Committing(connector_, files, patience, progress).run();
     }
 
     std::vector<TestStep> test(Progress& progress) override {

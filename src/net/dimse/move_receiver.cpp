@@ -1,12 +1,11 @@
 #include "net/dimse/move_receiver.h"
 
 #include <chrono>
-#include <map>
-#include <mutex>
 #include <utility>
 
 #include "net/dimse/acceptor.h"
 #include "net/dimse/contexts.h"
+#include "net/dimse/port_turn.h"
 #include "net/dimse/requests.h"
 #include "toolkit/quiet_toolkit.h"
 
@@ -15,17 +14,6 @@ namespace macula::net {
 namespace {
 
 constexpr std::size_t kMostAssociations = 8;
-constexpr std::chrono::milliseconds kPortSlice{50};
-
-// One mutex for each port of this machine that anybody in this process listens at.
-std::shared_ptr<std::timed_mutex> mutexOfPort(std::uint16_t port) {
-    static std::mutex mutex;
-    static std::map<std::uint16_t, std::shared_ptr<std::timed_mutex>> mutexes;
-    const std::lock_guard lock(mutex);
-    auto& found = mutexes[port];
-    if (!found) found = std::make_shared<std::timed_mutex>();
-    return found;
-}
 
 }  // namespace
 
@@ -34,15 +22,13 @@ const std::string& receiverTitle(const DimsePeer& peer) {
 }
 
 struct MoveReceiver::State {
-    State(Incoming& theIncoming, std::shared_ptr<std::timed_mutex> mutex)
-        : incoming(theIncoming), portMutex(std::move(mutex)), portLock(*portMutex, std::defer_lock) {}
+    State(Incoming& theIncoming, std::uint16_t port) : incoming(theIncoming), turn(port) {}
 
     void serve(const Acceptor::Connection& connection);
     bool receive(Association& association, const ReceivedCommand& request);
 
     Incoming& incoming;
-    std::shared_ptr<std::timed_mutex> portMutex;
-    std::unique_lock<std::timed_mutex> portLock;
+    PortTurn turn;
     std::string title;
     std::chrono::milliseconds answerTimeout{};
     std::shared_ptr<const TlsSettings> tls;
@@ -87,9 +73,8 @@ Result<std::unique_ptr<MoveReceiver>> MoveReceiver::start(const Connector& conne
                                                           std::shared_ptr<Heartbeat> heartbeat,
                                                           const CancelToken& cancel) {
     const DimsePeer& peer = connector.peer();
-    auto state = std::make_unique<State>(incoming, mutexOfPort(peer.receiverPort));
-    while (!state->portLock.try_lock_for(kPortSlice))
-        if (cancel.cancelled()) return cancelledError();
+    auto state = std::make_unique<State>(incoming, peer.receiverPort);
+    if (!state->turn.wait(cancel)) return cancelledError();
     state->title = receiverTitle(peer);
     state->answerTimeout = connector.answerTimeout();
     state->heartbeat = std::move(heartbeat);

@@ -41,6 +41,18 @@ Json jsonOf(const net::FoundSeries& series) {
             {"instanceCount", numberOrNull(series.instanceCount)}};
 }
 
+const char* wordOf(net::Commitment::State state) {
+    switch (state) {
+        case net::Commitment::State::committed:
+            return "committed";
+        case net::Commitment::State::refused:
+            return "refused";
+        case net::Commitment::State::unanswered:
+            break;
+    }
+    return "unanswered";
+}
+
 Json jsonOf(const std::vector<Message>& messages) {
     Json list = Json::array();
     for (const Message& message : messages) {
@@ -97,6 +109,16 @@ Json toJson(const net::Sent& sent) {
             {{"file", each.file.string()}, {"why", each.why.english()}, {"advice", each.advice.english()}});
     }
     return {{"stored", sent.stored}, {"notSent", std::move(notSent)}};
+}
+
+Json toJson(const std::vector<net::Commitment>& commitments) {
+    Json list = Json::array();
+    for (const net::Commitment& each : commitments)
+        list.push_back({{"file", each.file.string()},
+                        {"state", wordOf(each.state)},
+                        {"why", each.why.english()},
+                        {"advice", each.advice.english()}});
+    return list;
 }
 
 Json toJson(const std::vector<net::TestStep>& steps) {

@@ -15,6 +15,7 @@ nlohmann::ordered_json toJson(const std::vector<net::FoundSeries>& series);
 nlohmann::ordered_json toJson(const FetchedStudy& fetched);
 nlohmann::ordered_json toJson(const ReceivedStudy& received);
 nlohmann::ordered_json toJson(const net::Sent& sent);
+nlohmann::ordered_json toJson(const std::vector<net::Commitment>& commitments);
 nlohmann::ordered_json toJson(const std::vector<net::TestStep>& steps);
 
 }  // namespace macula::study

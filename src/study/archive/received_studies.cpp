@@ -115,7 +115,7 @@ Result<Verdict> ReceivedStudies::take(const fs::path& file, const net::InstanceK
         MACULA_TRY(const std::shared_ptr<Arriving> arriving, arrivingOf(found.studyInstanceUid));
         const std::lock_guard lock(arriving->mutex);
         if (arriving->isFinished) continue;
-        MACULA_TRY_VOID(open(*arriving));
+        MACULA_TRY_VOID(open(*arriving, sender));
         MACULA_TRY(const Verdict verdict, arriving->study->keep(file, found));
         switch (verdict) {
             case Verdict::kept:
@@ -128,7 +128,8 @@ Result<Verdict> ReceivedStudies::take(const fs::path& file, const net::InstanceK
                 ++arriving->refused;
                 break;
         }
-        if (arriving->senders.size() < kMostSenders) arriving->senders.insert(sender);
+        if (verdict != Verdict::refused && arriving->senders.size() < kMostSenders)
+            arriving->senders.insert(sender);
         const std::lock_guard own(mutex_);
         arriving->last = Clock::now();
         return verdict;
@@ -155,16 +156,17 @@ Result<std::shared_ptr<ReceivedStudies::Arriving>> ReceivedStudies::arrivingOf(
     return arriving;
 }
 
-Result<void> ReceivedStudies::open(Arriving& arriving) {
+Result<void> ReceivedStudies::open(Arriving& arriving, const std::string& sender) {
     if (arriving.study) return {};
     MACULA_TRY(std::unique_ptr<SpooledStudy> study, spool_.study(arriving.studyInstanceUid));
     MACULA_TRY_VOID(spool_.purge());
     auto before = readSpoolRecord(study->folder());
     if (before && before->studyInstanceUid == arriving.studyInstanceUid) {
         arriving.record = *std::move(before);
-        arriving.senders.insert(arriving.record.senders.begin(), arriving.record.senders.end());
+        arriving.senders = {arriving.record.senders.begin(), arriving.record.senders.end()};
     } else {
-        arriving.record = {.studyInstanceUid = arriving.studyInstanceUid, .fetchedAt = timeOfRecord()};
+        arriving.record = {
+            .studyInstanceUid = arriving.studyInstanceUid, .senders = {sender}, .fetchedAt = timeOfRecord()};
         MACULA_TRY_VOID(writeSpoolRecord(study->folder(), arriving.record));  // should the program be killed
     }
     arriving.study = std::move(study);

@@ -43,7 +43,7 @@ struct ReceivedStudy {
 // an archive has promised of it stays there. Thread-safe.
 class ReceivedStudies : public net::Reception {
   public:
-    // The spool outlives it, and nobody else uses it meanwhile. Fails with outputNotWritable.
+    // The spool outlives it. Fails with outputNotWritable.
     static Result<std::unique_ptr<ReceivedStudies>> into(Spool& spool, const ReceptionLimits& limits = {});
     ~ReceivedStudies() override;
 
@@ -69,7 +69,7 @@ class ReceivedStudies : public net::Reception {
     Result<net::Receiver::Verdict> take(const std::filesystem::path& file, const net::InstanceKey& promised,
                                         const std::string& sender);
     Result<std::shared_ptr<Arriving>> arrivingOf(const std::string& studyInstanceUid);
-    Result<void> open(Arriving& arriving);
+    Result<void> open(Arriving& arriving, const std::string& sender);
     void finish(const std::shared_ptr<Arriving>& arriving);
     void finishOldest();
     std::vector<std::shared_ptr<Arriving>> quietSince(Clock::time_point time) const;
