@@ -87,7 +87,9 @@ TEST(HostileToProvider, MoreAssociationsInAWhileThanAllowedAreRejected) {
     for (int i = 0; i < 5; ++i) {
         ProviderCaller caller(provider.port());
         EXPECT_EQ(caller.associates(), i < 3);
-        if (i >= 3) EXPECT_EQ(caller->rejection(), (Rejected{2, 3, 1}));
+        if (i >= 3) {
+            EXPECT_EQ(caller->rejection(), (Rejected{2, 3, 1}));
+        }
     }
     expectTurnedAway(provider, Why::tooOften);
 }
@@ -189,9 +191,8 @@ TEST(HostileToProvider, WhatIsNoDicomDoesNoHarm) {
     ProviderCaller(provider.port())->sendPdu(1, Bytes(3, 0));
     ProviderCaller(provider.port())->sendPdu(4, Bytes(8, 0));
     // Fragments whose length is more, or less, than what is there, or that are of no context.
-    for (const Bytes& body :
-         {Bytes{0, 0, 0xff, 0xff, 1, 2, 0}, Bytes{0, 0, 0, 1, 1}, Bytes{0xff, 0xff, 0xff, 0xff},
-          Bytes{0, 0, 0, 4, 99, 3, 0, 0}, Bytes{0, 0, 0, 2, 1, 2}}) {
+    for (const Bytes& body : {Bytes{0, 0, 0xff, 0xff, 1, 2, 0}, Bytes{0, 0, 0, 1, 1},
+                              Bytes{0xff, 0xff, 0xff, 0xff}, Bytes{0, 0, 0, 4, 99, 3, 0, 0}}) {
         ProviderCaller caller(provider.port());
         ASSERT_TRUE(caller.associates());
         caller.beginStore("2.25.1.1");

@@ -1,6 +1,7 @@
 // Who takes in what others send without being asked for it.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -13,6 +14,18 @@ namespace macula::net {
 struct Caller {
     std::string ae;
     std::string address;  // as numbers
+};
+
+// Who may call. Both must fit; one that is empty fits everybody.
+struct AdmittedCaller {
+    std::string ae;
+    std::string address;  // of IPv4 or IPv6, or a range of them: "10.1.2.3", "10.1.0.0/16", "2001:db8::/32"
+};
+
+struct AdmissionLimits {
+    std::size_t associations = 8;            // at once
+    std::size_t associationsPerSecond = 50;  // old machines make one for each image
+    std::size_t associationsPerMinute = 1500;
 };
 
 class Reception {

@@ -11,22 +11,11 @@
 #include <vector>
 
 #include "base/result.h"
+#include "net/archive/reception.h"
 #include "net/dimse/address_range.h"
 #include "net/dimse/failures.h"
 
 namespace macula::net {
-
-// Both must fit; one that is empty fits everybody.
-struct AdmittedCaller {
-    std::string ae;
-    std::string address;  // of IPv4 or IPv6, or a range of them: see AddressRange::of
-};
-
-struct AdmissionLimits {
-    std::size_t associations = 8;            // at once
-    std::size_t associationsPerSecond = 50;  // old machines make one for each image
-    std::size_t associationsPerMinute = 1500;
-};
 
 // Thread-safe.
 class Admission {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "net/dimse/acceptor.h"
+#include "net/dimse/admission.h"
 #include "net/dimse/contexts.h"
 #include "net/dimse/dimse_archive.h"
 #include "net/dimse/instance_arrival.h"

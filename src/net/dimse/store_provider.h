@@ -13,7 +13,6 @@
 #include "base/result.h"
 #include "net/archive/reception.h"
 #include "net/archive/source.h"
-#include "net/dimse/admission.h"
 
 namespace macula::net {
 
