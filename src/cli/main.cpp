@@ -22,6 +22,7 @@ void addVerbs(CLI::App& app, macula::cli::Action& action) {
     cli::addFind(app, action);
     cli::addFetch(app, action);
     cli::addSend(app, action);
+    cli::addReceive(app, action);
     cli::addXr(app, action);
 }
 

@@ -106,12 +106,24 @@ Result<void> removeArchive(const ArchiveOptions& options) {
     return {};
 }
 
+// Where a study came from, and what is known about whether all of it is there.
+std::string originOf(const study::SpoolRecord& record) {
+    const std::string senders = fmt::format("{}", fmt::join(record.senders, ", "));
+    if (record.source.empty()) return "sent by " + senders;
+    return record.source + (senders.empty() ? "" : " and sent by " + senders);
+}
+const char* remarkOn(const study::SpoolRecord& record) {
+    if (record.isComplete) return "";
+    return record.source.empty() ? "  nobody said how many there are" : "  incomplete";
+}
+
 Result<void> listFetched(const ArchiveOptions& options) {
     MACULA_TRY(const study::Spool spool, study::Spool::open());
     auto json = nlohmann::ordered_json::array();
     for (const study::SpoolEntry& entry : spool.entries()) {
         json.push_back({{"folder", entry.folder.string()},
                         {"source", entry.record.source},
+                        {"senders", entry.record.senders},
                         {"instances", entry.instances},
                         {"promised", entry.record.promised},
                         {"isComplete", entry.record.isComplete},
@@ -119,8 +131,8 @@ Result<void> listFetched(const ArchiveOptions& options) {
                         {"fetchedAt", entry.record.fetchedAt}});
         if (!options.json)
             fmt::print("{}  {}  {} images, {} MB  {}{}\n", entry.folder.string(),
-                       printable(entry.record.source), entry.instances, entry.bytes / 1'000'000,
-                       entry.record.fetchedAt, entry.record.isComplete ? "" : "  incomplete");
+                       printable(originOf(entry.record)), entry.instances, entry.bytes / 1'000'000,
+                       entry.record.fetchedAt, remarkOn(entry.record));
     }
     if (options.json) fmt::print("{}\n", jsonText(json));
     if (json.empty() && !options.json) fmt::print("Nothing has been fetched.\n");
@@ -162,7 +174,8 @@ void addPacs(CLI::App& app, Action& action) {
     addNamed(*pacs, "remove", "Forget an archive and its password", *options)->callback([options, &action] {
         action = [options] { return removeArchive(*options); };
     });
-    auto* fetched = pacs->add_subcommand("fetched", "Studies that were fetched, the latest first");
+    auto* fetched =
+        pacs->add_subcommand("fetched", "Studies that were fetched or received, the latest first");
     fetched->add_flag("--json", options->json, "Print JSON");
     fetched->callback([options, &action] { action = [options] { return listFetched(*options); }; });
 

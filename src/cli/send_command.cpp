@@ -3,8 +3,11 @@
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "base/printable.h"
 #include "base/progress_bar.h"
@@ -25,6 +28,8 @@ namespace {
 struct SendOptions : ArchiveOptions {
     std::vector<std::filesystem::path> paths;
     bool yes = false;
+    bool commit = false;
+    int commitSeconds = 60;
 };
 
 Result<void> askWhether(const study::FilesToSend& files, const SendOptions& options) {
@@ -46,23 +51,66 @@ Result<void> askWhether(const study::FilesToSend& files, const SendOptions& opti
     return Error{ErrorCode::cancelled, Text("Nothing was sent."), {}, {}};
 }
 
+std::vector<std::filesystem::path> storedOf(const study::FilesToSend& files, const net::Sent& sent) {
+    std::set<std::filesystem::path> notStored;
+    for (const net::NotSent& each : sent.notSent) notStored.insert(each.file);
+    std::vector<std::filesystem::path> stored;
+    for (const std::filesystem::path& file : files.files)
+        if (!notStored.contains(file)) stored.push_back(file);
+    return stored;
+}
+
+std::size_t committedOf(const std::vector<net::Commitment>& commitments) {
+    return static_cast<std::size_t>(std::count_if(
+        commitments.begin(), commitments.end(),
+        [](const net::Commitment& each) { return each.state == net::Commitment::State::committed; }));
+}
+
+void printForPeople(const net::Sent& sent, std::size_t count) {
+    fmt::print("{} of {} stored.\n", sent.stored, count);
+    for (const net::NotSent& each : sent.notSent)
+        printWarning(each.why.english() + " " + each.advice.english() + " (" + printable(each.file.string()) +
+                     ")");
+}
+
+void printForPeople(const std::vector<net::Commitment>& commitments) {
+    fmt::print("The archive has confirmed that it keeps {} of {}.\n", committedOf(commitments),
+               commitments.size());
+    for (const net::Commitment& each : commitments)
+        if (each.state != net::Commitment::State::committed)
+            printWarning(each.why.english() + " " + each.advice.english() + " (" +
+                         printable(each.file.string()) + ")");
+}
+
 Result<void> send(const SendOptions& options) {
     MACULA_TRY(const OpenArchive open, openArchive(options));
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const study::FilesToSend files, study::filesToSend(options.paths, progress));
     MACULA_TRY_VOID(askWhether(files, options));
     MACULA_TRY(const net::Sent sent, open.archive->send(files.files, progress));
+    if (!options.json) printForPeople(sent, files.files.size());
+    Result<std::vector<net::Commitment>> commitments = std::vector<net::Commitment>();
+    const std::vector<std::filesystem::path> stored = storedOf(files, sent);
+    const bool asks = options.commit && !stored.empty();
+    if (asks)
+        commitments = open.archive->commit(stored, std::chrono::seconds(options.commitSeconds), progress);
     if (options.json) {
-        fmt::print("{}\n", jsonText(study::toJson(sent)));
-    } else {
-        fmt::print("{} of {} stored.\n", sent.stored, files.files.size());
-        for (const net::NotSent& each : sent.notSent)
-            printWarning(each.why.english() + " " + each.advice.english() + " (" +
-                         printable(each.file.string()) + ")");
+        nlohmann::ordered_json json = study::toJson(sent);
+        if (asks && commitments) json["commitment"] = study::toJson(*commitments);
+        fmt::print("{}\n", jsonText(json));
+    } else if (asks && commitments) {
+        printForPeople(*commitments);
     }
-    if (sent.notSent.empty()) return {};
+    if (!sent.notSent.empty())
+        return Error{ErrorCode::archiveNotUsable,
+                     Text("{} files were not stored.", sent.notSent.size()),
+                     {},
+                     Text("The reasons are above.")};
+    if (!commitments) return commitments.error();
+    const std::size_t unconfirmed = commitments->size() - committedOf(*commitments);
+    if (unconfirmed == 0) return {};
     return Error{ErrorCode::archiveNotUsable,
-                 Text("{} files were not stored.", sent.notSent.size()),
+                 Text("The archive has not confirmed that it keeps {} files.", unconfirmed),
                  {},
                  Text("The reasons are above.")};
 }
@@ -76,6 +124,11 @@ void addSend(CLI::App& app, Action& action) {
     addArchive(*command, *options);
     command->add_option("PATHS", options->paths, "Files and folders")->required();
     command->add_flag("--yes", options->yes, "Do not ask");
+    command->add_flag("--commit", options->commit,
+                      "Have the archive confirm that it keeps the files (storage commitment)");
+    command->add_option("--commit-wait", options->commitSeconds, "How many seconds to wait for that")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 86400));
     command->callback([options, &action] { action = [options] { return send(*options); }; });
 }
 

@@ -143,6 +143,9 @@ bool HostileLine::requestAssociation(const std::string& calledAe, const std::str
     if (!sendPdu(1, request)) return false;
     const auto answer = receivePdu();
     contexts_[1] = {sopClassUid, transferSyntaxUid};
+    rejection_.clear();
+    if (answer && answer->first == 3 && answer->second.size() == 4)
+        rejection_ = {answer->second[1], answer->second[2], answer->second[3]};
     return answer && answer->first == 2;
 }
 

@@ -39,6 +39,8 @@ class HostileLine {
     // Asks for an association with one context (1); whether it is accepted.
     bool requestAssociation(const std::string& calledAe, const std::string& sopClassUid,
                             const std::string& transferSyntaxUid);
+    // Of the last request that was rejected: result, source and reason, as 1, 1, 7.
+    const std::vector<unsigned>& rejection() const { return rejection_; }
     // Accepts every context in its first transfer syntax.
     bool acceptAssociation();
     // The first one of that SOP class.
@@ -49,6 +51,7 @@ class HostileLine {
     bool receiveAll(unsigned char* bytes, std::size_t count);
     int socket_;
     std::string calledAe_;
+    std::vector<unsigned> rejection_;
     std::map<unsigned, std::pair<std::string, std::string>> contexts_;  // class, transfer syntax
 };
 

@@ -1,6 +1,7 @@
 // An archive: what every protocol offers.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "net/archive/commitment.h"
 #include "net/archive/query.h"
 #include "net/archive/receiver.h"
 #include "net/archive/source.h"
@@ -59,6 +61,15 @@ class Archive {
 
     // Files of PS3.10, unchanged.
     virtual Result<Sent> send(std::span<const std::filesystem::path> files, Progress& progress) = 0;
+
+    // Asks the archive to confirm that it keeps files that were stored, and waits for its reports, which may
+    // come over a connection that the archive makes to our receiver. One result for each file, in their
+    // order. Fails with archiveNotUsable where the archive does not offer it.
+    virtual Result<std::vector<Commitment>> commit(std::span<const std::filesystem::path> /*files*/,
+                                                   std::chrono::seconds /*patience*/,
+                                                   Progress& /*progress*/) {
+        return commitmentNotOffered();
+    }
 
     // Never fails: the last step says what did. Steps behind one that failed are not tried.
     virtual std::vector<TestStep> test(Progress& progress) = 0;

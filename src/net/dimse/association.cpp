@@ -13,10 +13,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <mutex>
 #include <utility>
 
+#include "base/parsing.h"
 #include "net/dimse/contexts.h"
 #include "toolkit/quiet_toolkit.h"
 
@@ -26,6 +28,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatienceForRelease{2000};
 constexpr std::chrono::milliseconds kPatienceForAbort{500};
+constexpr std::size_t kMostBytesUnread = std::size_t{256} << 10;
 constexpr int kSecondsOfToolkit = 30;  // the wire's own limits end each wait
 
 // DCMTK reads and writes here; what is on the other side is a Wire. It owns the socket that stands in for it.
@@ -299,36 +302,70 @@ class AcceptingLayer : public WireLayer {
     std::unique_lock<std::mutex>& lock_;
 };
 
-bool accepts(T_ASC_Parameters* parameters, const T_ASC_PresentationContext& context) {
-    const bool isStorage =
-        isStorageClass(context.abstractSyntax) || std::string_view(context.abstractSyntax) == kVerification;
-    for (int i = 0; isStorage && i < context.transferSyntaxCount; ++i) {
+bool offers(const Welcome& welcome, std::string_view abstractSyntax) {
+    return abstractSyntax == kVerification || welcome.offers(abstractSyntax);
+}
+
+bool accepts(const Welcome& welcome, T_ASC_Parameters* parameters, const T_ASC_PresentationContext& context) {
+    const bool isOffered = offers(welcome, context.abstractSyntax);
+    // An archive that reports storage commitment proposes to stay the provider (PS3.4 J.3.3).
+    const T_ASC_SC_ROLE role =
+        std::string_view(context.abstractSyntax) == kCommitment ? context.proposedRole : ASC_SC_ROLE_DEFAULT;
+    for (int i = 0; isOffered && i < context.transferSyntaxCount; ++i) {
         const char* syntax = context.proposedTransferSyntaxes[i];
         if (knowsTransferSyntax(syntax))
-            return ASC_acceptPresentationContext(parameters, context.presentationContextID, syntax).good();
+            return ASC_acceptPresentationContext(parameters, context.presentationContextID, syntax, role)
+                .good();
     }
     ASC_refusePresentationContext(
         parameters, context.presentationContextID,
-        isStorage ? ASC_P_TRANSFERSYNTAXESNOTSUPPORTED : ASC_P_ABSTRACTSYNTAXNOTSUPPORTED);
+        isOffered ? ASC_P_TRANSFERSYNTAXESNOTSUPPORTED : ASC_P_ABSTRACTSYNTAXNOTSUPPORTED);
     return false;
 }
 
-bool isCalled(T_ASC_Parameters* parameters, const std::string& ownAe) {
+AssociationTitles titlesOf(T_ASC_Parameters* parameters) {
     char calling[DUL_LEN_TITLE + 1] = {};
     char called[DUL_LEN_TITLE + 1] = {};
     ASC_getAPTitles(parameters, calling, sizeof calling, called, sizeof called, nullptr, 0);
-    return called == ownAe;
+    return {std::string(trimmed(calling)), std::string(trimmed(called))};
 }
 
 }  // namespace
 
-Result<std::unique_ptr<Association>> Association::accept(std::unique_ptr<Wire> wire,
-                                                         const std::string& ownAe) {
+std::optional<Rejection> unlessCalled(const AssociationTitles& titles, const std::string& ownAe) {
+    if (titles.calledAe == ownAe) return {};
+    return Rejection{.result = 1, .source = 1, .reason = 7};
+}
+
+void rejectUnread(Wire& wire, const Rejection& rejection) {
+    wire.finishWithin(kPatienceForAbort);
+    const unsigned char pdu[] = {3,
+                                 0,
+                                 0,
+                                 0,
+                                 0,
+                                 4,
+                                 0,
+                                 static_cast<unsigned char>(rejection.result),
+                                 static_cast<unsigned char>(rejection.source),
+                                 static_cast<unsigned char>(rejection.reason)};
+    if (!wire.write(pdu, sizeof pdu)) return;
+    // Closing over unread bytes would take the rejection back before the peer has read it.
+    std::array<unsigned char, 4096> unread;
+    for (std::size_t count = 0; count < kMostBytesUnread;) {
+        const std::size_t had = wire.read(unread.data(), unread.size());
+        if (had == 0) return;
+        count += had;
+    }
+}
+
+Result<std::unique_ptr<Association>> Association::accept(std::unique_ptr<Wire> wire, const Welcome& welcome) {
     const QuietToolkit quiet;
     auto toolkit = std::make_unique<Toolkit>(std::move(wire));
     const StandIn standIn;
     const int end = standIn.accepted();
     if (end < 0) return errorOfToolkit();
+    toolkit->wire->setEnd(Wire::Clock::now() + welcome.patience);
     OFCondition received;
     {
         std::unique_lock lock(externalHandleMutex());
@@ -345,31 +382,40 @@ Result<std::unique_ptr<Association>> Association::accept(std::unique_ptr<Wire> w
         if (toolkit->network != nullptr) ASC_setTransportLayer(toolkit->network, &toolkit->layer, 0);
     }
     if (received.bad()) return errorOfWire(*toolkit->wire);
+    toolkit->wire->setEnd({});
     T_ASC_Parameters* parameters = toolkit->association->params;
+    std::optional<Rejection> rejection = welcome.judge(titlesOf(parameters));
     std::size_t acceptedCount = 0;
     const int count = ASC_countPresentationContexts(parameters);
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count && !rejection; ++i) {
         T_ASC_PresentationContext context{};
-        if (ASC_getPresentationContext(parameters, i, &context).good() && accepts(parameters, context))
+        if (ASC_getPresentationContext(parameters, i, &context).good() &&
+            accepts(welcome, parameters, context))
             ++acceptedCount;
     }
+    if (!rejection && acceptedCount == 0) rejection = Rejection{};
     std::unique_ptr<Association> association(new Association(std::move(toolkit)));
-    T_ASC_Association* native = association->toolkit_->association;
-    if (!isCalled(parameters, ownAe) || acceptedCount == 0) {
-        const T_ASC_RejectParameters rejected{
-            ASC_RESULT_REJECTEDPERMANENT, ASC_SOURCE_SERVICEUSER,
-            acceptedCount == 0 ? ASC_REASON_SU_NOREASON : ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED};
-        association->wire().finishWithin(kPatienceForAbort);
-        ASC_rejectAssociation(native, &rejected);
-        association->end_ = End::broken;
+    if (rejection) {
+        association->reject(*rejection);
         return notWhatDicomSays();
     }
-    if (ASC_acknowledgeAssociation(native).bad()) {
+    if (ASC_acknowledgeAssociation(association->toolkit_->association).bad()) {
         association->end_ = End::broken;
         return errorOfWire(association->wire());
     }
     association->keepContexts();
     return association;
+}
+
+void Association::reject(const Rejection& rejection) {
+    // DCMTK's constants hold the source in their upper byte, where the code of a reason has it twice.
+    const T_ASC_RejectParameters native{
+        static_cast<T_ASC_RejectParametersResult>(rejection.result),
+        static_cast<T_ASC_RejectParametersSource>(rejection.source),
+        static_cast<T_ASC_RejectParametersReason>(rejection.source << 8 | rejection.reason)};
+    wire().finishWithin(kPatienceForAbort);
+    ASC_rejectAssociation(toolkit_->association, &native);
+    end_ = End::broken;
 }
 
 const AcceptedContext* Association::contextOf(std::uint8_t id) const {

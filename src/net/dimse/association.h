@@ -2,10 +2,14 @@
 // go one by one, so that nothing of a peer's making is ever held whole.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -33,6 +37,21 @@ struct AssociationTitles {
     std::string calledAe;
 };
 
+// How somebody is met who asks for an association.
+struct Welcome {
+    // Why it is rejected; nothing for who may come. Titles are without the blanks around them.
+    std::function<std::optional<Rejection>(const AssociationTitles&)> judge;
+    // The classes besides verification that are offered, in every transfer syntax that Macula knows.
+    std::function<bool(std::string_view abstractSyntax)> offers;
+    std::chrono::milliseconds patience{30000};  // with the whole request, however slowly it comes
+};
+
+// A rejection of who does not call `ownAe`.
+std::optional<Rejection> unlessCalled(const AssociationTitles& titles, const std::string& ownAe);
+
+// Rejects an association that nothing has been read of, and reads over a little of what comes.
+void rejectUnread(Wire& wire, const Rejection& rejection);
+
 // A fragment of a message: a part of a command, or of a dataset (PS3.8 annex E).
 struct Fragment {
     std::uint8_t context = 0;
@@ -46,8 +65,9 @@ class Association {
     static Result<std::unique_ptr<Association>> request(std::unique_ptr<Wire> wire,
                                                         const AssociationTitles& titles,
                                                         const std::vector<ProposedContext>& contexts);
-    // Takes a request for storing from somebody who calls `ownAe`, and rejects all others.
-    static Result<std::unique_ptr<Association>> accept(std::unique_ptr<Wire> wire, const std::string& ownAe);
+    // Takes a request from somebody who may come and asks for something that is offered, and rejects all
+    // others.
+    static Result<std::unique_ptr<Association>> accept(std::unique_ptr<Wire> wire, const Welcome& welcome);
     ~Association();
     Association(const Association&) = delete;
     Association& operator=(const Association&) = delete;
@@ -81,6 +101,7 @@ class Association {
 
     explicit Association(std::unique_ptr<Toolkit> toolkit);
     Error broken();
+    void reject(const Rejection& rejection);
     void keepContexts();
 
     std::unique_ptr<Toolkit> toolkit_;

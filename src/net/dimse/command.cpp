@@ -53,6 +53,9 @@ void takeElement(Command& command, const Element& element, std::optional<std::ui
         case 0x0002:
             command.sopClassUid = textOf(element);
             break;
+        case 0x0003:
+            command.requestedClassUid = textOf(element);
+            break;
         case 0x0100:
             command.field = static_cast<CommandField>(wordOf(element.value).value_or(0));
             break;
@@ -77,6 +80,15 @@ void takeElement(Command& command, const Element& element, std::optional<std::ui
         case 0x1000:
             command.sopInstanceUid = textOf(element);
             break;
+        case 0x1001:
+            command.requestedInstanceUid = textOf(element);
+            break;
+        case 0x1002:
+            command.eventType = wordOf(element.value);
+            break;
+        case 0x1008:
+            command.actionType = wordOf(element.value);
+            break;
         case 0x1020:
             command.remaining = wordOf(element.value);
             break;
@@ -99,6 +111,7 @@ void takeElement(Command& command, const Element& element, std::optional<std::ui
 std::vector<unsigned char> bytesOf(const Command& command) {
     CommandWriter writer;
     writer.text(0x0002, command.sopClassUid, '\0');
+    writer.text(0x0003, command.requestedClassUid, '\0');
     writer.number(0x0100, static_cast<std::uint16_t>(command.field));
     writer.number(0x0110, command.messageId);
     writer.number(0x0120, command.respondsTo);
@@ -107,6 +120,9 @@ std::vector<unsigned char> bytesOf(const Command& command) {
     writer.number(0x0800, command.hasDataset ? std::uint16_t{0x0001} : kWithoutDataset);
     writer.number(0x0900, command.status);
     writer.text(0x1000, command.sopInstanceUid, '\0');
+    writer.text(0x1001, command.requestedInstanceUid, '\0');
+    writer.number(0x1002, command.eventType);
+    writer.number(0x1008, command.actionType);
     writer.number(0x1020, command.remaining);
     writer.number(0x1021, command.completed);
     writer.number(0x1022, command.failed);

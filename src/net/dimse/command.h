@@ -21,6 +21,10 @@ enum class CommandField : std::uint16_t {
     moveResponse = 0x8021,
     echoRequest = 0x0030,
     echoResponse = 0x8030,
+    eventReportRequest = 0x0100,
+    eventReportResponse = 0x8100,
+    actionRequest = 0x0130,
+    actionResponse = 0x8130,
     cancelRequest = 0x0fff,
 };
 
@@ -30,10 +34,14 @@ struct Command {
     std::optional<std::uint16_t> respondsTo;  // of a response, and of what a cancel ends
     std::string sopClassUid;                  // affected
     std::string sopInstanceUid;               // affected
-    std::string moveDestination;              // AE title
-    std::optional<std::uint16_t> priority;    // 0: medium
-    std::optional<std::uint16_t> status;      // of a response
-    std::optional<std::uint16_t> remaining;   // of the instances that a retrieval is about
+    std::string requestedClassUid;            // of an action
+    std::string requestedInstanceUid;         // of an action
+    std::optional<std::uint16_t> eventType;
+    std::optional<std::uint16_t> actionType;
+    std::string moveDestination;             // AE title
+    std::optional<std::uint16_t> priority;   // 0: medium
+    std::optional<std::uint16_t> status;     // of a response
+    std::optional<std::uint16_t> remaining;  // of the instances that a retrieval is about
     std::optional<std::uint16_t> completed;
     std::optional<std::uint16_t> failed;
     std::optional<std::uint16_t> withWarning;

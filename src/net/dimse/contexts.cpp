@@ -111,6 +111,8 @@ std::string_view modelOf(Service service, bool patientRoot) {
             return patientRoot ? "1.2.840.10008.5.1.4.1.2.1.2" : "1.2.840.10008.5.1.4.1.2.2.2";
         case Service::get:
             return patientRoot ? "1.2.840.10008.5.1.4.1.2.1.3" : "1.2.840.10008.5.1.4.1.2.2.3";
+        case Service::commit:
+            return kCommitment;
         case Service::echo:
         case Service::store:
             break;

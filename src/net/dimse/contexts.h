@@ -14,6 +14,9 @@
 namespace macula::net {
 
 inline constexpr std::string_view kVerification = "1.2.840.10008.1.1";
+// Storage Commitment Push Model (PS3.4 annex J), and its one instance.
+inline constexpr std::string_view kCommitment = "1.2.840.10008.1.20.1";
+inline constexpr std::string_view kCommitmentInstance = "1.2.840.10008.1.20.1.1";
 inline constexpr std::string_view kExplicitLittleEndian = "1.2.840.10008.1.2.1";
 inline constexpr std::string_view kImplicitLittleEndian = "1.2.840.10008.1.2";
 inline constexpr std::string_view kExplicitBigEndian = "1.2.840.10008.1.2.2";

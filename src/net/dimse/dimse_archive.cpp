@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "net/dimse/committing.h"
 #include "net/dimse/connection_test.h"
 #include "net/dimse/connector.h"
 #include "net/dimse/fetch.h"
@@ -99,6 +100,12 @@ class DimseArchive : public Archive {
         return Sending(connector_, files, progress).run();
     }
 
+    Result<std::vector<Commitment>> commit(std::span<const std::filesystem::path> files,
+                                           std::chrono::seconds patience, Progress& progress) override {
+        const QuietToolkit quiet;
+        return Committing(connector_, files, patience, progress).run();
+    }
+
     std::vector<TestStep> test(Progress& progress) override {
         const QuietToolkit quiet;
         return testConnection(connector_, progress);
@@ -117,13 +124,12 @@ Error badSetting(Text message, Text hint) {
     return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
 }
 
-// PS3.5 6.2: no control characters and no backslash, and not blanks alone.
-bool isTitle(std::string_view title) {
+}  // namespace
+
+bool isAeTitle(std::string_view title) {
     return !title.empty() && title.size() <= 16 && title.find_first_not_of(' ') != std::string_view::npos &&
            std::ranges::all_of(title, [](char c) { return c >= 0x20 && c < 0x7f && c != '\\'; });
 }
-
-}  // namespace
 
 Result<void> checkDimsePeer(const DimsePeer& peer) {
     const Text titleHint("An AE title has 1 to 16 letters, digits and signs, without accents.");
@@ -132,10 +138,10 @@ Result<void> checkDimsePeer(const DimsePeer& peer) {
                           Text("Enter a host name or an IP address alone, without a port."));
     if (peer.port == 0)
         return badSetting(Text("The archive has no port."), Text("Enter a number from 1 to 65535."));
-    if (!isTitle(peer.calledAe)) return badSetting(Text("The archive's AE title is not valid."), titleHint);
-    if (!isTitle(peer.callingAe))
+    if (!isAeTitle(peer.calledAe)) return badSetting(Text("The archive's AE title is not valid."), titleHint);
+    if (!isAeTitle(peer.callingAe))
         return badSetting(Text("The AE title of this program is not valid."), titleHint);
-    if (!peer.receiverAe.empty() && !isTitle(peer.receiverAe))
+    if (!peer.receiverAe.empty() && !isAeTitle(peer.receiverAe))
         return badSetting(Text("The AE title of this program's receiver is not valid."), titleHint);
     if (peer.retrieve == Retrieve::move && peer.receiverPort == 0)
         return badSetting(Text("Fetching by C-MOVE needs a port at which this program receives."),

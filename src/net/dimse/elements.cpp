@@ -1,5 +1,6 @@
 #include "net/dimse/elements.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,7 @@ class ElementReader {
   public:
     explicit ElementReader(std::span<const unsigned char> bytes) : bytes_(bytes) {}
 
+    std::size_t at() const { return at_; }
     bool isAtEnd() const { return at_ == bytes_.size(); }
     bool has(std::size_t count) const { return bytes_.size() - at_ >= count; }
     std::uint32_t number(std::size_t count, bool isBig) {
@@ -108,6 +110,90 @@ bool forEachElement(std::span<const unsigned char> bytes, Encoding encoding,
         if (open.empty() && head->tag != kItem && !take(element)) return true;
     }
     return open.empty();
+}
+
+namespace {
+
+// A sequence or an item that is open.
+struct OpenPart {
+    bool isSequence = false;
+    std::uint32_t tag = 0;
+    std::size_t end = 0;  // where it is said to end; without a length, where what it is in ends
+    bool hasLength = false;
+    Encoding encoding{};
+};
+
+// Walks through items: a stack instead of recursion, and nothing reaches beyond what it is in.
+class ItemWalk {
+  public:
+    ItemWalk(std::span<const unsigned char> bytes, Encoding encoding,
+             std::span<const std::uint32_t> sequences, const std::function<bool(const ItemElement&)>& take)
+        : reader_(bytes), size_(bytes.size()), encoding_(encoding), sequences_(sequences), take_(take) {}
+
+    bool run() {
+        while (true) {
+            while (!open_.empty() && open_.back().hasLength && reader_.at() == open_.back().end)
+                open_.pop_back();
+            if (reader_.isAtEnd()) return open_.empty();
+            const std::optional<ElementHead> head = headAt(reader_, encodingHere());
+            if (!head || reader_.at() > endHere()) return false;
+            if (!step(*head)) return false;
+            if (isOver_) return true;
+        }
+    }
+
+  private:
+    Encoding encodingHere() const { return open_.empty() ? encoding_ : open_.back().encoding; }
+    std::size_t endHere() const { return open_.empty() ? size_ : open_.back().end; }
+
+    bool step(const ElementHead& head) {
+        if (head.tag == kItemEnd || head.tag == kSequenceEnd) {
+            const bool fits = !open_.empty() && !open_.back().hasLength &&
+                              open_.back().isSequence == (head.tag == kSequenceEnd);
+            if (fits) open_.pop_back();
+            return fits;
+        }
+        const bool isInSequence = !open_.empty() && open_.back().isSequence;
+        if (isInSequence != (head.tag == kItem)) return false;
+        if (open_.empty())
+            isOfWanted_ = std::find(sequences_.begin(), sequences_.end(), head.tag) != sequences_.end();
+        const bool isWanted = open_.empty() && isOfWanted_;
+        if (isInSequence || isWanted || head.length == kUndefined) return begin(head, !isInSequence);
+        if (head.length > endHere() - reader_.at()) return false;
+        const Element element{head.tag, reader_.value(head.length)};
+        if (open_.size() == 2 && isOfWanted_) isOver_ = !take_({open_.front().tag, item_, element});
+        return true;
+    }
+
+    bool begin(const ElementHead& head, bool isSequence) {
+        const bool hasLength = head.length != kUndefined;
+        if (open_.size() == kDeepest || (hasLength && head.length > endHere() - reader_.at())) return false;
+        if (open_.empty()) items_ = 0;
+        if (open_.size() == 1) item_ = items_++;
+        const Encoding here = head.isUnknown ? Encoding::implicitLittle : encodingHere();
+        open_.push_back(
+            {isSequence, head.tag, hasLength ? reader_.at() + head.length : endHere(), hasLength, here});
+        return true;
+    }
+
+    ElementReader reader_;
+    const std::size_t size_;
+    const Encoding encoding_;
+    const std::span<const std::uint32_t> sequences_;
+    const std::function<bool(const ItemElement&)>& take_;
+    std::vector<OpenPart> open_;
+    bool isOfWanted_ = false;  // the outermost sequence that is open
+    std::size_t items_ = 0;    // of it, so far
+    std::size_t item_ = 0;
+    bool isOver_ = false;
+};
+
+}  // namespace
+
+bool forEachItemElement(std::span<const unsigned char> bytes, Encoding encoding,
+                        std::span<const std::uint32_t> sequences,
+                        const std::function<bool(const ItemElement&)>& take) {
+    return ItemWalk(bytes, encoding, sequences, take).run();
 }
 
 std::string textOf(const Element& element) {

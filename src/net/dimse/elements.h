@@ -25,6 +25,17 @@ struct Element {
 bool forEachElement(std::span<const unsigned char> bytes, Encoding encoding,
                     const std::function<bool(const Element&)>& take);
 
+// The same for the elements in the items of those sequences that the dataset itself holds. Items are counted
+// from 0, anew in each sequence.
+struct ItemElement {
+    std::uint32_t sequence = 0;  // its tag
+    std::size_t item = 0;
+    Element element;
+};
+bool forEachItemElement(std::span<const unsigned char> bytes, Encoding encoding,
+                        std::span<const std::uint32_t> sequences,
+                        const std::function<bool(const ItemElement&)>& take);
+
 // The value without its padding.
 std::string textOf(const Element& element);
 

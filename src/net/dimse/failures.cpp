@@ -195,6 +195,34 @@ Error errorOfStatus(Service service, std::uint16_t status) {
                         Text("Try again, or ask the administrator of the archive what its log says."));
 }
 
+Error errorOfCommitment(std::uint16_t reason) {
+    const std::string code = fmt::format("{:04X}", reason);
+    switch (reason) {
+        case 0x0112:
+            return archiveError(Text("The archive does not have this object (reason {}).", code),
+                                Text("Send it again."));
+        case 0x0119:
+            return archiveError(
+                Text("The archive has this object as one of another kind (reason {}).", code),
+                Text("Ask the administrator of the archive what it has under this identity."));
+        case 0x0122:
+            return archiveError(
+                Text("The archive does not promise to keep objects of this kind (reason {}).", code),
+                Text("Ask the administrator of the archive where such objects are kept."));
+        case 0x0131:
+            return archiveError(
+                Text("The archive took the request for one that it had before (reason {}).", code),
+                Text("Ask it again."));
+        case 0x0213:
+            return archiveError(Text("The archive has no room to keep this object (reason {}).", code),
+                                Text("Ask the administrator of the archive to make room, then send again."));
+        default:
+            break;
+    }
+    return archiveError(Text("The archive does not promise to keep this object (reason {}).", code),
+                        Text("Ask the administrator of the archive what its log says."));
+}
+
 Error serviceNotOffered(Service service) {
     switch (service) {
         case Service::find:
@@ -214,6 +242,11 @@ Error serviceNotOffered(Service service) {
             return archiveError(
                 Text("The archive takes no instances of this kind."),
                 Text("Ask the administrator of the archive to allow storing for this AE title."));
+        case Service::commit:
+            return archiveError(
+                Text("The archive does not confirm what it keeps: it does not offer storage commitment."),
+                Text("Ask the administrator of the archive whether it offers it to this AE title, or search "
+                     "the archive for what was stored."));
         case Service::echo:
             break;
     }

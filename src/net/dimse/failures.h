@@ -34,11 +34,13 @@ struct Rejection {
 Error errorOfRejection(const Rejection& rejection, const std::string& callingAe, const std::string& calledAe);
 
 // What the archive was asked to do; the same status means different things.
-enum class Service { echo, find, get, move, store };
+enum class Service { echo, find, get, move, store, commit };
 bool isPending(std::uint16_t status);
 bool isWarning(std::uint16_t status);
 // Of a status that is neither success, pending nor a warning (PS3.7 annex C, PS3.4 annexes B and C).
 Error errorOfStatus(Service service, std::uint16_t status);
+// Why an archive does not commit to keeping an instance: the reason of PS3.4 J.3.3.1.1 (0008,1197).
+Error errorOfCommitment(std::uint16_t reason);
 // The archive accepts the association, but not this service.
 Error serviceNotOffered(Service service);
 

@@ -1,56 +1,17 @@
 #include "net/dimse/incoming.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <utility>
 
 #include "net/archive/file_meta.h"
-#include "net/dimse/contexts.h"
-#include "net/dimse/elements.h"
+#include "net/dimse/instance_arrival.h"
 
 namespace macula::net {
 
 namespace {
 
-constexpr std::uint16_t kStored = 0x0000;
-constexpr std::uint16_t kNoRoom = 0xa700;
-constexpr std::uint16_t kNotWanted = 0xa900;
 constexpr std::size_t kMostUnpromised = 200'000;
 constexpr std::size_t kSpareArrivals = 1000;
-constexpr std::size_t kMostBytesOfHead = std::size_t{256} << 10;
-constexpr std::uint32_t kStudyInstanceUid = 0x0020000d;
-
-// A file that is written to its end, or dropped.
-class InstanceFile {
-  public:
-    explicit InstanceFile(const std::filesystem::path& path)
-        : descriptor_(::open(path.c_str(), O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC)) {}
-    ~InstanceFile() { close(); }
-    InstanceFile(const InstanceFile&) = delete;
-    InstanceFile& operator=(const InstanceFile&) = delete;
-
-    bool write(const void* bytes, std::size_t count) {
-        const char* at = static_cast<const char*>(bytes);
-        while (count > 0) {
-            const ssize_t written = ::write(descriptor_, at, count);
-            if (written < 0 && errno == EINTR) continue;
-            if (written <= 0) return false;
-            at += written;
-            count -= static_cast<std::size_t>(written);
-        }
-        return descriptor_ >= 0;
-    }
-    bool close() {
-        if (descriptor_ < 0) return false;
-        return ::close(std::exchange(descriptor_, -1)) == 0;
-    }
-
-  private:
-    int descriptor_;
-};
 
 Error diskTrouble() {
     return {ErrorCode::outputNotWritable,
@@ -62,18 +23,6 @@ Error diskTrouble() {
 Error farTooMuch() {
     return archiveError(Text("The archive sends far more instances than it says it has."),
                         Text("Ask the administrator of the archive what its log says about this study."));
-}
-
-// Of the beginning of a dataset; empty where it is not found there.
-std::string studyOfHead(std::span<const unsigned char> head, std::string_view transferSyntax) {
-    Encoding encoding{};
-    std::string study;
-    if (!encodingOf(transferSyntax, encoding)) return study;
-    forEachElement(head, encoding, [&](const Element& element) {
-        if (element.tag == kStudyInstanceUid) study = textOf(element);
-        return element.tag < kStudyInstanceUid;
-    });
-    return study;
 }
 
 }  // namespace
@@ -180,53 +129,29 @@ Incoming::Stored Incoming::take(const std::filesystem::path& file, const Command
 }
 
 Incoming::Stored Incoming::write(Association& association, const ReceivedCommand& request) {
-    const Command& command = request.command;
-    const AcceptedContext* context = association.contextOf(request.context);
-    MACULA_CHECK(context != nullptr);
-    const std::uintmax_t most = receiver_.mostBytesOfInstance();
-    std::uintmax_t count = 0;
-    if (!isUid(command.sopClassUid) || !isUid(command.sopInstanceUid)) {
-        const Result<void> ignored = receiveDataset(
-            association, request.context, [&](std::span<const unsigned char> bytes) -> Result<void> {
-                count += bytes.size();
-                if (count > most) return notWhatDicomSays();
-                return {};
-            });
-        if (!ignored) return {{}, ignored.error()};
-        return {Outcome::refused, {}};
+    using Fate = ArrivedInstance::Fate;
+    const ArrivalLimits limits{.mostBytes = receiver_.mostBytesOfInstance(),
+                               .hasRoomFor = [this](std::size_t bytes) {
+                                   const std::lock_guard lock(mutex_);
+                                   counts_.bytes += bytes;
+                                   return true;
+                               }};
+    const ArrivedInstance arrived = receiveInstance(association, request, receiver_, limits);
+    switch (arrived.fate) {
+        case Fate::whole:
+            break;
+        case Fate::nameless:
+            return {Outcome::refused, {}};
+        case Fate::tooLarge:
+            return {Outcome::refused, closedMidway()};
+        case Fate::withoutRoom:
+            return fail(arrived.error.value_or(diskTrouble()));
+        case Fate::cutOff:
+            return {{}, arrived.error};
     }
-    const Result<std::filesystem::path> place = receiver_.place();
-    if (!place) return fail(place.error());
-    InstanceFile file(*place);
-    const std::string meta =
-        fileMetaBytes({command.sopClassUid, command.sopInstanceUid, context->transferSyntax});
-    bool isWritten = file.write(meta.data(), meta.size());
-    bool isTooLarge = false;
-    std::vector<unsigned char> head;
-    const Result<void> received = receiveDataset(
-        association, request.context, [&](std::span<const unsigned char> bytes) -> Result<void> {
-            count += bytes.size();
-            isTooLarge = count + meta.size() > most;
-            if (isTooLarge) return notWhatDicomSays();
-            isWritten = isWritten && file.write(bytes.data(), bytes.size());
-            if (!isWritten) return diskTrouble();
-            const std::size_t wanting = kMostBytesOfHead - std::min(kMostBytesOfHead, head.size());
-            const auto part = bytes.first(std::min(wanting, bytes.size()));
-            head.insert(head.end(), part.begin(), part.end());
-            const std::lock_guard lock(mutex_);
-            counts_.bytes += bytes.size();
-            return {};
-        });
-    isWritten = file.close() && isWritten;
-    if (received && isWritten) {
-        const std::string study = studyOfHead(head, context->transferSyntax);
-        if (study.empty() || study == wanted_.studyInstanceUid) return take(*place, command);
-    }
-    receiver_.drop(*place);
-    if (!isWritten) return fail(diskTrouble());
-    // What is left of one that is too large may have no end: the association goes.
-    if (isTooLarge) return {Outcome::refused, closedMidway()};
-    if (!received) return {{}, received.error()};
+    const std::string& study = arrived.studyInstanceUid;
+    if (study.empty() || study == wanted_.studyInstanceUid) return take(arrived.file, request.command);
+    receiver_.drop(arrived.file);
     return {Outcome::refused, {}};
 }
 
@@ -243,9 +168,9 @@ Result<void> Incoming::store(Association& association, const ReceivedCommand& re
                            .respondsTo = command.messageId,
                            .sopClassUid = command.sopClassUid,
                            .sopInstanceUid = command.sopInstanceUid,
-                           .status = isGood      ? kStored
-                                     : hasFailed ? kNoRoom
-                                                 : kNotWanted};
+                           .status = isGood      ? kStatusStored
+                                     : hasFailed ? kStatusNoRoom
+                                                 : kStatusNotWanted};
     MACULA_TRY_VOID(sendCommand(association, request.context, response));
     if (const auto failed = failure()) return *failed;
     return {};

@@ -86,11 +86,13 @@ Result<std::shared_ptr<const TlsSettings>> TlsSettings::of(const Tls& tls, const
          {"TLS_ECDHE_ECDSA_WITH_AES_128_GCM_SHA256", "TLS_ECDHE_ECDSA_WITH_AES_256_GCM_SHA384"})
         static_cast<void>(toolkit.addCipherSuite(suite));
     if (toolkit.activateCipherSuites().bad()) return noTls;
-    MACULA_TRY_VOID(trustAuthorities(toolkit, tls.authorities));
+    const bool asks = role != Role::acceptsAnyone;
+    if (asks) MACULA_TRY_VOID(trustAuthorities(toolkit, tls.authorities));
     MACULA_TRY_VOID(showCertificate(toolkit, tls, keyPassphrase));
-    toolkit.setCertificateVerification(DCV_requireCertificate);
+    toolkit.setCertificateVerification(asks ? DCV_requireCertificate : DCV_ignoreCertificate);
     // DCMTK's callback logs each certificate, and lets none pass that OpenSSL refuses: it is not needed.
-    SSL_CTX_set_verify(toolkit.getNativeHandle(), SSL_VERIFY_PEER | SSL_VERIFY_FAIL_IF_NO_PEER_CERT, nullptr);
+    SSL_CTX_set_verify(toolkit.getNativeHandle(),
+                       asks ? SSL_VERIFY_PEER | SSL_VERIFY_FAIL_IF_NO_PEER_CERT : SSL_VERIFY_NONE, nullptr);
     return std::shared_ptr<const TlsSettings>(new TlsSettings(std::move(layer), role));
 }
 

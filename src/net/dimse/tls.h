@@ -12,10 +12,11 @@ struct ssl_ctx_st;
 namespace macula::net {
 
 // The profile BCP 195 without downgrading (PS3.15 B.10): TLS 1.2 or later. The peer must show a certificate
-// that an authority has signed which is trusted.
+// that an authority has signed which is trusted, except where nobody asks for it.
 class TlsSettings {
   public:
-    enum class Role { connects, accepts };
+    // acceptsAnyone: the peer is not asked for a certificate.
+    enum class Role { connects, accepts, acceptsAnyone };
     static Result<std::shared_ptr<const TlsSettings>> of(const Tls& tls, const std::string& keyPassphrase,
                                                          Role role);
     ~TlsSettings();

@@ -169,7 +169,8 @@ std::size_t Wire::fail(WireTrouble trouble) {
 }
 
 Wire::Clock::time_point Wire::deadline() const {
-    const auto until = Clock::now() + answerTimeout_;
+    auto until = Clock::now() + answerTimeout_;
+    if (end_) until = std::min(*end_, until);
     return finish_ ? std::min(*finish_, until) : until;
 }
 

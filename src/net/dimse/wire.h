@@ -68,6 +68,8 @@ class Wire {
     // From now on nothing is cancelled any more; what is not done by then fails.
     void finishWithin(std::chrono::milliseconds patience);
     bool isFinishing() const { return finish_.has_value(); }
+    // All waiting ends then, however much comes until then; nothing: each byte gives the peer more time.
+    void setEnd(std::optional<Clock::time_point> end) { end_ = end; }
     // What comes over one of the wires that share it counts as an answer for all.
     void setHeartbeat(std::shared_ptr<Heartbeat> heartbeat) { heartbeat_ = std::move(heartbeat); }
 
@@ -86,6 +88,7 @@ class Wire {
     std::chrono::milliseconds answerTimeout_;
     CancelToken cancel_;
     std::optional<Clock::time_point> finish_;
+    std::optional<Clock::time_point> end_;
     WireTrouble trouble_ = WireTrouble::none;
     std::unique_ptr<Tls> tls_;
     std::shared_ptr<Heartbeat> heartbeat_;

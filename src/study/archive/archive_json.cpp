@@ -41,6 +41,28 @@ Json jsonOf(const net::FoundSeries& series) {
             {"instanceCount", numberOrNull(series.instanceCount)}};
 }
 
+const char* wordOf(net::Commitment::State state) {
+    switch (state) {
+        case net::Commitment::State::committed:
+            return "committed";
+        case net::Commitment::State::refused:
+            return "refused";
+        case net::Commitment::State::unanswered:
+            break;
+    }
+    return "unanswered";
+}
+
+Json jsonOf(const std::vector<Message>& messages) {
+    Json list = Json::array();
+    for (const Message& message : messages) {
+        list.push_back({{"key", message.key},
+                        {"sentence", message.sentence.english()},
+                        {"action", message.action.english()}});
+    }
+    return list;
+}
+
 }  // namespace
 
 Json toJson(const net::StudyAnswers& answers) {
@@ -59,12 +81,6 @@ Json toJson(const std::vector<net::FoundSeries>& series) {
 Json toJson(const FetchedStudy& fetched) {
     Json never = Json::array();
     for (const net::FoundInstance& instance : fetched.counts.never) never.push_back(instance.sopInstanceUid);
-    Json messages = Json::array();
-    for (const Message& message : fetched.messages) {
-        messages.push_back({{"key", message.key},
-                            {"sentence", message.sentence.english()},
-                            {"action", message.action.english()}});
-    }
     return {{"folder", fetched.folder.string()},
             {"isComplete", fetched.isComplete},
             {"promised", fetched.counts.promised},
@@ -73,7 +89,17 @@ Json toJson(const FetchedStudy& fetched) {
             {"refused", fetched.counts.refused},
             {"never", std::move(never)},
             {"bytes", fetched.counts.bytes},
-            {"messages", std::move(messages)}};
+            {"messages", jsonOf(fetched.messages)}};
+}
+
+Json toJson(const ReceivedStudy& received) {
+    return {{"folder", received.folder.string()},
+            {"senders", received.senders},
+            {"kept", received.kept},
+            {"hadAlready", received.hadAlready},
+            {"refused", received.refused},
+            {"instances", received.instances},
+            {"messages", jsonOf(received.messages)}};
 }
 
 Json toJson(const net::Sent& sent) {
@@ -83,6 +109,16 @@ Json toJson(const net::Sent& sent) {
             {{"file", each.file.string()}, {"why", each.why.english()}, {"advice", each.advice.english()}});
     }
     return {{"stored", sent.stored}, {"notSent", std::move(notSent)}};
+}
+
+Json toJson(const std::vector<net::Commitment>& commitments) {
+    Json list = Json::array();
+    for (const net::Commitment& each : commitments)
+        list.push_back({{"file", each.file.string()},
+                        {"state", wordOf(each.state)},
+                        {"why", each.why.english()},
+                        {"advice", each.advice.english()}});
+    return list;
 }
 
 Json toJson(const std::vector<net::TestStep>& steps) {

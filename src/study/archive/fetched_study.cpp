@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <ctime>
 #include <utility>
 
 #include "study/open/same_patient.h"
@@ -10,15 +9,6 @@
 namespace macula::study {
 
 namespace {
-
-std::string nowInUtc() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char text[32];
-    const std::size_t length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return std::string(text, length);
-}
 
 Result<net::FoundStudy> askForStudy(net::Archive& archive, const std::string& studyInstanceUid,
                                     Progress& progress) {
@@ -74,6 +64,7 @@ std::vector<Message> messagesOf(const FetchedStudy& fetched, const SpooledStudy&
 Result<void> note(SpooledStudy& study, const FetchRequest& request, SpoolRecord record) {
     const auto before = readSpoolRecord(study.folder());
     const bool isKnown = before && before->studyInstanceUid == request.studyInstanceUid;
+    if (isKnown) record.senders = before->senders;
     if (isKnown && (before->isComplete || !request.seriesInstanceUids.empty()) && !record.isComplete)
         record = *before;
     return study.finish(std::move(record));
@@ -126,7 +117,7 @@ Result<FetchedStudy> fetchStudy(net::Archive& archive, const std::string& source
 
     SpoolRecord record;
     record.source = source;
-    record.fetchedAt = nowInUtc();
+    record.fetchedAt = timeOfRecord();
     record.promised = asFound.instanceCount.value_or(0);
     record.asFound = asFound;
     MACULA_TRY_VOID(note(*study, request, record));  // should the program be killed

@@ -89,7 +89,10 @@ fs::path Spool::folderOf(const std::string& studyInstanceUid) const {
 Result<std::unique_ptr<SpooledStudy>> Spool::study(const std::string& studyInstanceUid,
                                                    const CancelToken& cancel) {
     const fs::path folder = folderOf(studyInstanceUid);
-    given_.insert(folder);
+    {
+        const std::lock_guard lock(given_->mutex);
+        given_->folders.insert(folder);
+    }
     return SpooledStudy::open(folder, studyInstanceUid, key_, limits_, cancel);
 }
 
@@ -97,9 +100,14 @@ Result<std::size_t> Spool::purge(std::uintmax_t mostBytes) {
     const std::vector<SpoolEntry> all = entries();
     std::uintmax_t kept = 0;
     std::size_t removed = 0;
+    std::set<fs::path> given;
+    {
+        const std::lock_guard lock(given_->mutex);
+        given = given_->folders;
+    }
     for (const SpoolEntry& entry : all) {
         kept += entry.bytes;
-        if (kept <= mostBytes || given_.contains(entry.folder)) continue;
+        if (kept <= mostBytes || given.contains(entry.folder)) continue;
         // The lock is held while its folder goes: nobody fetches into it.
         SpoolLimits atOnce = limits_;
         atOnce.patience = {};

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -42,10 +43,13 @@ class Spool {
     // A folder that a person chose: its permissions stay, and nothing in it is ever removed.
     static Result<Spool> chosen(const std::filesystem::path& folder);
 
+    const std::filesystem::path& folder() const { return folder_; }
+    const SpoolLimits& limits() const { return limits_; }
+
     // Studies whose record can be read, those used last first.
     std::vector<SpoolEntry> entries() const;
 
-    // To fetch the study into.
+    // To fetch the study into. Several threads may ask at once.
     Result<std::unique_ptr<SpooledStudy>> study(const std::string& studyInstanceUid,
                                                 const CancelToken& cancel = {});
     // Where the study lies or would lie.
@@ -66,7 +70,11 @@ class Spool {
     InstallationKey key_;
     SpoolLimits limits_;
     bool isChosen_ = false;
-    std::set<std::filesystem::path> given_;  // folders of studies that were fetched into
+    struct Given {
+        std::mutex mutex;
+        std::set<std::filesystem::path> folders;
+    };
+    std::shared_ptr<Given> given_ = std::make_shared<Given>();  // of studies that were fetched into
 };
 
 }  // namespace macula::study

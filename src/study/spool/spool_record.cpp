@@ -1,5 +1,6 @@
 #include "study/spool/spool_record.h"
 
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
@@ -69,6 +70,15 @@ Json toJson(const net::FoundStudy& study) {
 
 }  // namespace
 
+std::string timeOfRecord() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char text[32];
+    const std::size_t length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return std::string(text, length);
+}
+
 std::filesystem::path spoolRecordFile(const std::filesystem::path& folder) {
     return folder.parent_path() / (folder.filename().string() + ".json");
 }
@@ -80,6 +90,7 @@ Result<SpoolRecord> readSpoolRecord(const std::filesystem::path& folder) {
     if (json.is_object()) {
         record.studyInstanceUid = textOf(json, "studyInstanceUid");
         record.source = textOf(json, "source");
+        record.senders = textsOf(json, "senders");
         record.promised = countOf(json, "promised").value_or(0);
         record.never = textsOf(json, "never");
         record.fetchedAt = textOf(json, "fetchedAt");
@@ -97,6 +108,7 @@ Result<void> writeSpoolRecord(const std::filesystem::path& folder, const SpoolRe
     Json json{{"version", 1},
               {"studyInstanceUid", record.studyInstanceUid},
               {"source", record.source},
+              {"senders", record.senders},
               {"promised", record.promised},
               {"never", record.never},
               {"isComplete", record.isComplete},

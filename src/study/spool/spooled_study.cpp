@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/draft.h"
 #include "base/parallel.h"
 #include "dicom/stack/examination.h"
 #include "study/open/file_identity.h"
@@ -23,33 +22,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kArriving = "arriving";
 constexpr std::size_t kDigitsOfName = 32;
 constexpr std::chrono::milliseconds kLockIsTriedEvery{100};
-
-Error spoolNotWritable(const fs::path& path) {
-    return {ErrorCode::outputNotWritable, Text("The folder for fetched studies cannot be written."),
-            path.string(), Text("Check its permissions and the free space.")};
-}
-
-Result<void> makePrivateFolder(const fs::path& folder) {
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
-    if (failure) return spoolNotWritable(folder);
-    return {};
-}
 
 bool lostLetters(const std::string& name) {
     return name.find('?') != std::string::npos || name.find("\uFFFD") != std::string::npos;
 }
 
-// A file that is cut off in its pixels is kept: the archive may have it so, and what opens the study says it.
-bool canBeRead(const dicom::Examination& found) {
-    return found.state == dicom::FileState::complete || found.state == dicom::FileState::truncated;
-}
-
 }  // namespace
+
+bool isWorthKeeping(const dicom::Examination& found) {
+    // A file that is cut off in its pixels is kept: the archive may have it so, and what opens the study says
+    // it.
+    const bool canBeRead =
+        found.state == dicom::FileState::complete || found.state == dicom::FileState::truncated;
+    return canBeRead && !found.sopInstanceUid.empty();
+}
 
 // The lock is a file beside the folder of the study, in which only instances lie.
 struct SpooledStudy::Locked {
@@ -70,16 +58,16 @@ SpooledStudy::SpooledStudy(fs::path folder, std::string studyInstanceUid, Instal
     : folder_(std::move(folder)),
       studyInstanceUid_(std::move(studyInstanceUid)),
       key_(key),
-      limits_(limits) {}
+      limits_(limits),
+      arriving_(folder_.parent_path(), limits) {}
 
 SpooledStudy::~SpooledStudy() = default;
 
 Result<std::unique_ptr<SpooledStudy>> SpooledStudy::open(fs::path folder, std::string studyInstanceUid,
                                                          InstallationKey key, const SpoolLimits& limits,
                                                          const CancelToken& cancel) {
-    const fs::path arriving = folder.parent_path() / kArriving;
     MACULA_TRY_VOID(makePrivateFolder(folder));
-    MACULA_TRY_VOID(makePrivateFolder(arriving));
+    MACULA_TRY(const fs::path arriving, ArrivingFiles::prepareFolder(folder.parent_path()));
     std::unique_ptr<SpooledStudy> study(
         new SpooledStudy(std::move(folder), std::move(studyInstanceUid), key, limits));
     study->locked_ = std::make_unique<Locked>(arriving / (study->folder_.filename().string() + ".lock"));
@@ -93,7 +81,6 @@ Result<std::unique_ptr<SpooledStudy>> SpooledStudy::open(fs::path folder, std::s
                          Text("Wait until it is done.")};
         std::this_thread::sleep_for(kLockIsTriedEvery);
     }
-    removeAbandonedDrafts(arriving);
     MACULA_TRY_VOID(study->readInstances());
     return study;
 }
@@ -109,7 +96,7 @@ Result<void> SpooledStudy::readInstances() {
     parallelFor(files.size(), [&](std::size_t i) {
         const dicom::Examination found = dicom::examine(files[i]);
         // What a person put there, or what a disk lost, is fetched again.
-        if (!canBeRead(found) || fileOf(found.sopInstanceUid) != files[i]) return;
+        if (!isWorthKeeping(found) || fileOf(found.sopInstanceUid) != files[i]) return;
         std::error_code gone;
         const std::uintmax_t size = fs::file_size(files[i], gone);
         const std::lock_guard lock(mutex);
@@ -152,68 +139,59 @@ fs::path SpooledStudy::fileOf(const std::string& sopInstanceUid) const {
     return folder_ / (key_.digestOf(sopInstanceUid).substr(0, kDigitsOfName) + ".dcm");
 }
 
-// Asked while files grow: several at once must not fill the disk.
 std::uintmax_t SpooledStudy::mostBytesOfInstance() const {
-    std::error_code failure;
-    const fs::space_info space = fs::space(folder_, failure);
-    if (failure || space.available <= limits_.leastFreeBytes) return 0;
-    return std::min(limits_.mostBytesOfInstance, space.available - limits_.leastFreeBytes);
+    return arriving_.mostBytesOfFile();
 }
 
-Result<fs::path> SpooledStudy::place() {
-    std::error_code failure;
-    const fs::space_info space = fs::space(folder_, failure);
-    if (failure) return spoolNotWritable(folder_);
-    if (space.available < limits_.leastFreeBytes)
-        return Error{ErrorCode::outputNotWritable, Text("The disk for fetched studies is full."),
-                     folder_.string(),
-                     Text("Free some space, or remove fetched studies with macula pacs purge. What came so "
-                          "far is kept.")};
-    MACULA_TRY(Draft draft,
-               Draft::beside(folder_.parent_path() / kArriving / "instance.dcm", Draft::Kind::file));
-    fs::permissions(draft.path(), fs::perms::owner_read | fs::perms::owner_write, failure);
-    if (failure) return spoolNotWritable(folder_);
-    const std::lock_guard lock(mutex_);
+Result<void> SpooledStudy::checkRoom(std::size_t arriving) const {
     if (bytes_ >= limits_.mostBytes)
         return Error{ErrorCode::archiveNotUsable,
                      Text("The study is larger than all that is kept of fetched studies."),
                      {},
                      Text("Fetch single series of it.")};
-    if (instances_.size() + drafts_.size() >= limits_.mostInstancesOfStudy)
+    if (instances_.size() + arriving >= limits_.mostInstancesOfStudy)
         return Error{
             ErrorCode::archiveNotUsable,
             Text("The archive sends more than {} images of one study.", limits_.mostInstancesOfStudy),
             {},
             Text("Fetch single series of it.")};
-    fs::path path = draft.path();
-    drafts_.emplace(path, std::move(draft));
-    return path;
+    return {};
+}
+
+Result<fs::path> SpooledStudy::place() {
+    {
+        const std::lock_guard lock(mutex_);
+        MACULA_TRY_VOID(checkRoom(arriving_.count()));
+    }
+    return arriving_.place();
 }
 
 Result<net::Receiver::Verdict> SpooledStudy::take(const fs::path& file, const net::InstanceKey& promised) {
+    const std::optional<Draft> draft = arriving_.take(file);  // what is not kept goes with it
     const dicom::Examination found = dicom::examine(file);
-    const bool isReadable = canBeRead(found) && !found.sopInstanceUid.empty();
     const bool isPromised =
-        found.studyInstanceUid == studyInstanceUid_ &&
-        (promised.sopInstanceUid.empty() || promised.sopInstanceUid == found.sopInstanceUid);
-    const bool isOurs = isReadable && isPromised && takePatient(identityOf(found));
-    if (!isReadable) ++unreadable_;
-    if (isReadable && !isOurs) ++ofOtherStudies_;
-    if (!isOurs) {
-        drop(file);
+        promised.sopInstanceUid.empty() || promised.sopInstanceUid == found.sopInstanceUid;
+    if (isPromised || !isWorthKeeping(found)) return keep(file, found);
+    ++ofOtherStudies_;
+    return Verdict::refused;
+}
+
+Result<net::Receiver::Verdict> SpooledStudy::keep(const fs::path& file, const dicom::Examination& found) {
+    if (!isWorthKeeping(found)) {
+        ++unreadable_;
+        return Verdict::refused;
+    }
+    if (found.studyInstanceUid != studyInstanceUid_ || !takePatient(identityOf(found))) {
+        ++ofOtherStudies_;
         return Verdict::refused;
     }
     {
         const std::lock_guard lock(mutex_);
-        const fs::path name = fileOf(found.sopInstanceUid);
-        if (instances_.contains(found.sopInstanceUid)) {
-            drafts_.erase(file);
-            return Verdict::hadAlready;
-        }
+        if (instances_.contains(found.sopInstanceUid)) return Verdict::hadAlready;
+        MACULA_TRY_VOID(checkRoom(0));
         std::error_code failure;
         const std::uintmax_t size = fs::file_size(file, failure);
-        fs::rename(file, name, failure);
-        drafts_.erase(file);
+        fs::rename(file, fileOf(found.sopInstanceUid), failure);
         if (failure) return spoolNotWritable(folder_);
         instances_.insert(found.sopInstanceUid);
         bytes_ += size;
@@ -223,8 +201,7 @@ Result<net::Receiver::Verdict> SpooledStudy::take(const fs::path& file, const ne
 }
 
 void SpooledStudy::drop(const fs::path& file) noexcept {
-    const std::lock_guard lock(mutex_);
-    drafts_.erase(file);
+    arriving_.drop(file);
 }
 
 Result<void> SpooledStudy::finish(SpoolRecord record) {

@@ -4,22 +4,28 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <string>
 
-#include "base/draft.h"
 #include "base/installation_key.h"
 #include "base/progress.h"
 #include "net/archive/receiver.h"
 #include "study/open/identity.h"
+#include "study/spool/arriving_files.h"
 #include "study/spool/spool_limits.h"
 #include "study/spool/spool_record.h"
 
+namespace macula::dicom {
+struct Examination;
+}
+
 namespace macula::study {
+
+// Whether the header can be read, and names an instance.
+bool isWorthKeeping(const dicom::Examination& found);
 
 // Keeps a file only if the bounded walk of dicom/read/outline.h can read its header, and if it is an instance
 // of this study and of this patient: what an archive answers for one patient is never kept with another's.
@@ -52,6 +58,9 @@ class SpooledStudy : public net::Receiver {
 
     Result<std::filesystem::path> place() override;
     Result<Verdict> take(const std::filesystem::path& file, const net::InstanceKey& promised) override;
+    // The same for a file of somebody else on the same file system, who has looked at it: what is not kept
+    // stays with them.
+    Result<Verdict> keep(const std::filesystem::path& file, const dicom::Examination& found);
     void drop(const std::filesystem::path& file) noexcept override;
     std::uintmax_t mostBytesOfInstance() const override;
 
@@ -61,17 +70,18 @@ class SpooledStudy : public net::Receiver {
     SpooledStudy(std::filesystem::path folder, std::string studyInstanceUid, InstallationKey key,
                  const SpoolLimits& limits);
     Result<void> readInstances();
-    bool takePatient(const Identity& patient);  // false: of another one
+    Result<void> checkRoom(std::size_t arriving) const;  // while the mutex is held
+    bool takePatient(const Identity& patient);           // false: of another one
     std::filesystem::path fileOf(const std::string& sopInstanceUid) const;
 
     const std::filesystem::path folder_;
     const std::string studyInstanceUid_;
     const InstallationKey key_;
     const SpoolLimits limits_;
+    ArrivingFiles arriving_;
     std::unique_ptr<Locked> locked_;
     std::function<void()> kept_;
     mutable std::mutex mutex_;
-    std::map<std::filesystem::path, Draft> drafts_;
     std::set<std::string> instances_;
     std::optional<Identity> expected_;  // the patient whom the archive names
     std::optional<Identity> patient_;   // of the files

@@ -241,6 +241,8 @@ QStringList ArchiveController::notes() const {
     if (!record || record->isComplete) return {};
     if (fetcher_->running() && fetcher_->current()->study.studyInstanceUid == record->studyInstanceUid)
         return {tr("Images of this study are still arriving from the archive.")};
+    if (record->source.empty())
+        return {tr("Somebody sent this study without saying how many images it has: some may be missing.")};
     return {
         tr("This study is not known to be complete: images that the archive has may be missing. Fetch it "
            "again.")};

@@ -1,0 +1,240 @@
+#include "study/archive/received_studies.h"
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "base/printable.h"
+#include "dicom/stack/examination.h"
+#include "net/archive/file_meta.h"
+
+namespace macula::study {
+
+namespace fs = std::filesystem;
+using Verdict = net::Receiver::Verdict;
+
+namespace {
+
+constexpr std::size_t kMostSenders = 16;
+
+Error tooManyStudies(std::size_t most) {
+    return {ErrorCode::archiveNotUsable,
+            Text("More than {} studies were sent.", most),
+            {},
+            Text("Start the program again to take more, and look at what was sent.")};
+}
+
+std::vector<Message> messagesOf(std::size_t refused) {
+    if (refused == 0) return {};
+    return {
+        {Severity::warning,
+         "came-of-others",
+         {{"count", static_cast<std::int64_t>(refused)}},
+         Text("{} objects came that name another patient than the rest of this study. They were not kept.",
+              refused),
+         Text("Tell the administrator of the machine that sent them.")}};
+}
+
+}  // namespace
+
+// Its mutex is never waited for while that of ReceivedStudies is held.
+struct ReceivedStudies::Arriving {
+    explicit Arriving(std::string uid) : studyInstanceUid(std::move(uid)) {}
+
+    const std::string studyInstanceUid;
+    std::mutex mutex;
+    bool isFinished = false;  // whoever waited for the mutex needs a new one
+    std::unique_ptr<SpooledStudy> study;
+    SpoolRecord record;
+    std::set<std::string> senders;
+    std::size_t kept = 0;
+    std::size_t hadAlready = 0;
+    std::size_t refused = 0;
+    Clock::time_point last = Clock::now();  // under the mutex of ReceivedStudies
+};
+
+// What comes over one association.
+class ReceivedStudies::FromCaller : public net::Receiver {
+  public:
+    FromCaller(ReceivedStudies& all, std::string sender) : all_(all), sender_(std::move(sender)) {}
+
+    Result<fs::path> place() override {
+        Result<fs::path> place = all_.files_.place();
+        if (!place) return all_.noted(place.error());
+        return place;
+    }
+    Result<Verdict> take(const fs::path& file, const net::InstanceKey& promised) override {
+        Result<Verdict> verdict = all_.take(file, promised, sender_);
+        if (!verdict) return all_.noted(verdict.error());
+        return verdict;
+    }
+    void drop(const fs::path& file) noexcept override { all_.files_.drop(file); }
+    std::uintmax_t mostBytesOfInstance() const override { return all_.files_.mostBytesOfFile(); }
+
+  private:
+    ReceivedStudies& all_;
+    const std::string sender_;
+};
+
+Result<std::unique_ptr<ReceivedStudies>> ReceivedStudies::into(Spool& spool, const ReceptionLimits& limits) {
+    MACULA_TRY([[maybe_unused]] const fs::path folder, ArrivingFiles::prepareFolder(spool.folder()));
+    return std::unique_ptr<ReceivedStudies>(new ReceivedStudies(spool, limits));
+}
+
+ReceivedStudies::ReceivedStudies(Spool& spool, const ReceptionLimits& limits)
+    : spool_(spool), limits_(limits), files_(spool.folder(), spool.limits()) {}
+
+ReceivedStudies::~ReceivedStudies() = default;
+
+std::unique_ptr<net::Receiver> ReceivedStudies::receiverFor(const net::Caller& caller) {
+    return std::make_unique<FromCaller>(*this, printable(caller.ae.empty() ? caller.address : caller.ae));
+}
+
+Error ReceivedStudies::noted(const Error& error) {
+    const std::lock_guard lock(mutex_);
+    trouble_ = error;
+    return error;
+}
+
+std::optional<Error> ReceivedStudies::takeTrouble() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(trouble_, std::nullopt);
+}
+
+Result<Verdict> ReceivedStudies::take(const fs::path& file, const net::InstanceKey& promised,
+                                      const std::string& sender) {
+    const std::optional<Draft> draft = files_.take(file);  // what is not kept goes with it
+    const dicom::Examination found = dicom::examine(file);
+    const bool isPromised = promised.sopInstanceUid == found.sopInstanceUid;
+    if (!isWorthKeeping(found) || !isPromised || !net::isUid(found.studyInstanceUid)) {
+        ++unreadable_;
+        return Verdict::refused;
+    }
+    while (true) {
+        MACULA_TRY(const std::shared_ptr<Arriving> arriving, arrivingOf(found.studyInstanceUid));
+        const std::lock_guard lock(arriving->mutex);
+        if (arriving->isFinished) continue;
+        MACULA_TRY_VOID(open(*arriving, sender));
+        MACULA_TRY(const Verdict verdict, arriving->study->keep(file, found));
+        switch (verdict) {
+            case Verdict::kept:
+                ++arriving->kept;
+                break;
+            case Verdict::hadAlready:
+                ++arriving->hadAlready;
+                break;
+            case Verdict::refused:
+                ++arriving->refused;
+                break;
+        }
+        if (verdict != Verdict::refused && arriving->senders.size() < kMostSenders)
+            arriving->senders.insert(sender);
+        const std::lock_guard own(mutex_);
+        arriving->last = Clock::now();
+        return verdict;
+    }
+}
+
+Result<std::shared_ptr<ReceivedStudies::Arriving>> ReceivedStudies::arrivingOf(
+    const std::string& studyInstanceUid) {
+    bool isCrowded = false;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = studies_.find(studyInstanceUid);
+        if (found != studies_.end()) return found->second;
+        if (begun_ >= limits_.mostStudies) return tooManyStudies(limits_.mostStudies);
+        isCrowded = studies_.size() >= limits_.mostStudiesAtOnce;
+    }
+    if (isCrowded) finishOldest();
+    const std::lock_guard lock(mutex_);
+    auto& arriving = studies_[studyInstanceUid];
+    if (!arriving) {
+        arriving = std::make_shared<Arriving>(studyInstanceUid);
+        ++begun_;
+    }
+    return arriving;
+}
+
+Result<void> ReceivedStudies::open(Arriving& arriving, const std::string& sender) {
+    if (arriving.study) return {};
+    MACULA_TRY(std::unique_ptr<SpooledStudy> study, spool_.study(arriving.studyInstanceUid));
+    MACULA_TRY_VOID(spool_.purge());
+    auto before = readSpoolRecord(study->folder());
+    if (before && before->studyInstanceUid == arriving.studyInstanceUid) {
+        arriving.record = *std::move(before);
+        arriving.senders = {arriving.record.senders.begin(), arriving.record.senders.end()};
+    } else {
+        arriving.record = {
+            .studyInstanceUid = arriving.studyInstanceUid, .senders = {sender}, .fetchedAt = timeOfRecord()};
+        MACULA_TRY_VOID(writeSpoolRecord(study->folder(), arriving.record));  // should the program be killed
+    }
+    arriving.study = std::move(study);
+    return {};
+}
+
+void ReceivedStudies::finish(const std::shared_ptr<Arriving>& arriving) {
+    const std::lock_guard lock(arriving->mutex);
+    if (arriving->isFinished) return;
+    arriving->isFinished = true;
+    std::optional<ReceivedStudy> finished;
+    if (arriving->study) {
+        const std::size_t instances = arriving->study->instances().size();
+        const fs::path folder = arriving->study->folder();
+        std::vector<std::string> senders(arriving->senders.begin(), arriving->senders.end());
+        arriving->record.senders = senders;
+        if (arriving->kept > 0 && arriving->record.source.empty())
+            arriving->record.fetchedAt = timeOfRecord();
+        if (instances > 0) {
+            const Result<void> written = arriving->study->finish(arriving->record);
+            if (!written) noted(written.error());
+            finished = ReceivedStudy{.folder = folder,
+                                     .senders = std::move(senders),
+                                     .kept = arriving->kept,
+                                     .hadAlready = arriving->hadAlready,
+                                     .refused = arriving->refused,
+                                     .instances = instances,
+                                     .messages = messagesOf(arriving->refused)};
+        } else {
+            std::error_code ignored;
+            if (fs::remove(folder, ignored)) fs::remove(spoolRecordFile(folder), ignored);
+        }
+        arriving->study.reset();
+    }
+    const std::lock_guard own(mutex_);
+    studies_.erase(arriving->studyInstanceUid);
+    if (finished) finished_.push_back(*std::move(finished));
+}
+
+std::vector<std::shared_ptr<ReceivedStudies::Arriving>> ReceivedStudies::quietSince(
+    Clock::time_point time) const {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::shared_ptr<Arriving>> quiet;
+    for (const auto& [uid, arriving] : studies_) {
+        if (arriving->last <= time) quiet.push_back(arriving);
+    }
+    std::ranges::sort(quiet, {}, &Arriving::last);
+    return quiet;
+}
+
+void ReceivedStudies::finishOldest() {
+    const auto open = quietSince(Clock::now());
+    if (!open.empty()) finish(open.front());
+}
+
+std::vector<ReceivedStudy> ReceivedStudies::takeFinished() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(finished_, {});
+}
+
+std::vector<ReceivedStudy> ReceivedStudies::finishQuiet() {
+    for (const auto& arriving : quietSince(Clock::now() - limits_.quiet)) finish(arriving);
+    return takeFinished();
+}
+
+std::vector<ReceivedStudy> ReceivedStudies::finishAll() {
+    for (const auto& arriving : quietSince(Clock::now())) finish(arriving);
+    return takeFinished();
+}
+
+}  // namespace macula::study
