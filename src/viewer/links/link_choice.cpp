@@ -22,8 +22,9 @@ LinkChoice::LinkChoice(study::LinkedStudies found, bool showsNames, QWidget* par
       archive_(new QLabel(this)) {
     setWindowTitle(tr("Studies of a Link"));
     setObjectName(QStringLiteral("link-choice"));
-    std::vector<net::FoundStudy> studies;
-    for (const study::LinkedStudy& each : found_.studies) studies.push_back(each.study);
+    std::vector<study::ListedStudy> studies;
+    for (const study::LinkedStudy& each : found_.studies)
+        studies.push_back({.study = each.study, .archive = each.archive, .folder = {}, .isWhole = false});
     model_->setStudies(std::move(studies));
     model_->showNames(showsNames);
     describe(*list_, "link-studies", tr("Studies that fit the link"),
