@@ -39,7 +39,7 @@ nlohmann::json answered(const Ask& ask) {
     return nlohmann::json::parse(json == nullptr ? "" : json, nullptr, false);
 }
 
-// Two series of a study with small images.
+// Two series of a study.
 struct SentStudy {
     dicom::test::TemporaryFolder folder;
     std::string uid;
@@ -47,7 +47,7 @@ struct SentStudy {
     std::vector<std::filesystem::path> files;
     int slices = 0;  // of each series
 
-    explicit SentStudy(std::string studyUid = "2.25.9100", int slicesOfSeries = 6)
+    explicit SentStudy(std::string studyUid = "2.25.9100", int slicesOfSeries = 6, int side = 16)
         : uid(std::move(studyUid)), slices(slicesOfSeries) {
         for (int i = 1; i <= 2; ++i) {
             dicom::test::SyntheticSeries written;
@@ -55,7 +55,8 @@ struct SentStudy {
             written.seriesUid = uid + "." + std::to_string(i);
             written.frameOfReferenceUid = uid + ".9";
             written.number = i;
-            written.size = {16, 16, slices};
+            written.size = {side, side, slices};
+            written.ramp.emplace().perMm = {0.5, 0.25, 1.0};  // its values fit however large it is
             const std::filesystem::path own = folder / std::to_string(i);
             std::filesystem::create_directory(own);
             for (const auto& file : dicom::test::writeFiles(own, written)) files.push_back(file);

@@ -107,8 +107,9 @@ typedef struct macula_fetched {
     uint64_t bytes;       /* received */
 } macula_fetched;
 /* Fetches a study, or goes on with one that was fetched in part: only what is missing comes. What came stays
- * after a failure too, and after MACULA_CANCELLED. MACULA_ARCHIVE if the archive has no such study. A second
- * fetch of the same study waits ten seconds for the first to end, and fails then (MACULA_USAGE). */
+ * after a failure too, and after MACULA_CANCELLED. A fetch that is cancelled when all has come is
+ * MACULA_DONE. MACULA_ARCHIVE if the archive has no such study. A second fetch of the same study waits ten
+ * seconds for the first to end, and fails then (MACULA_USAGE). */
 MACULA_API macula_status macula_archive_fetch(macula_archive* archive, const macula_fetch* fetch,
                                               const macula_progress* progress, macula_fetched* fetched);
 /* Sentences on the last study that was fetched: what never came, may be missing, or was refused. Show them
