@@ -2,23 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <ctime>
 #include <utility>
 
+#include "base/utc_time.h"
 #include "study/open/same_patient.h"
 
 namespace macula::study {
 
 namespace {
-
-std::string nowInUtc() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char text[32];
-    const std::size_t length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return std::string(text, length);
-}
 
 Result<net::FoundStudy> askForStudy(net::Archive& archive, const std::string& studyInstanceUid,
                                     Progress& progress) {
