@@ -46,10 +46,12 @@ ArchiveController::ArchiveController(const WindowContext& context, OpeningContro
       search_(this, {.ended =
                          [this](const Result<net::StudyAnswers>& answers) {
                              panel_->setSearching(false);
-                             if (answers)
+                             if (answers) {
                                  panel_->setAnswers(*answers);
-                             else
+                                 Q_EMIT answered(searched_);
+                             } else {
                                  panel_->setRemark(inWindowsLanguage(answers.error()));
+                             }
                          }}),
       fetch_(this, {.progressed =
                         [this](const ProgressUpdate& update) {

@@ -40,6 +40,9 @@ class ArchiveController : public QObject {
     void showNames(bool shown);
     bool fetching() const { return fetch_.running(); }
 
+  Q_SIGNALS:
+    void answered(const QString& archive);  // its name: it can be reached
+
   private:
     // A study that comes, or came last. Another one that is fetched makes what is still heard of it void.
     struct Coming {

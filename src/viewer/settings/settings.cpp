@@ -86,6 +86,7 @@ Result<Settings> settingsFromJson(const std::string& text) {
     settings.keys = members.texts(QStringLiteral("keys"));
     settings.folders = members.texts(QStringLiteral("folders"));
     settings.windowPlace = members.text(QStringLiteral("windowPlace"), {});
+    settings.archive = members.text(QStringLiteral("archive"), {});
     settings.others = members.rest();
     return settings;
 }
@@ -110,6 +111,7 @@ std::string toJson(const Settings& settings) {
     write(QStringLiteral("keys"), settings.keys);
     write(QStringLiteral("folders"), settings.folders);
     if (!settings.windowPlace.isEmpty()) object[QStringLiteral("windowPlace")] = settings.windowPlace;
+    if (!settings.archive.isEmpty()) object[QStringLiteral("archive")] = settings.archive;
     return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
 }
 
@@ -127,6 +129,7 @@ Settings withChanges(Settings stored, const Settings& before, const Settings& af
     take(&Settings::deidentifies);
     take(&Settings::showsNames);
     take(&Settings::windowPlace);
+    take(&Settings::archive);
     for (auto field : {&Settings::keys, &Settings::folders}) {
         const QMap<QString, QString>& old = before.*field;
         const QMap<QString, QString>& now = after.*field;

@@ -30,6 +30,7 @@ struct Settings {
     QMap<QString, QString> keys = {};     // chosen keys: see KeyBook
     QMap<QString, QString> folders = {};  // see LastFolders
     QString windowPlace = {};             // see WindowPlace; empty: the default
+    QString archive = {};                 // the name of the one to which something was sent last
     QJsonObject others = {};              // from a later version: written back unchanged
 
     bool operator==(const Settings&) const = default;

@@ -54,6 +54,12 @@ void SettingsController::keepWindowPlace(const QString& place) {
     take(settings);
 }
 
+void SettingsController::keepArchive(const QString& name) {
+    Settings settings = settings_;
+    settings.archive = name;
+    take(settings);
+}
+
 void SettingsController::take(const Settings& settings) {
     const Settings before = std::exchange(settings_, settings);
     if (settings == before) return;

@@ -28,6 +28,7 @@ class SettingsController : public QObject {
     void take(const Settings& settings);  // applies and stores them
     void keepFolders(const QMap<QString, QString>& folders);
     void keepWindowPlace(const QString& place);
+    void keepArchive(const QString& name);
 
     QAction* addAction(QMenu& edit);
     // Gives the actions of the window the keys that a person chose. Call it once, when all actions exist and

@@ -48,6 +48,7 @@ class SecondVolumeController;
 class SecondVolumeLoader;
 class SegmentationKeeper;
 class SegmentationsController;
+class SendController;
 class SlicePair;
 class SliceView;
 class TableController;
@@ -194,6 +195,7 @@ class MainWindow : public QMainWindow {
     HeadsetController* headset_ = nullptr;
     PicturesController* pictures_ = nullptr;
     PresentationsController* presentations_ = nullptr;
+    SendController* send_ = nullptr;
     ViewsController* views_ = nullptr;
     MeasurementsController* measurements_ = nullptr;
     LookController* look_ = nullptr;
