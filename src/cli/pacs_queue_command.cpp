@@ -47,8 +47,9 @@ void printEntry(const study::OutboxEntry& entry) {
         return;
     }
     const study::OutboxRecord& record = entry.record;
-    fmt::print("{}  {}  {}  {}  {}  {} tries\n", entry.id, study::nameOf(entry.state),
-               printable(record.archive), objects(record.files.size()), record.queuedAt, record.tries);
+    fmt::print("{}  {}  {}  {}  {}  {}\n", entry.id, study::nameOf(entry.state), printable(record.archive),
+               objects(record.files.size()), record.queuedAt,
+               record.tries == 1 ? "tried once" : fmt::format("tried {} times", record.tries));
     printPatients(stdout, "    ", entry);
     if (record.trouble) printReason(*record.trouble);
     std::vector<study::Reason> told;  // many files are refused for one reason
@@ -143,7 +144,8 @@ Result<void> drop(const QueueOptions& options) {
         entries.push_back(std::move(entry));
     }
     for (const study::OutboxEntry& entry : entries) MACULA_TRY_VOID(outbox.remove(entry.id));
-    printNote(Text("{} entries removed from the queue.", entries.size()));
+    printNote(entries.size() == 1 ? Text("One entry was removed from the queue.")
+                                  : Text("{} entries were removed from the queue.", entries.size()));
     return {};
 }
 
