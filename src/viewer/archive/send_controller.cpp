@@ -73,6 +73,7 @@ SendController::SendController(const WindowContext& context, const Uses& uses)
                               if (!entries) return context_.notifications.showError(entries.error());
                               entries_ = *entries;
                               if (queue_) queue_->setEntries(entries_);
+                              if (sending_.running()) return;  // it is read again at the end of that
                               if (offersNext_ || waiting_->isVisible()) waiting_->offer(entries_);
                               offersNext_ = false;
                           }}),
@@ -112,10 +113,11 @@ QString SendController::unfinished() const {
 }
 
 // Of the study's own archive, else of the last one.
-QString SendController::usualArchive() const {
+QString SendController::usualArchive(const QStringList& archives) const {
     const study::StudySource& open = uses_.opening.loader().source();
     const auto record = open ? study::useSpooled(*open) : std::nullopt;
-    return record ? QString::fromStdString(record->source) : uses_.settings.settings().archive;
+    const QString source = record ? QString::fromStdString(record->source) : QString();
+    return archives.contains(source) ? source : uses_.settings.settings().archive;
 }
 
 void SendController::askWhatToSend() {
@@ -126,13 +128,14 @@ void SendController::askWhatToSend() {
             tr("No archive has been set up yet."),
             tr("Set one up in the panel Archive, or ask your administrator."));
     SendOffer offer{.archives = {},
-                    .archive = usualArchive(),
+                    .archive = {},
                     .patient = context_.session.study().identity,
                     .whyNoObjects = {},
                     .screenPx = uses_.pictures.screenPx(),
                     .is3dShown = uses_.pictures.is3dShown(),
                     .isDeidentified = uses_.settings.settings().deidentifies};
     for (const net::Source& each : sources->all()) offer.archives.append(QString::fromStdString(each.name));
+    offer.archive = usualArchive(offer.archives);
     // Takes what is on screen now: while a person answers, another study may open.
     ObjectsToSend onScreen;
     if (context_.session.hasStudy() && context_.session.study().found) {
@@ -257,6 +260,7 @@ void SendController::tell(const Result<ObjectsSent>& outcome) {
                                          {},
                                          {}});
     }
+    readQueue(true);
     beginNext();
     if (!sending_.running()) Q_EMIT written();
 }

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QPointer>
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 #include <chrono>
 #include <deque>
@@ -63,7 +64,7 @@ class SendController : public QObject {
     using Work = BackgroundJob<ObjectsSent>::Work;
 
     void askWhatToSend();
-    QString usualArchive() const;
+    QString usualArchive(const QStringList& archives) const;
     void askForFiles(SendDialog& dialog, bool folder);
     void send(const SendDialog& dialog, ObjectsToSend onScreen);
     void sendQueued(const std::vector<study::OutboxEntry>& entries, study::Outbox::Which which);
