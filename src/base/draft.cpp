@@ -43,6 +43,11 @@ Result<std::string> randomDigits() {
 
 constexpr std::size_t kMostOfName = 180;  // bytes; file systems allow 255 for the whole name
 
+std::string nameOfDraft(const fs::path& target, const std::string& digits, Draft::Kind kind) {
+    return fmt::format(".{}.{}{}{}", startOf(target.stem().native(), kMostOfName), digits, kPart,
+                       kind == Draft::Kind::file ? target.extension().string() : "");
+}
+
 bool isNameOfDraft(std::string_view name) {
     const std::size_t part = name.rfind(kPart);
     if (!name.starts_with('.') || part == std::string_view::npos || part < kDigits + 2) return false;
@@ -81,13 +86,25 @@ Result<Draft> Draft::beside(const fs::path& target, Kind kind) {
     }
     for (int attempt = 0;; ++attempt) {
         MACULA_TRY(const std::string digits, randomDigits());
-        const std::string name =
-            fmt::format(".{}.{}{}{}", startOf(target.stem().native(), kMostOfName), digits, kPart,
-                        kind == Kind::file ? target.extension().string() : "");
+        const std::string name = nameOfDraft(target, digits, kind);
         const int descriptor = make(folder / name, kind);
         if (descriptor >= 0) return Draft(folder / name, descriptor);
         if (errno != EEXIST || attempt >= 8) return notWritable(target, errno);
     }
+}
+
+Result<Draft> Draft::of(const fs::path& folder) {
+    MACULA_TRY(const std::string digits, randomDigits());
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) return notWritable(folder, errno);
+    flock(descriptor, LOCK_EX | LOCK_NB);
+    const fs::path hidden = folderOf(folder) / nameOfDraft(folder, digits, Kind::folder);
+    if (rename(folder.c_str(), hidden.c_str()) != 0) {
+        const int reason = errno;
+        close(descriptor);
+        return notWritable(folder, reason);
+    }
+    return Draft(hidden, descriptor);
 }
 
 Draft::Draft(Draft&& other) noexcept

@@ -16,6 +16,9 @@ class Draft {
 
     // Fails with outputNotWritable, for instance where the folder of the target does not exist.
     static Result<Draft> beside(const std::filesystem::path& target, Kind kind);
+    // Turns a folder that is there into a draft: at once nothing stands at its place, and its files go with
+    // the draft. Fails with outputNotWritable, and then all of it stays.
+    static Result<Draft> of(const std::filesystem::path& folder);
 
     Draft(Draft&& other) noexcept;
     Draft& operator=(Draft&&) = delete;

@@ -31,5 +31,6 @@ void addSessionsGc(CLI::App& sessions, Action& action);      // likewise
 void addSessionsExport(CLI::App& sessions, Action& action);  // likewise
 void addSessionsImport(CLI::App& sessions, Action& action);  // likewise
 void addSessionsPurge(CLI::App& sessions, Action& action);   // likewise
+void addPacsQueue(CLI::App& pacs, Action& action);           // subcommands of pacs
 
 }  // namespace macula::cli

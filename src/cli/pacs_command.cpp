@@ -155,7 +155,8 @@ CLI::App* addNamed(CLI::App& pacs, const char* verb, const char* help, ArchiveOp
 }  // namespace
 
 void addPacs(CLI::App& app, Action& action) {
-    auto* pacs = app.add_subcommand("pacs", "Archives (PACS): set up, test, and what was fetched");
+    auto* pacs = app.add_subcommand(
+        "pacs", "Archives (PACS): set up, test, what was fetched, and what waits to be sent");
     pacs->require_subcommand(1);
 
     auto added = std::make_shared<PacsOptions>();
@@ -185,6 +186,8 @@ void addPacs(CLI::App& app, Action& action) {
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
     purge->callback([gigabytes, &action] { action = [gigabytes] { return purgeFetched(*gigabytes); }; });
+
+    addPacsQueue(*pacs, action);
 }
 
 }  // namespace macula::cli

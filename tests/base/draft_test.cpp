@@ -46,6 +46,21 @@ TEST_F(DraftTest, GoesUnlessItIsMovedAndHasTheExtension) {
     EXPECT_EQ(*readText(folder_ / "a.png"), "whole");
 }
 
+TEST_F(DraftTest, MadeOfAFolderItIsGoneAtOnceAndAllOfItLater) {
+    fs::create_directories(folder_ / "study");
+    std::ofstream(folder_ / "study" / "a.dcm") << "whole";
+    {
+        const auto draft = Draft::of(folder_ / "study");
+        ASSERT_TRUE(draft.ok());
+        EXPECT_FALSE(fs::exists(folder_ / "study"));
+        EXPECT_TRUE(fs::exists(draft->path() / "a.dcm"));
+        removeAbandonedDrafts(folder_);
+        EXPECT_TRUE(fs::exists(draft->path())) << "its maker lives";
+    }
+    EXPECT_EQ(fileCount(), 0);
+    EXPECT_FALSE(Draft::of(folder_ / "study").ok());
+}
+
 TEST_F(DraftTest, OfAKilledProgramIsRemovedAndOfALivingOneNot) {
     const pid_t child = fork();
     if (child == 0) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
@@ -12,6 +11,7 @@
 
 #include "base/atomic_file.h"
 #include "base/parsing.h"
+#include "base/private_file.h"
 #include "base/user_folder.h"
 #include "net/sources/source_json.h"
 
@@ -53,21 +53,7 @@ Result<void> writePrivately(const fs::path& file, const nlohmann::json& json) {
                      Text("The folder for the list of archives cannot be made."), file.string(),
                      Text("Check the permissions of your data folder.")};
     if (isNew) fs::permissions(file.parent_path(), fs::perms::owner_all, failure);
-    return writeAtomically(file, [&](const fs::path& written) -> Result<void> {
-        std::error_code refused;
-        fs::permissions(written, fs::perms::owner_read | fs::perms::owner_write, refused);
-        if (refused)
-            return Error{ErrorCode::outputNotWritable, Text("The file cannot be made private."),
-                         file.string(),
-                         Text("Choose a data folder on a disk with permissions: XDG_DATA_HOME names it.")};
-        std::ofstream stream(written, std::ios::binary);
-        stream << json.dump(2) << '\n';
-        stream.close();
-        if (!stream)
-            return Error{ErrorCode::outputNotWritable, Text("The list of archives could not be written."),
-                         file.string(), Text("Check free space and permissions.")};
-        return {};
-    });
+    return writeTextPrivately(file, json.dump(2) + "\n");
 }
 
 Result<nlohmann::json> readSecrets(const fs::path& file) {

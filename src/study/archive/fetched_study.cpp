@@ -4,6 +4,7 @@
 #include <atomic>
 #include <utility>
 
+#include "base/utc_time.h"
 #include "study/open/same_patient.h"
 
 namespace macula::study {

@@ -1,7 +1,6 @@
 #include "study/spool/spooled_study.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/file_lock.h"
 #include "base/parallel.h"
 #include "dicom/stack/examination.h"
 #include "study/open/file_identity.h"
@@ -41,16 +41,7 @@ bool isWorthKeeping(const dicom::Examination& found) {
 
 // The lock is a file beside the folder of the study, in which only instances lie.
 struct SpooledStudy::Locked {
-    int descriptor = -1;
-
-    explicit Locked(const fs::path& file)
-        : descriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600)) {}
-    Locked(const Locked&) = delete;
-    Locked& operator=(const Locked&) = delete;
-    ~Locked() {
-        if (descriptor >= 0) close(descriptor);
-    }
-    bool isOurs() const { return descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
+    FileLock file;
 };
 
 SpooledStudy::SpooledStudy(fs::path folder, std::string studyInstanceUid, InstallationKey key,
@@ -70,9 +61,10 @@ Result<std::unique_ptr<SpooledStudy>> SpooledStudy::open(fs::path folder, std::s
     MACULA_TRY(const fs::path arriving, ArrivingFiles::prepareFolder(folder.parent_path()));
     std::unique_ptr<SpooledStudy> study(
         new SpooledStudy(std::move(folder), std::move(studyInstanceUid), key, limits));
-    study->locked_ = std::make_unique<Locked>(arriving / (study->folder_.filename().string() + ".lock"));
+    study->locked_ =
+        std::make_unique<Locked>(Locked{FileLock(arriving / (study->folder_.filename().string() + ".lock"))});
     const auto until = std::chrono::steady_clock::now() + limits.patience;
-    while (!study->locked_->isOurs()) {
+    while (!study->locked_->file.isOurs()) {
         if (cancel.cancelled()) return Error{ErrorCode::cancelled, Text("Fetching was cancelled."), {}, {}};
         if (std::chrono::steady_clock::now() >= until)
             return Error{ErrorCode::usage,

@@ -41,7 +41,9 @@ ArchiveController::ArchiveController(const WindowContext& context, Parts parts)
       search_(this, {.ended =
                          [this](const Result<study::Listing>& listing) {
                              panel_->setSearching(false);
-                             if (listing) panel_->setListing(*listing, true);
+                             if (!listing) return;
+                             panel_->setListing(*listing, true);
+                             tellWhoAnswered(*listing);
                          }}),
       look_(this, {.ended = [this](const Result<std::filesystem::path>& folder) {
                 if (folder && !folder->empty()) showPart(*folder);
@@ -126,6 +128,7 @@ void ArchiveController::search(const net::StudyQuery& query) {
     study::PlacesToSearch places{.archives = {}, .isHereToo = where.isHereToo, .folders = {}};
     for (const QString& name : where.archives) places.archives.push_back(namedArchive(*sources_, name));
     if (where.isHereToo) places.folders = foldersHere();
+    searched_ = where.archives;
     panel_->setListing({}, false);
     panel_->setSearching(true);
     const NewestPosted<study::Listing> soFar(this,
@@ -136,6 +139,15 @@ void ArchiveController::search(const net::StudyQuery& query) {
     search_.start([places = std::move(places), query, soFar](Progress& progress) -> Result<study::Listing> {
         return study::searchStudies(places, query, progress, soFar);
     });
+}
+
+void ArchiveController::tellWhoAnswered(const study::Listing& listing) {
+    for (const QString& name : std::as_const(searched_)) {
+        const bool isSilent = std::ranges::any_of(listing.silent, [&](const study::SilentArchive& each) {
+            return QString::fromStdString(each.name) == name;
+        });
+        if (!isSilent) Q_EMIT answered(name);
+    }
 }
 
 // Those that were opened before, and those that are watched.

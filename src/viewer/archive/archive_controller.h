@@ -59,6 +59,9 @@ class ArchiveController : public QObject {
     bool fetching() const { return fetcher_->running(); }
     void onStudyShown();
 
+  Q_SIGNALS:
+    void answered(const QString& archive);  // its name: it can be reached
+
   private:
     // A study that comes to be shown, or came last.
     struct Coming {
@@ -73,6 +76,7 @@ class ArchiveController : public QObject {
     void readSources();
     void setUp();
     void search(const net::StudyQuery& query);
+    void tellWhoAnswered(const study::Listing& listing);
     std::vector<std::filesystem::path> foldersHere() const;
     void open(const study::ListedStudy& listed);
     void openBeside(const study::ListedStudy& listed);
@@ -92,6 +96,7 @@ class ArchiveController : public QObject {
     QAction* shown_ = nullptr;
     std::function<void(const std::filesystem::path&)> opensBeside_;
     std::optional<net::SourceList> sources_;
+    QStringList searched_;  // archives
     std::uint64_t searches_ = 0;
     Coming coming_;
     BackgroundJob<study::Listing> search_;

@@ -102,17 +102,40 @@ void PicturesController::cancel() {
     export_->cancel();
 }
 
+pictures::ViewPicture PicturesController::onScreen() const {
+    const study::OpenedStudy& study = context_.session.study();
+    return {.volume = study.volume,
+            .seriesDigest = study.seriesDigest,
+            .drawing = context_.shown.drawing(),
+            .camera = toCamera(context_.viewport.camera()),
+            .sizePx = {screenPx().width(), screenPx().height()},
+            .effort = {.quality = settings_.settings().quality.toStdString()},
+            .output = {},
+            .source = imageOf(study),
+            .isOfNobody = study.identity.isOfNobody};
+}
+
+// The size of a hidden 3D window means nothing.
+QSize PicturesController::screenPx() const {
+    return is3dShown() ? context_.viewport.pictureSize() : panes_.size() * panes_.devicePixelRatioF();
+}
+
+bool PicturesController::is3dShown() const {
+    return panes_.isShown(Pane::volume);
+}
+
+void PicturesController::addOverlays(pictures::ViewPicture& picture) {
+    picture.stampsFor = [sizePx = picture.sizePx, isCalibrated = picture.volume->provenance().isCalibrated](
+                            const Camera& camera) { return overlaysOf(camera, sizePx, isCalibrated); };
+}
+
 void PicturesController::askHowToSave() {
     if (!context_.notifications.refuseUnless(context_.session.hasStudy(),
                                              tr("There is no picture to save yet.")))
         return;
     context_.viewport.window().endDrag();
-    const bool is3dShown = panes_.isShown(Pane::volume);
-    // The size of a hidden 3D window means nothing.
-    auto* dialog = new PictureDialog(
-        is3dShown ? context_.viewport.pictureSize() : panes_.size() * panes_.devicePixelRatioF(),
-        &context_.window);
-    if (!is3dShown) dialog->tellThat3dIsHidden();
+    auto* dialog = new PictureDialog(screenPx(), &context_.window);
+    if (!is3dShown()) dialog->tellThat3dIsHidden();
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->beginWith(settings_.settings().quality, settings_.settings().deidentifies);
     dialog->offerEffectsOf(context_.session.state().settings.look);
@@ -126,24 +149,13 @@ void PicturesController::askWhereToSave(const PictureDialog& how) {
         tr("Pictures (*.png);;Linear light and depth (*.exr);;DICOM Secondary Capture (*.dcm)"),
         QStringLiteral("png"), QStringLiteral("picture"));
     FileDialogs::followFilter(*dialog);
-    const study::OpenedStudy& study = context_.session.study();
     // Takes what is on screen now: while a person looks for a folder, another study may open.
-    pictures::ViewPicture picture{.volume = study.volume,
-                                  .seriesDigest = study.seriesDigest,
-                                  .drawing = context_.shown.drawing(),
-                                  .camera = toCamera(context_.viewport.camera()),
-                                  .sizePx = {how.sizePx().width(), how.sizePx().height()},
-                                  .effort = {.quality = how.quality()},
-                                  .effects = how.effects(),
-                                  .output = {},
-                                  .source = imageOf(study),
-                                  .isOfNobody = study.identity.isOfNobody,
-                                  .isDeidentified = how.isDeidentified()};
-    if (how.hasOverlays())
-        picture.stampsFor = [sizePx = picture.sizePx,
-                             isCalibrated = picture.volume->provenance().isCalibrated](const Camera& camera) {
-            return overlaysOf(camera, sizePx, isCalibrated);
-        };
+    pictures::ViewPicture picture = onScreen();
+    picture.sizePx = {how.sizePx().width(), how.sizePx().height()};
+    picture.effort = {.quality = how.quality()};
+    picture.effects = how.effects();
+    picture.isDeidentified = how.isDeidentified();
+    if (how.hasOverlays()) addOverlays(picture);
     context_.files.ask(dialog, FolderKind::pictures,
                        [this, picture = std::move(picture)](const QString& path) {
                            pictures::ViewPicture wanted = picture;

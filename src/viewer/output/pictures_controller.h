@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QSize>
 #include <QString>
 #include <QStringList>
 #include <string>
@@ -58,6 +59,13 @@ class PicturesController : public QObject {
 
     WorkBar* bar() const { return bar_; }
     void addActions(QMenu& file);
+
+    // What is on screen now, at its size and the quality of the settings; without an output. Needs a study.
+    pictures::ViewPicture onScreen() const;
+    QSize screenPx() const;  // of the 3D view; of all panes where that is hidden
+    bool is3dShown() const;
+    // Cube, scale and letters, for the size that the picture has now.
+    static void addOverlays(pictures::ViewPicture& picture);
 
     QString unfinished() const;  // a sentence; empty: nothing is being written
     void cancel();

@@ -269,25 +269,31 @@ void PresentationsController::showOnSlices(const scene::SoftcopyOnSlices& shown,
     context_.notifications.showNotesOf(notes);
 }
 
-void PresentationsController::askHowToSave() {
+Result<scene::PresentationRequest> PresentationsController::onScreen() const {
     if (!study().volume || !study().found)
-        return context_.notifications.refuse(
-            tr("A presentation state refers to DICOM images, and none are open."),
-            tr("Open a folder with DICOM files, or save the view."));
-    // Takes what is on screen now: while a person answers, another study may open.
+        return Error{ErrorCode::usage,
+                     Text::verbatim(
+                         tr("A presentation state refers to DICOM images, and none are open.").toStdString()),
+                     {},
+                     Text::verbatim(tr("Open a folder with DICOM files, or save the view.").toStdString())};
     const study::FoundVolume& shown = study().found->volumes().at(study().volumeIndex);
-    auto images = scene::presentedImages(*shown.series, *shown.stack);
-    if (!images) return context_.notifications.showError(images.error());
     scene::PresentationRequest request;
+    MACULA_TRY(request.images, scene::presentedImages(*shown.series, *shown.stack));
     request.state = uses_.states.state();
     request.volume = study().volume;
-    request.images = *std::move(images);
     const QSize size = context_.viewport.pictureSize();
     if (!size.isEmpty()) request.aspectWidthOverHeight = double(size.width()) / size.height();
+    return request;
+}
+
+void PresentationsController::askHowToSave() {
+    // Takes what is on screen now: while a person answers, another study may open.
+    const auto now = onScreen();
+    if (!now) return context_.notifications.showError(now.error());
     context_.viewport.window().endDrag();
     auto* dialog = new PresentationDialog(&context_.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, request = std::move(request)]() mutable {
+    connect(dialog, &QDialog::accepted, this, [this, dialog, request = *now]() mutable {
         request.isDeidentified = dialog->isDeidentified();
         askWhereToSave(std::move(request));
     });

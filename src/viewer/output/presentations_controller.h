@@ -95,6 +95,10 @@ class PresentationsController : public QObject {
 
     void addActions(QMenu& file);
 
+    // The 3D view as it is now. Fails with usage where no DICOM images are open, or where they lack what it
+    // needs.
+    Result<scene::PresentationRequest> onScreen() const;
+
     QString unfinished() const;  // a sentence; empty: nothing is being written
     void cancel();
     void onStudyShown();

@@ -19,14 +19,14 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(QuitQuestion)
 };
 
-// Asks, and returns at once. `unfinished`: sentences. Calls `wait` to quit after the work, `quit` to quit
-// now, and neither after Cancel.
-void askToQuit(QWidget* parent, const QStringList& unfinished, std::function<void()> wait,
-               std::function<void()> quit) {
+// Asks, and returns at once. `unfinished`, `ifNow`: sentences. Calls `wait` to quit after the work, `quit` to
+// quit now, and neither after Cancel.
+void askToQuit(QWidget* parent, const QStringList& unfinished, const QString& ifNow,
+               std::function<void()> wait, std::function<void()> quit) {
     auto* box = new QMessageBox(QMessageBox::Question, Words::tr("Quit?"), unfinished.join(QLatin1Char(' ')),
                                 QMessageBox::Cancel, parent);
     box->setObjectName(QStringLiteral("quit-question"));
-    box->setInformativeText(Words::tr("If you quit now, no file of it is left."));
+    box->setInformativeText(ifNow);
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* finish = box->addButton(Words::tr("&Finish, Then Quit"), QMessageBox::AcceptRole);
     QPushButton* now = box->addButton(Words::tr("&Quit Now"), QMessageBox::DestructiveRole);
@@ -58,6 +58,14 @@ QStringList QuitController::unfinished() const {
     return sentences;
 }
 
+QString QuitController::ifQuitNow() const {
+    for (const Writing& each : writers_)
+        if (!each.keepsRest && !each.unfinished().isEmpty())
+            return Words::tr("If you quit now, no file of it is left.");
+    return Words::tr(
+        "If you quit now, only what is stored by then has arrived; the queue keeps what it has.");
+}
+
 bool QuitController::mayClose() {
     QMainWindow& window = context_.window;
     const QStringList sentences = unfinished();
@@ -68,7 +76,7 @@ bool QuitController::mayClose() {
     }
     context_.viewport.window().endDrag();  // the dialog gets the button's release
     askToQuit(
-        &window, sentences,
+        &window, sentences, ifQuitNow(),
         [this] {
             quitsWhenDone_ = true;
             if (unfinished().isEmpty()) context_.window.close();  // it was finished before the answer

@@ -19,10 +19,14 @@ class QuitController : public QObject {
   public:
     explicit QuitController(const WindowContext& context);
 
-    // Quitting waits for the files of `writer`, which must outlive the window's last question.
+    // Quitting waits for the files of `writer`, which must outlive the window's last question. A writer with
+    // kKeepsRest loses none of them.
     template <class Writer>
     void waitFor(Writer& writer) {
-        writers_.push_back({[&writer] { return writer.unfinished(); }, [&writer] { writer.cancel(); }});
+        bool keepsRest = false;
+        if constexpr (requires { Writer::kKeepsRest; }) keepsRest = true;
+        writers_.push_back(
+            {[&writer] { return writer.unfinished(); }, [&writer] { writer.cancel(); }, keepsRest});
         connect(&writer, &Writer::written, this, &QuitController::quitIfDone);
         if constexpr (requires { writer.bar(); })
             connect(writer.bar(), &WorkBar::cancelClicked, this, &QuitController::stay);
@@ -37,7 +41,9 @@ class QuitController : public QObject {
     struct Writing {
         std::function<QString()> unfinished;
         std::function<void()> cancel;
+        bool keepsRest = false;
     };
+    QString ifQuitNow() const;
     void quitIfDone();
     void stay() { quitsWhenDone_ = false; }
 

@@ -108,6 +108,7 @@ Result<Settings> settingsFromJson(const std::string& text) {
     settings.windowPlace = members.text(QStringLiteral("windowPlace"), {});
     settings.priors = priorSearchOf(members.text(QStringLiteral("priors"), {}));
     settings.archiveColumns = members.text(QStringLiteral("archiveColumns"), {});
+    settings.archive = members.text(QStringLiteral("archive"), {});
     settings.others = members.rest();
     return settings;
 }
@@ -137,6 +138,7 @@ std::string toJson(const Settings& settings) {
     if (!settings.watchedFolders.isEmpty())
         object[QStringLiteral("watchedFolders")] = QJsonArray::fromStringList(settings.watchedFolders);
     if (!settings.windowPlace.isEmpty()) object[QStringLiteral("windowPlace")] = settings.windowPlace;
+    if (!settings.archive.isEmpty()) object[QStringLiteral("archive")] = settings.archive;
     return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
 }
 
@@ -161,6 +163,7 @@ Settings withChanges(Settings stored, const Settings& before, const Settings& af
     for (const QString& folder : after.watchedFolders)
         if (!before.watchedFolders.contains(folder) && !stored.watchedFolders.contains(folder))
             stored.watchedFolders.append(folder);
+    take(&Settings::archive);
     for (auto field : {&Settings::keys, &Settings::folders}) {
         const QMap<QString, QString>& old = before.*field;
         const QMap<QString, QString>& now = after.*field;

@@ -39,6 +39,7 @@ struct Settings {
     QString windowPlace = {};             // see WindowPlace; empty: the default
     PriorSearch priors = PriorSearch::list;
     QString archiveColumns = {};  // of the list of studies, see ArchivePanel; empty: the default
+    QString archive = {};         // the name of the one to which something was sent last
     QJsonObject others = {};      // from a later version: written back unchanged
 
     bool operator==(const Settings&) const = default;

@@ -66,6 +66,12 @@ void SettingsController::keepWatched(const QStringList& folders) {
     take(settings);
 }
 
+void SettingsController::keepArchive(const QString& name) {
+    Settings settings = settings_;
+    settings.archive = name;
+    take(settings);
+}
+
 void SettingsController::take(const Settings& settings) {
     const Settings before = std::exchange(settings_, settings);
     if (settings == before) return;

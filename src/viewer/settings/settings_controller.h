@@ -30,6 +30,7 @@ class SettingsController : public QObject {
     void keepWindowPlace(const QString& place);
     void keepArchiveColumns(const QString& columns);
     void keepWatched(const QStringList& folders);
+    void keepArchive(const QString& name);
 
     QAction* addAction(QMenu& edit);
     // Gives the actions of the window the keys that a person chose. Call it once, when all actions exist and

@@ -9,6 +9,8 @@
 
 #include "viewer/archive/archive_controller.h"
 #include "viewer/archive/archive_panel.h"
+#include "viewer/archive/send_controller.h"
+#include "viewer/archive/waiting_bar.h"
 #include "viewer/browser/browser_controller.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_handles_tool.h"
@@ -198,6 +200,12 @@ void MainWindow::makeOthers() {
                                                             .states = *states_,
                                                             .browser = browser_->browser(),
                                                             .slices = panes_->allSlices()});
+    send_ = new SendController(context_, {.archives = *archive_,
+                                          .opening = *opening_,
+                                          .pictures = *pictures_,
+                                          .presentations = *presentations_,
+                                          .settings = *settings_});
+    centralWidget()->layout()->addWidget(send_->waiting());
     look_ = new LookController(context_);
     view3d_ = new View3dController(context_, *transfer_);
     status_ = new StatusController(context_, *panes_);
@@ -206,6 +214,7 @@ void MainWindow::makeOthers() {
     quit_->waitFor(*movies_);
     quit_->waitFor(*models_);
     quit_->waitFor(*presentations_);
+    quit_->waitFor(*send_);
 }
 
 void MainWindow::connectSettings() {

@@ -51,6 +51,7 @@ class SecondVolumeController;
 class SecondVolumeLoader;
 class SegmentationKeeper;
 class SegmentationsController;
+class SendController;
 class SlicePair;
 class SliceView;
 class TableController;
@@ -202,6 +203,7 @@ class MainWindow : public QMainWindow {
     HeadsetController* headset_ = nullptr;
     PicturesController* pictures_ = nullptr;
     PresentationsController* presentations_ = nullptr;
+    SendController* send_ = nullptr;
     ViewsController* views_ = nullptr;
     MeasurementsController* measurements_ = nullptr;
     LookController* look_ = nullptr;

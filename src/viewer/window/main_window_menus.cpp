@@ -6,6 +6,7 @@
 #include <QToolBar>
 
 #include "viewer/archive/archive_controller.h"
+#include "viewer/archive/send_controller.h"
 #include "viewer/browser/browser_controller.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/clip/clips_controller.h"
@@ -70,6 +71,8 @@ void MainWindow::makeFileMenu() {
     models_->addActions(*file);
     presets_->addFileAction(*file);
     file->addSeparator();
+    send_->addActions(*file);
+    file->addSeparator();
     QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
     quit->setShortcut(keyOf(KeyAction::quit));
 }
@@ -122,8 +125,8 @@ void MainWindow::makeToolBar() {
 
 void MainWindow::makeStatusBar() {
     for (WorkBar* bar : {opening_->bar(), archive_->bar(), links_->bar(), manifests_->bar(), table_->bar(),
-                         segmentations_->bar(), pictures_->bar(), movies_->bar(), models_->bar(),
-                         quality_->bar(), clips_->bar()})
+                         segmentations_->bar(), pictures_->bar(), send_->bar(), movies_->bar(),
+                         models_->bar(), quality_->bar(), clips_->bar()})
         statusBar()->addWidget(bar);
     status_->addTo(*statusBar());
 }

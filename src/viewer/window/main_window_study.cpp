@@ -8,6 +8,7 @@
 
 #include "scene/slices/opening_planes.h"
 #include "viewer/archive/archive_controller.h"
+#include "viewer/archive/send_controller.h"
 #include "viewer/browser/browser_controller.h"
 #include "viewer/clip/clips_controller.h"
 #include "viewer/clip/voxel_cutting.h"
@@ -71,6 +72,7 @@ void MainWindow::showNames(bool shown) {
     archive_->showNames(shown);
     links_->showNames(shown);
     watch_->showNames(shown);
+    send_->showNames(shown);
     segmentations_->panel().showNames(shown);
     names_->setChecked(shown);
     status_->showTexts();
