@@ -30,8 +30,7 @@ Result<OutboxSent> sendEntry(Outbox& outbox, const OutboxEntry& entry, const Ope
 Result<std::unique_ptr<net::Archive>> openArchiveOfUser(const std::string& name) {
     MACULA_TRY(const net::SourceList list, net::SourceList::read(net::SourceFiles::ofUser()));
     MACULA_TRY(const net::Source source, list.find(name));
-    MACULA_TRY(const net::Secrets secrets, list.secretsOf(source));
-    return net::archiveOf(source, secrets);
+    return net::archiveOf(list, source);
 }
 
 QueueSent sendQueued(Outbox& outbox, std::span<const OutboxEntry> entries, const ArchiveOpener& open,

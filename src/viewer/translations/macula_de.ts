@@ -250,6 +250,89 @@
     </message>
 </context>
 <context>
+    <name>LinkQuestion</name>
+    <message>
+        <source>studies of a patient, whose ID is hidden with the names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>studies of the patient with the ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>studies of the patient with the ID %1 (issued by %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>, the %n most recent</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, from %1 on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, up to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Macula would ask %n archives.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Macula would ask the archive %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Macula would ask these archives: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the study with the UID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies by their UIDs</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the study with the accession number %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies by their accession numbers</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fetch What a Link Asks For?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A link asks Macula to open %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any web page can make such a link: fetch only what you expect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fetch</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Look</name>
     <message>
         <source>Path traced</source>
@@ -548,6 +631,36 @@
     </message>
 </context>
 <context>
+    <name>QueueDialog</name>
+    <message>
+        <source>waits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>waits, after %n tries</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>is being sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused by the archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The notes on these objects cannot be read. The objects lie in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>QuitQuestion</name>
     <message>
         <source>Quit?</source>
@@ -564,6 +677,10 @@
     <message>
         <source>&amp;Quit Now</source>
         <translation>&amp;Jetzt beenden</translation>
+    </message>
+    <message>
+        <source>If you quit now, only what is stored by then has arrived; the queue keeps what it has.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9529,30 +9646,6 @@
         <translation>Schaffen Sie Platz auf dem Datenträger, und rufen Sie noch einmal ab: was gekommen ist, bleibt erhalten.</translation>
     </message>
     <message>
-        <source>Another program already listens at port {}, where the archive is to send.</source>
-        <translation>Am Port {}, an den das Archiv senden soll, wartet schon ein anderes Programm auf Verbindungen.</translation>
-    </message>
-    <message>
-        <source>End that program, or choose another port here and in the archive.</source>
-        <translation>Beenden Sie jenes Programm, oder wählen Sie hier und im Archiv einen anderen Port.</translation>
-    </message>
-    <message>
-        <source>This program may not listen at port {}, where the archive is to send.</source>
-        <translation>Dieses Programm darf am Port {}, an den das Archiv senden soll, nicht auf Verbindungen warten.</translation>
-    </message>
-    <message>
-        <source>Choose a port above 1023, here and in the archive.</source>
-        <translation>Wählen Sie hier und im Archiv einen Port über 1023.</translation>
-    </message>
-    <message>
-        <source>This machine has no such address to listen at for what the archive sends.</source>
-        <translation>Dieser Rechner hat die Adresse nicht, an der empfangen werden soll, was das Archiv sendet.</translation>
-    </message>
-    <message>
-        <source>Leave the receiver&apos;s address empty, or enter one of this machine.</source>
-        <translation>Lassen Sie die Adresse des Empfängers leer, oder geben Sie eine dieses Rechners ein.</translation>
-    </message>
-    <message>
         <source>This machine has no means left to receive instances.</source>
         <translation>Dieser Rechner hat keine Mittel mehr, um Instanzen zu empfangen.</translation>
     </message>
@@ -9763,10 +9856,6 @@
     <message>
         <source>Choose a data folder on a disk with permissions: XDG_DATA_HOME names it.</source>
         <translation>Wählen Sie einen Datenordner auf einem Datenträger mit Zugriffsrechten: XDG_DATA_HOME nennt ihn.</translation>
-    </message>
-    <message>
-        <source>The list of archives could not be written.</source>
-        <translation>Die Liste der Archive konnte nicht gespeichert werden.</translation>
     </message>
     <message>
         <source>Others can read the file with the passwords of archives.</source>
@@ -10513,14 +10602,6 @@
         <translation>Bilder dieser Studie können fehlen: Das Archiv hat nicht gesagt, welche es hat, oder weniger gesendet.</translation>
     </message>
     <message>
-        <source>The archive now names another patient for this study than in the list.</source>
-        <translation>Das Archiv nennt zu dieser Studie jetzt einen anderen Patienten als in der Liste.</translation>
-    </message>
-    <message>
-        <source>Search again, and tell the administrator of the archive.</source>
-        <translation>Suchen Sie noch einmal, und benachrichtigen Sie die Verwaltung des Archivs.</translation>
-    </message>
-    <message>
         <source>Fetching was cancelled.</source>
         <translation>Der Abruf wurde abgebrochen.</translation>
     </message>
@@ -10608,6 +10689,566 @@
         <source>Searching</source>
         <translation>Suchen</translation>
     </message>
+    <message>
+        <source>A private folder cannot be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check free space, and the permissions of the folder above it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Get the manifest again from where it was made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manifest names more than {} studies.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manifest names more than {} series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manifest names more than {} images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Imaging manifest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no imaging manifest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a DICOM Key Object Selection whose title is Manifest, as IHE MADO defines it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manifest names no images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the manifest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By DICOMweb, an archive cannot be asked to confirm that it keeps what was stored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the archive up by DIMSE too, or search it for what was stored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program already listens at port {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End that program, or choose another port here and where the images come from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This program may not listen at port {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a port above 1023, here and where the images come from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This machine has no such address to listen at.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the address out, or enter one of this machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is no address.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter an IP address or a range of them, such as 10.1.0.0/16. Host names are not enough: somebody else could answer for them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive has not said yet whether it keeps this object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask again later. The archive must know the receiver&apos;s AE title, host name and port, and no firewall may block them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most archives report over a connection of their own: enter a receiver&apos;s port in the settings of the archive, and have AE title, host name and port entered there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the archive to confirm that it keeps the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive does not have this object (reason {}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive has this object as one of another kind (reason {}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive what it has under this identity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive does not promise to keep objects of this kind (reason {}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive where such objects are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive took the request for one that it had before (reason {}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive has no room to keep this object (reason {}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive to make room, then send again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive does not promise to keep this object (reason {}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive does not confirm what it keeps: it does not offer storage commitment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask the administrator of the archive whether it offers it to this AE title, or search the archive for what was stored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other machines could send to this program, and nobody said which may.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name those that may send, or say that anyone may.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To protect connections that others make, this program needs a certificate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter a certificate with its key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} wanted to send, and is not among those that may.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} called this program by another AE title.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} was turned away, because as many connections are open as this program allows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} was turned away, because more connections came than this program allows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} made no protected connection, or showed no certificate that is trusted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} did not ask to send images as DICOM prescribes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive names another patient for this study than the list or the manifest that it was chosen from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not rely on either. Search again, and tell the administrator of the archive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than {} studies were sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the program again to take more, and look at what was sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} objects came that name another patient than the rest of this study. They were not kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell the administrator of the machine that sent them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link has a percent sign without two digits behind it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link holds letters that are not UTF-8.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link holds control characters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link has a part that is not written as key=value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link gives one of its keys twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link has too many parts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link holds a user name or a password.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no link of Macula.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link has no // behind its beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link asks for something that Macula does not do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was opened. Links are written as macula://open?study=UID, with accession=NUMBER or patient=ID instead of study, and may end in &amp;archive=NAME; or as macula://IHEInvokeImageDisplay?requestType=STUDY&amp;studyUID=UID.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link is too long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link holds a blank or a control character.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link has a # in it; within a value it is written as %23.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link does not say which study it means.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking the archive for the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking {} archives for the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} could not be asked: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} has more studies that match.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} also answered {} studies that the link does not ask for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} has no study that fits the link.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of {} archives has a study that fits the link.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search for the study in the panel Archive or with macula find, or ask whoever made the link.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The search was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part {} of the link is something that Macula does not know.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was opened. Such links may have {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link holds a number or an ID that is longer than any real one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link holds a wildcard, which would find other studies too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link names too many studies.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link names a study by something that is no UID.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link holds a day that is not written as 2026-11-30.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link has a choice that is neither true nor false.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link says who issued the patient&apos;s ID; Macula searches by the ID alone, and other hospitals may have given the same one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>study, accession, patient, issuer and archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link names more than one of study, accession number and patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link says who issued a patient&apos;s ID, and names no patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link asks for a viewer of a certain kind; Macula has only its own window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link asks for a display of diagnostic quality; Macula is not for primary diagnosis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link asks for key images only; Macula opens the whole study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link has additional parameters, which Macula does not know.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link says who issued the accession number; Macula searches by the number alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>requestType, studyUID, accessionNumber, viewerType, diagnosticQuality, keyImagesOnly and additionalParameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link names the patient; Macula searches by the ID alone, so check the name yourself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link gives times of the day; Macula takes the studies of the whole days.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link names a modality that is none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link asks for a number of recent studies that is none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>requestType, patientID, patientName, patientBirthDate, lowerDateTime, upperDateTime, mostRecentResults, modalitiesInStudy, viewerType, diagnosticQuality, keyImagesOnly and additionalParameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link does not say which patient it means.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link&apos;s first day is after its last one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link&apos;s requestType is neither STUDY nor PATIENT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is an imaging manifest: it names images that lie in an archive. Open its file to fetch them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of {} images that the manifest names did not come.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetch the study again, or ask whoever made the manifest: images may have been removed, or lie elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Or say which archive has the study: macula fetch ARCHIVE --manifest FILE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say which archive has the study: macula fetch ARCHIVE --manifest FILE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manifest says that the series of a study lie in different archives.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manifest says that images lie at an address of which no archive is set up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If you trust this address, set it up as an archive, and open the manifest again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manifest says that images lie in an archive whose AE title is not set up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up the archive of this AE title, and open the manifest again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manifest does not say where its images lie.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such entry in the queue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It may have been sent or removed. macula pacs queue lists what waits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The objects could not be copied into the queue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the permissions of this folder and the free space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One of the files is no whole DICOM object; nothing was put into the queue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it out, or write it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One of the files is of a patient or study that was not confirmed; nothing was put into the queue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send it again, and check the names in the question.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copying {} objects into the queue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was put into the queue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An entry of the queue is named by at least {} hexadecimal digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>macula pacs queue lists them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Several entries of the queue begin with these digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give more of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These objects are being sent at this moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait until that is done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One of the files is gone; nothing was put into the queue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk is too full to keep objects in the queue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free some space, then send them again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The notes on objects that wait for an archive are damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The objects lie in this folder. Send them again, then remove the entry.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sending was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was made names another patient than the question did; nothing was sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The files of this study may have changed on the disk. Open it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>make the objects to send</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -10645,6 +11286,10 @@
     <message>
         <source>The search was stopped.</source>
         <translation>Die Suche wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Somebody sent this study without saying how many images it has: some may be missing.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10795,6 +11440,54 @@
     <message>
         <source>Stop Searching</source>
         <translation>Suche abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ArrivalBar</name>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">Öffnen</translation>
+    </message>
+    <message>
+        <source>Open the study that arrived</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close this message; the study stays where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>A new study arrived in %1: %2, %n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A new study arrived in a folder that is watched: %1, %n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no patient name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source> %n more arrived.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11766,6 +12459,47 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::LinkChoice</name>
+    <message>
+        <source>Studies of a Link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studies that fit the link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter or a double click opens the selected study</source>
+        <translation type="unfinished">Eingabe oder ein Doppelklick öffnet die gewählte Studie</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies fit the link. Choose the one to fetch and open.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In the archive %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::LinksController</name>
+    <message>
+        <source>Another link came while a question about a link was open, and was not followed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer the question, then click on the link again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking for the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::LookController</name>
     <message>
         <source>&amp;Look</source>
@@ -11917,6 +12651,28 @@
     <message>
         <source>Archive</source>
         <translation>Archiv</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ManifestsController</name>
+    <message>
+        <source>Fetching was cancelled. What came is kept; opening the manifest again goes on from there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetching what the manifest names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The manifest names %n studies, which were all fetched. The first one is shown; macula pacs fetched lists them all.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What the manifest names was fetched. Another study was opened meanwhile; open the manifest again to show it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13383,6 +14139,84 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::QueueDialog</name>
+    <message>
+        <source>Waiting for Archives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects that wait for archives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was sent and is not stored there yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation type="unfinished">Patient</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation type="unfinished">Archiv</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Send Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send the selected entries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove them without sending them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation type="unfinished">ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Nothing waits for an archive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove From the Queue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n objects without sending them?</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pictures and views that were made to be sent are kept nowhere else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished">&amp;Entfernen</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::RecentMenu</name>
     <message>
         <source>Open &amp;Recent</source>
@@ -13832,6 +14666,257 @@
     <message>
         <source>Loading a segmentation</source>
         <translation>Eine Segmentierung wird geladen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SendController</name>
+    <message>
+        <source>Sen&amp;d to an Archive…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store the picture, the view or DICOM files in a PACS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Waiting for Archives…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was sent and is not stored there yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects are still being sent to an archive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No archive has been set up yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set one up in the panel Archive, or ask your administrator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No DICOM study is open, so there is no patient to whom a picture could belong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send DICOM files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sending to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sending to an archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sending was cancelled. What was not stored yet is not sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects are stored.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects are stored in %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The archive refused %n objects; File, Waiting for Archives says why.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects wait in the queue.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SendDialog</name>
+    <message>
+        <source>&amp;Picture of the 3D view (Secondary Capture)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View in 3D (presentation state, no pixels)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Without patient and study</source>
+        <translation type="unfinished">&amp;Ohne Patient und Studie</translation>
+    </message>
+    <message>
+        <source>Send to an Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation type="unfinished">Archiv</translation>
+    </message>
+    <message>
+        <source>The archive (PACS) in which they are stored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of the 3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawn with cube, scale and letters, at the quality of the settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View in 3D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera, colours, clip and shading; Macula draws the same picture of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without patient and study</source>
+        <translation type="unfinished">Ohne Patient und Studie</translation>
+    </message>
+    <message>
+        <source>Picture and view get a pseudonym and new UIDs. Files are sent as they are. A face can still be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As on screen</source>
+        <translation type="unfinished">Wie auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>As the panes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Twice as large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation type="unfinished">Full HD</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation type="unfinished">Quadrat</translation>
+    </message>
+    <message>
+        <source>Large square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add &amp;Files…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOM files from a disk, as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add F&amp;older…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All DICOM files in a folder and below it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send no files from a disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No files from a disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store these objects in the archive, in the background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading files…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose what to send.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Send %n objects to %1, of:</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A pseudonym, in place of patient and study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These objects are not of one patient.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14944,6 +16029,87 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <message>
         <source>%1 of %2: %3</source>
         <translation>%1 von %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::WaitingBar</name>
+    <message>
+        <source>Send Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send all that waits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What waits, of whom, and why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It stays in the queue: File, Waiting for Archives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects wait for %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::WatchController</name>
+    <message>
+        <source>&amp;Watched Folders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Watch a Folder…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say when a study appears in a folder; nothing is opened by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (cannot be read now)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop Watching %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder to watch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This folder is watched already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No more folders can be watched.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop watching another one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Macula now says when a study appears in this folder. What is there already is not told.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,37 @@
     </message>
 </context>
 <context>
+    <name>LinkQuestion</name>
+    <message numerus="yes">
+        <source>, the %n most recent</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Macula would ask %n archives.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies by their UIDs</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies by their accession numbers</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Model</name>
     <message numerus="yes">
         <source>Preview of an earlier session, %n steps</source>
@@ -50,6 +81,16 @@
     </message>
 </context>
 <context>
+    <name>QueueDialog</name>
+    <message numerus="yes">
+        <source>waits, after %n tries</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::ArchiveController</name>
     <message numerus="yes">
         <source>%n images fetched</source>
@@ -70,6 +111,30 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::ArrivalBar</name>
+    <message numerus="yes">
+        <source>A new study arrived in %1: %2, %n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A new study arrived in a folder that is watched: %1, %n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source> %n more arrived.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::ConvergeNow</name>
     <message numerus="yes">
         <source>The picture is final: %Ln samples, noise %1 of black to white.</source>
@@ -83,6 +148,26 @@
         <translation>
             <numerusform>The picture is final: %Ln sample.</numerusform>
             <numerusform>The picture is final: %Ln samples.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::LinkChoice</name>
+    <message numerus="yes">
+        <source>%n studies fit the link. Choose the one to fetch and open.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ManifestsController</name>
+    <message numerus="yes">
+        <source>The manifest names %n studies, which were all fetched. The first one is shown; macula pacs fetched lists them all.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -161,12 +246,77 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::QueueDialog</name>
+    <message numerus="yes">
+        <source>Remove %n objects without sending them?</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SegmentationKeeper</name>
     <message numerus="yes">
         <source>There are %n segmentations of this volume: F11.</source>
         <translation>
             <numerusform>There is a segmentation of this volume: F11.</numerusform>
             <numerusform>There are %n segmentations of this volume: F11.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SendController</name>
+    <message numerus="yes">
+        <source>%n objects are stored.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects are stored in %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The archive refused %n objects; File, Waiting for Archives says why.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects wait in the queue.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SendDialog</name>
+    <message numerus="yes">
+        <source>%n files</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Send %n objects to %1, of:</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -207,6 +357,16 @@
         <translation>
             <numerusform>%n point; it is not selected. Arrows shift it, Tab goes to it.</numerusform>
             <numerusform>%n points; none is selected. Arrows shift and widen all of them, Tab goes through them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::WaitingBar</name>
+    <message numerus="yes">
+        <source>%n objects wait for %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
