@@ -16,6 +16,7 @@
 #include "cli/shared/interrupt.h"
 #include "cli/shared/json_text.h"
 #include "cli/shared/report.h"
+#include "net/dimse/address_range.h"
 #include "study/archive/archive_json.h"
 #include "study/archive/received_studies.h"
 
@@ -43,6 +44,8 @@ void printListening(const net::StoreProviderOptions& options, std::uint16_t port
     const std::string address = options.address.empty() ? "all addresses" : options.address;
     printNote(Text("Listening as {} at port {} of {}{}. Ctrl+C stops it.", options.ownAe, port, address,
                    options.tls.isOn ? " over TLS" : ""));
+    if (!options.tls.isOn && !net::isOfThisMachineAlone(options.address))
+        printWarning(Text("What other machines send is not encrypted. --tls-certificate encrypts it."));
 }
 
 // Each study as soon as it is done.
@@ -95,7 +98,8 @@ void printSummary(const Printer& printer, const net::StoreProvider::Counts& coun
 
 Result<void> endOf(const ReceiveOptions& options, const Printer& printer,
                    const net::StoreProvider::Counts& counts, const std::optional<Error>& trouble) {
-    if (counts.withoutRoom > 0)
+    // Where only the disk's last word is missing, all was kept, and may still be lost.
+    if (counts.withoutRoom > 0 || (trouble && trouble->code == ErrorCode::outputNotWritable))
         return trouble.value_or(Error{ErrorCode::outputNotWritable,
                                       Text("Not all that was sent was kept."),
                                       {},

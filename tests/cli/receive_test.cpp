@@ -141,8 +141,8 @@ TEST_F(Receive, OnlyThoseWhoMaySendDo) {
 }
 
 TEST_F(Receive, WhatThereIsNoRoomForIsAnErrorAtTheEnd) {
-    const Ran ran =
-        receiving({"--limit-gb", "0.000001"}, [&](std::uint16_t port) { EXPECT_NE(sendAs("CT1", port), 0); });
+    // dcmsend goes on with the other images, and reports no error.
+    const Ran ran = receiving({"--limit-gb", "0.000001"}, [&](std::uint16_t port) { sendAs("CT1", port); });
     expectFailure(ran, kExitUsage, "Not all that was sent was kept");
     EXPECT_NE(ran.err.find("There was no room for"), std::string::npos) << ran.err;
 }

@@ -10,6 +10,7 @@
 #include "net/dimse/dimse_archive.h"
 #include "net/dimse/instance_arrival.h"
 #include "net/dimse/requests.h"
+#include "net/dimse/tls.h"
 #include "toolkit/quiet_toolkit.h"
 
 namespace macula::net {
