@@ -92,7 +92,7 @@ SendController::SendController(const WindowContext& context, const Uses& uses)
 }
 
 void SendController::addActions(QMenu& file) {
-    QAction* send = file.addAction(tr("Sen&d to an Archive…"), this, &SendController::askWhatToSend);
+    QAction* send = file.addAction(tr("Se&nd to an Archive…"), this, &SendController::askWhatToSend);
     describe(*send, "send-to-archive", tr("Store the picture, the view or DICOM files in a PACS"));
     queueAction_ = file.addAction(tr("&Waiting for Archives…"), this, &SendController::showQueue);
     describe(*queueAction_, "waiting-for-archives", tr("What was sent and is not stored there yet"));
@@ -250,10 +250,9 @@ void SendController::tell(const Result<ObjectsSent>& outcome) {
             told.append(tr("The archive refused %n objects; File, Waiting for Archives says why.", nullptr,
                            int(sent.refused)));
         if (sent.left > 0) told.append(tr("%n objects wait in the queue.", nullptr, int(sent.left)));
-        told += inWindowsLanguage(outcome->notes);
         const bool isWhole = sent.left == 0 && sent.refused == 0;
         if (isWhole)
-            context_.notifications.showNote(told.join(QLatin1Char(' ')));
+            context_.notifications.showDone(told.join(QLatin1Char(' ')), inWindowsLanguage(outcome->notes));
         else
             context_.notifications.fail({ErrorCode::archiveNotUsable,
                                          Text::verbatim(told.join(QLatin1Char(' ')).toStdString()),

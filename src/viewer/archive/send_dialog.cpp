@@ -38,6 +38,8 @@ QString linesFor(const study::Identity& patient) {
         const QString words = harmless(inWindowsLanguage(line));
         if (!words.isEmpty()) lines.append(words);
     }
+    if (patient.birthDate.empty())
+        lines.insert(std::min<qsizetype>(2, lines.size()), SendDialog::tr("No date of birth"));
     return lines.join(QLatin1Char('\n'));
 }
 
