@@ -253,83 +253,83 @@
     <name>LinkQuestion</name>
     <message>
         <source>studies of a patient, whose ID is hidden with the names</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien eines Patienten, dessen ID mit den Namen ausgeblendet ist</translation>
     </message>
     <message>
         <source>studies of the patient with the ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien des Patienten mit der ID %1</translation>
     </message>
     <message>
         <source>studies of the patient with the ID %1 (issued by %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien des Patienten mit der ID %1 (vergeben von %2)</translation>
     </message>
     <message numerus="yes">
         <source>, the %n most recent</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, die letzte</numerusform>
+            <numerusform>, die letzten %n</numerusform>
         </translation>
     </message>
     <message>
         <source>, from %1 on</source>
-        <translation type="unfinished"></translation>
+        <translation>, ab %1</translation>
     </message>
     <message>
         <source>, up to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, bis %1</translation>
     </message>
     <message numerus="yes">
         <source>Macula would ask %n archives.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Macula würde %n Archiv fragen.</numerusform>
+            <numerusform>Macula würde %n Archive fragen.</numerusform>
         </translation>
     </message>
     <message>
         <source>Macula would ask the archive %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macula würde das Archiv %1 fragen.</translation>
     </message>
     <message>
         <source>Macula would ask these archives: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macula würde diese Archive fragen: %1.</translation>
     </message>
     <message>
         <source>the study with the UID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die Studie mit der UID %1</translation>
     </message>
     <message numerus="yes">
         <source>%n studies by their UIDs</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Studie anhand ihrer UID</numerusform>
+            <numerusform>%n Studien anhand ihrer UIDs</numerusform>
         </translation>
     </message>
     <message>
         <source>the study with the accession number %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die Studie mit der Accession-Nummer %1</translation>
     </message>
     <message numerus="yes">
         <source>%n studies by their accession numbers</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Studie anhand ihrer Accession-Nummer</numerusform>
+            <numerusform>%n Studien anhand ihrer Accession-Nummern</numerusform>
         </translation>
     </message>
     <message>
         <source>Fetch What a Link Asks For?</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrufen, was ein Link verlangt?</translation>
     </message>
     <message>
         <source>A link asks Macula to open %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Link verlangt, dass Macula Folgendes öffnet: %1.</translation>
     </message>
     <message>
         <source>Any web page can make such a link: fetch only what you expect.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Webseite kann einen solchen Link enthalten: rufen Sie nur ab, was Sie erwarten.</translation>
     </message>
     <message>
         <source>&amp;Fetch</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abrufen</translation>
     </message>
 </context>
 <context>
@@ -634,30 +634,30 @@
     <name>QueueDialog</name>
     <message>
         <source>waits</source>
-        <translation type="unfinished"></translation>
+        <translation>wartet</translation>
     </message>
     <message numerus="yes">
         <source>waits, after %n tries</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>wartet, nach %n Versuch</numerusform>
+            <numerusform>wartet, nach %n Versuchen</numerusform>
         </translation>
     </message>
     <message>
         <source>is being sent</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gesendet</translation>
     </message>
     <message>
         <source>refused by the archive</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Archiv abgelehnt</translation>
     </message>
     <message>
         <source>damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>beschädigt</translation>
     </message>
     <message>
         <source>The notes on these objects cannot be read. The objects lie in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Notizen zu diesen Objekten können nicht gelesen werden. Die Objekte liegen in %1.</translation>
     </message>
 </context>
 <context>
@@ -680,7 +680,7 @@
     </message>
     <message>
         <source>If you quit now, only what is stored by then has arrived; the queue keeps what it has.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenn Sie jetzt beenden, ist nur angekommen, was bis dahin gespeichert ist; die Warteschlange behält, was sie hat.</translation>
     </message>
 </context>
 <context>
@@ -10635,7 +10635,7 @@
     </message>
     <message>
         <source>Ask the administrator of the archive what its log says, then send again.</source>
-        <translation>Fragen Sie den Administrator des Archivs, was dessen Protokoll sagt, und senden Sie dann noch einmal.</translation>
+        <translation>Fragen Sie die Verwaltung des Archivs, was dessen Protokoll sagt, und senden Sie dann noch einmal.</translation>
     </message>
     <message>
         <source>The service that signs people in gave no code.</source>
@@ -10691,563 +10691,563 @@
     </message>
     <message>
         <source>A private folder cannot be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein privater Ordner kann nicht angelegt werden.</translation>
     </message>
     <message>
         <source>Check free space, and the permissions of the folder above it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie freien Platz und die Zugriffsrechte des übergeordneten Ordners.</translation>
     </message>
     <message>
         <source>Get the manifest again from where it was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Holen Sie das Manifest noch einmal von dort, wo es erstellt wurde.</translation>
     </message>
     <message>
         <source>The manifest names more than {} studies.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Manifest nennt mehr als {} Studien.</translation>
     </message>
     <message>
         <source>The manifest names more than {} series.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Manifest nennt mehr als {} Serien.</translation>
     </message>
     <message>
         <source>The manifest names more than {} images.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Manifest nennt mehr als {} Bilder.</translation>
     </message>
     <message>
         <source>Imaging manifest</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildmanifest</translation>
     </message>
     <message>
         <source>The file is no imaging manifest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist kein Bildmanifest.</translation>
     </message>
     <message>
         <source>Choose a DICOM Key Object Selection whose title is Manifest, as IHE MADO defines it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie eine DICOM Key Object Selection mit dem Titel Manifest, wie IHE MADO sie definiert.</translation>
     </message>
     <message>
         <source>The manifest names no images.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Manifest nennt keine Bilder.</translation>
     </message>
     <message>
         <source>There is not enough memory for the manifest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für das Manifest ist nicht genug Speicher da.</translation>
     </message>
     <message>
         <source>By DICOMweb, an archive cannot be asked to confirm that it keeps what was stored.</source>
-        <translation type="unfinished"></translation>
+        <translation>Über DICOMweb lässt sich von einem Archiv keine Bestätigung verlangen, dass es aufbewahrt, was gespeichert wurde.</translation>
     </message>
     <message>
         <source>Set the archive up by DIMSE too, or search it for what was stored.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richten Sie das Archiv auch über DIMSE ein, oder suchen Sie darin, was gespeichert wurde.</translation>
     </message>
     <message>
         <source>Another program already listens at port {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderes Programm lauscht schon am Port {}.</translation>
     </message>
     <message>
         <source>End that program, or choose another port here and where the images come from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden Sie das andere Programm, oder wählen Sie einen anderen Port, hier und dort, woher die Bilder kommen.</translation>
     </message>
     <message>
         <source>This program may not listen at port {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Programm darf am Port {} nicht lauschen.</translation>
     </message>
     <message>
         <source>Choose a port above 1023, here and where the images come from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie einen Port über 1023, hier und dort, woher die Bilder kommen.</translation>
     </message>
     <message>
         <source>This machine has no such address to listen at.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Rechner hat keine solche Adresse, an der er lauschen könnte.</translation>
     </message>
     <message>
         <source>Leave the address out, or enter one of this machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lassen Sie die Adresse weg, oder geben Sie eine dieses Rechners ein.</translation>
     </message>
     <message>
         <source>{} is no address.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ist keine Adresse.</translation>
     </message>
     <message>
         <source>Enter an IP address or a range of them, such as 10.1.0.0/16. Host names are not enough: somebody else could answer for them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie eine IP-Adresse oder einen Adressbereich ein, etwa 10.1.0.0/16. Rechnernamen genügen nicht: ein anderer Rechner könnte sich dafür ausgeben.</translation>
     </message>
     <message>
         <source>The archive has not said yet whether it keeps this object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv hat noch nicht gesagt, ob es dieses Objekt aufbewahrt.</translation>
     </message>
     <message>
         <source>Ask again later. The archive must know the receiver&apos;s AE title, host name and port, and no firewall may block them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragen Sie später noch einmal. Das Archiv muss AE-Titel, Rechnernamen und Port des Empfängers kennen, und keine Firewall darf sie sperren.</translation>
     </message>
     <message>
         <source>Most archives report over a connection of their own: enter a receiver&apos;s port in the settings of the archive, and have AE title, host name and port entered there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die meisten Archive melden sich über eine eigene Verbindung: geben Sie in den Einstellungen des Archivs den Port eines Empfängers ein, und lassen Sie dessen AE-Titel, Rechnernamen und Port im Archiv eintragen.</translation>
     </message>
     <message>
         <source>Waiting for the archive to confirm that it keeps the files</source>
-        <translation type="unfinished"></translation>
+        <translation>Warten auf die Bestätigung des Archivs, dass es die Dateien aufbewahrt</translation>
     </message>
     <message>
         <source>The archive does not have this object (reason {}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv hat dieses Objekt nicht (Grund {}).</translation>
     </message>
     <message>
         <source>Send it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Senden Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The archive has this object as one of another kind (reason {}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv führt dieses Objekt als eines anderer Art (Grund {}).</translation>
     </message>
     <message>
         <source>Ask the administrator of the archive what it has under this identity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragen Sie die Verwaltung des Archivs, was es unter dieser Kennung hat.</translation>
     </message>
     <message>
         <source>The archive does not promise to keep objects of this kind (reason {}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv sagt nicht zu, Objekte dieser Art aufzubewahren (Grund {}).</translation>
     </message>
     <message>
         <source>Ask the administrator of the archive where such objects are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragen Sie die Verwaltung des Archivs, wo solche Objekte aufbewahrt werden.</translation>
     </message>
     <message>
         <source>The archive took the request for one that it had before (reason {}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv hat die Anfrage für eine frühere gehalten (Grund {}).</translation>
     </message>
     <message>
         <source>Ask it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The archive has no room to keep this object (reason {}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv hat keinen Platz, um dieses Objekt aufzubewahren (Grund {}).</translation>
     </message>
     <message>
         <source>Ask the administrator of the archive to make room, then send again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bitten Sie die Verwaltung des Archivs, Platz zu schaffen, und senden Sie dann noch einmal.</translation>
     </message>
     <message>
         <source>The archive does not promise to keep this object (reason {}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv sagt nicht zu, dieses Objekt aufzubewahren (Grund {}).</translation>
     </message>
     <message>
         <source>The archive does not confirm what it keeps: it does not offer storage commitment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv bestätigt nicht, was es aufbewahrt: es bietet kein Storage Commitment.</translation>
     </message>
     <message>
         <source>Ask the administrator of the archive whether it offers it to this AE title, or search the archive for what was stored.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragen Sie die Verwaltung des Archivs, ob es das diesem AE-Titel bietet, oder suchen Sie im Archiv, was gespeichert wurde.</translation>
     </message>
     <message>
         <source>Other machines could send to this program, and nobody said which may.</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Rechner könnten an dieses Programm senden, und es wurde nicht angegeben, welche das dürfen.</translation>
     </message>
     <message>
         <source>Name those that may send, or say that anyone may.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie die an, die senden dürfen, oder dass alle es dürfen.</translation>
     </message>
     <message>
         <source>To protect connections that others make, this program needs a certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um Verbindungen zu schützen, die andere aufbauen, braucht dieses Programm ein Zertifikat.</translation>
     </message>
     <message>
         <source>Enter a certificate with its key.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie ein Zertifikat mit seinem Schlüssel an.</translation>
     </message>
     <message>
         <source>{} wanted to send, and is not among those that may.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} wollte senden und gehört nicht zu denen, die das dürfen.</translation>
     </message>
     <message>
         <source>{} called this program by another AE title.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} hat dieses Programm mit einem anderen AE-Titel angesprochen.</translation>
     </message>
     <message>
         <source>{} was turned away, because as many connections are open as this program allows.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} wurde abgewiesen, weil schon so viele Verbindungen offen sind, wie dieses Programm erlaubt.</translation>
     </message>
     <message>
         <source>{} was turned away, because more connections came than this program allows.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} wurde abgewiesen, weil mehr Verbindungen kamen, als dieses Programm erlaubt.</translation>
     </message>
     <message>
         <source>{} made no protected connection, or showed no certificate that is trusted.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} hat keine geschützte Verbindung aufgebaut oder kein Zertifikat gezeigt, dem vertraut wird.</translation>
     </message>
     <message>
         <source>{} did not ask to send images as DICOM prescribes.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} hat das Senden von Bildern nicht so angefragt, wie DICOM es vorschreibt.</translation>
     </message>
     <message>
         <source>The archive names another patient for this study than the list or the manifest that it was chosen from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv nennt für diese Studie einen anderen Patienten als die Liste oder das Manifest, woraus sie gewählt wurde.</translation>
     </message>
     <message>
         <source>Do not rely on either. Search again, and tell the administrator of the archive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlassen Sie sich auf keine der beiden Angaben. Suchen Sie noch einmal, und melden Sie es der Verwaltung des Archivs.</translation>
     </message>
     <message>
         <source>More than {} studies were sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurden mehr als {} Studien gesendet.</translation>
     </message>
     <message>
         <source>Start the program again to take more, and look at what was sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Starten Sie das Programm neu, um mehr anzunehmen, und sehen Sie nach, was gesendet wurde.</translation>
     </message>
     <message>
         <source>{} objects came that name another patient than the rest of this study. They were not kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekte, die gekommen sind und einen anderen Patienten nennen als der Rest dieser Studie: {}. Sie wurden nicht behalten.</translation>
     </message>
     <message>
         <source>Tell the administrator of the machine that sent them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Melden Sie es der Verwaltung des Rechners, der sie gesendet hat.</translation>
     </message>
     <message>
         <source>The link has a percent sign without two digits behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link hat ein Prozentzeichen, auf das keine zwei Ziffern folgen.</translation>
     </message>
     <message>
         <source>The link holds letters that are not UTF-8.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link enthält Zeichen, die kein UTF-8 sind.</translation>
     </message>
     <message>
         <source>The link holds control characters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link enthält Steuerzeichen.</translation>
     </message>
     <message>
         <source>The link has a part that is not written as key=value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link hat einen Teil, der nicht als Schlüssel=Wert geschrieben ist.</translation>
     </message>
     <message>
         <source>The link gives one of its keys twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link nennt einen seiner Schlüssel zweimal.</translation>
     </message>
     <message>
         <source>The link has too many parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link hat zu viele Teile.</translation>
     </message>
     <message>
         <source>The link holds a user name or a password.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link enthält einen Benutzernamen oder ein Passwort.</translation>
     </message>
     <message>
         <source>This is no link of Macula.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist kein Link von Macula.</translation>
     </message>
     <message>
         <source>The link has no // behind its beginning.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Link fehlt // hinter seinem Anfang.</translation>
     </message>
     <message>
         <source>The link asks for something that Macula does not do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link verlangt etwas, das Macula nicht tut.</translation>
     </message>
     <message>
         <source>Nothing was opened. Links are written as macula://open?study=UID, with accession=NUMBER or patient=ID instead of study, and may end in &amp;archive=NAME; or as macula://IHEInvokeImageDisplay?requestType=STUDY&amp;studyUID=UID.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde nichts geöffnet. Links werden als macula://open?study=UID geschrieben, auch mit accession=NUMMER oder patient=ID statt study, und können mit &amp;archive=NAME enden; oder als macula://IHEInvokeImageDisplay?requestType=STUDY&amp;studyUID=UID.</translation>
     </message>
     <message>
         <source>The link is too long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link ist zu lang.</translation>
     </message>
     <message>
         <source>The link holds a blank or a control character.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link enthält ein Leerzeichen oder ein Steuerzeichen.</translation>
     </message>
     <message>
         <source>The link has a # in it; within a value it is written as %23.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link enthält ein #; innerhalb eines Werts wird es als %23 geschrieben.</translation>
     </message>
     <message>
         <source>The link does not say which study it means.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link sagt nicht, welche Studie er meint.</translation>
     </message>
     <message>
         <source>Asking the archive for the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv wird nach der Studie gefragt</translation>
     </message>
     <message>
         <source>Asking {} archives for the study</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Archive werden nach der Studie gefragt</translation>
     </message>
     <message>
         <source>{} could not be asked: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} konnte nicht gefragt werden: {}</translation>
     </message>
     <message>
         <source>{} has more studies that match.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} hat weitere Studien, die passen.</translation>
     </message>
     <message>
         <source>{} also answered {} studies that the link does not ask for.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} hat auch Studien genannt, nach denen der Link nicht fragt: {}.</translation>
     </message>
     <message>
         <source>{} has no study that fits the link.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} hat keine Studie, die zum Link passt.</translation>
     </message>
     <message>
         <source>None of {} archives has a study that fits the link.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keines von {} Archiven hat eine Studie, die zum Link passt.</translation>
     </message>
     <message>
         <source>Search for the study in the panel Archive or with macula find, or ask whoever made the link.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen Sie die Studie im Bereich Archiv oder mit macula find, oder fragen Sie dort nach, wo der Link erstellt wurde.</translation>
     </message>
     <message>
         <source>The search was cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Suche wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Part {} of the link is something that Macula does not know.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil {} des Links ist etwas, das Macula nicht kennt.</translation>
     </message>
     <message>
         <source>Nothing was opened. Such links may have {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde nichts geöffnet. Solche Links dürfen dies enthalten: {}.</translation>
     </message>
     <message>
         <source>The link holds a number or an ID that is longer than any real one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link enthält eine Nummer oder eine ID, die länger ist als jede echte.</translation>
     </message>
     <message>
         <source>The link holds a wildcard, which would find other studies too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link enthält einen Platzhalter, der auch andere Studien fände.</translation>
     </message>
     <message>
         <source>The link names too many studies.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link nennt zu viele Studien.</translation>
     </message>
     <message>
         <source>The link names a study by something that is no UID.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link nennt eine Studie mit etwas, das keine UID ist.</translation>
     </message>
     <message>
         <source>The link holds a day that is not written as 2026-11-30.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link enthält einen Tag, der nicht wie 2026-11-30 geschrieben ist.</translation>
     </message>
     <message>
         <source>The link has a choice that is neither true nor false.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link hat eine Ja/Nein-Angabe, die weder true noch false ist.</translation>
     </message>
     <message>
         <source>The link says who issued the patient&apos;s ID; Macula searches by the ID alone, and other hospitals may have given the same one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link sagt, wer die Patienten-ID vergeben hat; Macula sucht nur nach der ID, und andere Krankenhäuser können dieselbe vergeben haben.</translation>
     </message>
     <message>
         <source>study, accession, patient, issuer and archive</source>
-        <translation type="unfinished"></translation>
+        <translation>study, accession, patient, issuer und archive</translation>
     </message>
     <message>
         <source>The link names more than one of study, accession number and patient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link nennt mehr als eines von Studie, Accession-Nummer und Patient.</translation>
     </message>
     <message>
         <source>The link says who issued a patient&apos;s ID, and names no patient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link sagt, wer eine Patienten-ID vergeben hat, und nennt keinen Patienten.</translation>
     </message>
     <message>
         <source>The link asks for a viewer of a certain kind; Macula has only its own window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link verlangt einen Viewer einer bestimmten Art; Macula hat nur sein eigenes Fenster.</translation>
     </message>
     <message>
         <source>The link asks for a display of diagnostic quality; Macula is not for primary diagnosis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link verlangt eine Darstellung in diagnostischer Qualität; Macula ist nicht zur Primärdiagnose.</translation>
     </message>
     <message>
         <source>The link asks for key images only; Macula opens the whole study.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link verlangt nur Schlüsselbilder (Key Images); Macula öffnet die ganze Studie.</translation>
     </message>
     <message>
         <source>The link has additional parameters, which Macula does not know.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link hat zusätzliche Parameter, die Macula nicht kennt.</translation>
     </message>
     <message>
         <source>The link says who issued the accession number; Macula searches by the number alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link sagt, wer die Accession-Nummer vergeben hat; Macula sucht nur nach der Nummer.</translation>
     </message>
     <message>
         <source>requestType, studyUID, accessionNumber, viewerType, diagnosticQuality, keyImagesOnly and additionalParameters</source>
-        <translation type="unfinished"></translation>
+        <translation>requestType, studyUID, accessionNumber, viewerType, diagnosticQuality, keyImagesOnly und additionalParameters</translation>
     </message>
     <message>
         <source>The link names the patient; Macula searches by the ID alone, so check the name yourself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link nennt den Patienten; Macula sucht nur nach der ID, prüfen Sie den Namen also selbst.</translation>
     </message>
     <message>
         <source>The link gives times of the day; Macula takes the studies of the whole days.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link gibt Uhrzeiten an; Macula nimmt die Studien der ganzen Tage.</translation>
     </message>
     <message>
         <source>The link names a modality that is none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link nennt als Modalität etwas, das keine ist.</translation>
     </message>
     <message>
         <source>The link asks for a number of recent studies that is none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Anzahl der letzten Studien, die der Link verlangt, ist keine gültige Zahl.</translation>
     </message>
     <message>
         <source>requestType, patientID, patientName, patientBirthDate, lowerDateTime, upperDateTime, mostRecentResults, modalitiesInStudy, viewerType, diagnosticQuality, keyImagesOnly and additionalParameters</source>
-        <translation type="unfinished"></translation>
+        <translation>requestType, patientID, patientName, patientBirthDate, lowerDateTime, upperDateTime, mostRecentResults, modalitiesInStudy, viewerType, diagnosticQuality, keyImagesOnly und additionalParameters</translation>
     </message>
     <message>
         <source>The link does not say which patient it means.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Link sagt nicht, welchen Patienten er meint.</translation>
     </message>
     <message>
         <source>The link&apos;s first day is after its last one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der erste Tag des Links liegt nach dem letzten.</translation>
     </message>
     <message>
         <source>The link&apos;s requestType is neither STUDY nor PATIENT.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der requestType des Links ist weder STUDY noch PATIENT.</translation>
     </message>
     <message>
         <source>This is an imaging manifest: it names images that lie in an archive. Open its file to fetch them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist ein Bildmanifest: es nennt Bilder, die in einem Archiv liegen. Öffnen Sie seine Datei, um sie abzurufen.</translation>
     </message>
     <message>
         <source>{} of {} images that the manifest names did not come.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gekommen: {} von {} Bildern, die das Manifest nennt.</translation>
     </message>
     <message>
         <source>Fetch the study again, or ask whoever made the manifest: images may have been removed, or lie elsewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rufen Sie die Studie noch einmal ab, oder fragen Sie dort nach, wo das Manifest erstellt wurde: vielleicht wurden Bilder entfernt oder liegen anderswo.</translation>
     </message>
     <message>
         <source>Or say which archive has the study: macula fetch ARCHIVE --manifest FILE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Oder geben Sie an, welches Archiv die Studie hat: macula fetch ARCHIV --manifest DATEI.</translation>
     </message>
     <message>
         <source>Say which archive has the study: macula fetch ARCHIVE --manifest FILE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie an, welches Archiv die Studie hat: macula fetch ARCHIV --manifest DATEI.</translation>
     </message>
     <message>
         <source>The manifest says that the series of a study lie in different archives.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Manifest sagt, dass die Serien einer Studie in verschiedenen Archiven liegen.</translation>
     </message>
     <message>
         <source>The manifest says that images lie at an address of which no archive is set up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Manifest sagt, dass Bilder an einer Adresse liegen, zu der kein Archiv eingerichtet ist.</translation>
     </message>
     <message>
         <source>If you trust this address, set it up as an archive, and open the manifest again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenn Sie dieser Adresse vertrauen, richten Sie sie als Archiv ein, und öffnen Sie das Manifest noch einmal.</translation>
     </message>
     <message>
         <source>The manifest says that images lie in an archive whose AE title is not set up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Manifest sagt, dass Bilder in einem Archiv liegen, dessen AE-Titel nicht eingerichtet ist.</translation>
     </message>
     <message>
         <source>Set up the archive of this AE title, and open the manifest again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richten Sie das Archiv mit diesem AE-Titel ein, und öffnen Sie das Manifest noch einmal.</translation>
     </message>
     <message>
         <source>The manifest does not say where its images lie.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Manifest sagt nicht, wo seine Bilder liegen.</translation>
     </message>
     <message>
         <source>There is no such entry in the queue.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen solchen Eintrag gibt es in der Warteschlange nicht.</translation>
     </message>
     <message>
         <source>It may have been sent or removed. macula pacs queue lists what waits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er wurde vielleicht gesendet oder entfernt. macula pacs queue listet auf, was wartet.</translation>
     </message>
     <message>
         <source>The objects could not be copied into the queue.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Objekte konnten nicht in die Warteschlange kopiert werden.</translation>
     </message>
     <message>
         <source>Check the permissions of this folder and the free space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie die Zugriffsrechte dieses Ordners und den freien Platz.</translation>
     </message>
     <message>
         <source>One of the files is no whole DICOM object; nothing was put into the queue.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine der Dateien ist kein vollständiges DICOM-Objekt; nichts kam in die Warteschlange.</translation>
     </message>
     <message>
         <source>Leave it out, or write it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lassen Sie sie weg, oder speichern Sie sie noch einmal.</translation>
     </message>
     <message>
         <source>One of the files is of a patient or study that was not confirmed; nothing was put into the queue.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine der Dateien ist von einem nicht bestätigten Patienten oder einer nicht bestätigten Studie; nichts kam in die Warteschlange.</translation>
     </message>
     <message>
         <source>Send it again, and check the names in the question.</source>
-        <translation type="unfinished"></translation>
+        <translation>Senden Sie sie noch einmal, und prüfen Sie die Namen in der Frage.</translation>
     </message>
     <message>
         <source>Copying {} objects into the queue</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Objekte werden in die Warteschlange kopiert</translation>
     </message>
     <message>
         <source>Nothing was put into the queue.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts kam in die Warteschlange.</translation>
     </message>
     <message>
         <source>An entry of the queue is named by at least {} hexadecimal digits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Eintrag der Warteschlange wird durch mindestens {} hexadezimale Ziffern benannt.</translation>
     </message>
     <message>
         <source>macula pacs queue lists them.</source>
-        <translation type="unfinished"></translation>
+        <translation>macula pacs queue listet sie auf.</translation>
     </message>
     <message>
         <source>Several entries of the queue begin with these digits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehrere Einträge der Warteschlange beginnen mit diesen Ziffern.</translation>
     </message>
     <message>
         <source>Give more of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie mehr davon an.</translation>
     </message>
     <message>
         <source>These objects are being sent at this moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Objekte werden gerade gesendet.</translation>
     </message>
     <message>
         <source>Wait until that is done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Warten Sie, bis das fertig ist.</translation>
     </message>
     <message>
         <source>One of the files is gone; nothing was put into the queue.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine der Dateien gibt es nicht mehr; nichts kam in die Warteschlange.</translation>
     </message>
     <message>
         <source>The disk is too full to keep objects in the queue.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Datenträger ist zu voll, um Objekte in der Warteschlange aufzubewahren.</translation>
     </message>
     <message>
         <source>Free some space, then send them again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schaffen Sie Platz, und senden Sie sie dann noch einmal.</translation>
     </message>
     <message>
         <source>The notes on objects that wait for an archive are damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Notizen zu Objekten, die auf ein Archiv warten, sind beschädigt.</translation>
     </message>
     <message>
         <source>The objects lie in this folder. Send them again, then remove the entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Objekte liegen in diesem Ordner. Senden Sie sie noch einmal, und entfernen Sie dann den Eintrag.</translation>
     </message>
     <message>
         <source>Sending was cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Senden wurde abgebrochen.</translation>
     </message>
     <message>
         <source>What was made names another patient than the question did; nothing was sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was erstellt wurde, nennt einen anderen Patienten als die Frage; nichts wurde gesendet.</translation>
     </message>
     <message>
         <source>The files of this study may have changed on the disk. Open it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dateien dieser Studie haben sich vielleicht auf dem Datenträger geändert. Öffnen Sie die Studie noch einmal.</translation>
     </message>
     <message>
         <source>make the objects to send</source>
-        <translation type="unfinished"></translation>
+        <translation>die Objekte zu erstellen, die gesendet werden sollen</translation>
     </message>
 </context>
 <context>
@@ -11289,7 +11289,7 @@
     </message>
     <message>
         <source>Somebody sent this study without saying how many images it has: some may be missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Senden dieser Studie wurde nicht angegeben, wie viele Bilder sie hat: einige können fehlen.</translation>
     </message>
 </context>
 <context>
@@ -11435,7 +11435,7 @@
     </message>
     <message>
         <source>Searching…</source>
-        <translation>Suche läuft …</translation>
+        <translation>Suche läuft…</translation>
     </message>
     <message>
         <source>Stop Searching</source>
@@ -11446,47 +11446,47 @@
     <name>macula::viewer::ArrivalBar</name>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Öffnen</translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Open the study that arrived</source>
-        <translation type="unfinished"></translation>
+        <translation>Die angekommene Studie öffnen</translation>
     </message>
     <message>
         <source>Not Now</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht jetzt</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht jetzt</translation>
     </message>
     <message>
         <source>Close this message; the study stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Meldung schließen; die Studie bleibt, wo sie ist</translation>
     </message>
     <message numerus="yes">
         <source>A new study arrived in %1: %2, %n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Eine neue Studie ist in %1 angekommen: %2, %n Bild</numerusform>
+            <numerusform>Eine neue Studie ist in %1 angekommen: %2, %n Bilder</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>A new study arrived in a folder that is watched: %1, %n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Eine neue Studie ist in einem überwachten Ordner angekommen: %1, %n Bild</numerusform>
+            <numerusform>Eine neue Studie ist in einem überwachten Ordner angekommen: %1, %n Bilder</numerusform>
         </translation>
     </message>
     <message>
         <source>no patient name</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Patientenname</translation>
     </message>
     <message numerus="yes">
         <source> %n more arrived.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform> %n weitere ist angekommen.</numerusform>
+            <numerusform> %n weitere sind angekommen.</numerusform>
         </translation>
     </message>
 </context>
@@ -12462,41 +12462,41 @@
     <name>macula::viewer::LinkChoice</name>
     <message>
         <source>Studies of a Link</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien eines Links</translation>
     </message>
     <message>
         <source>Studies that fit the link</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien, die zum Link passen</translation>
     </message>
     <message>
         <source>Enter or a double click opens the selected study</source>
-        <translation type="unfinished">Eingabe oder ein Doppelklick öffnet die gewählte Studie</translation>
+        <translation>Eingabe oder ein Doppelklick öffnet die gewählte Studie</translation>
     </message>
     <message numerus="yes">
         <source>%n studies fit the link. Choose the one to fetch and open.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Studie passt zum Link. Wählen Sie sie, um sie abzurufen und zu öffnen.</numerusform>
+            <numerusform>%n Studien passen zum Link. Wählen Sie die, die abgerufen und geöffnet werden soll.</numerusform>
         </translation>
     </message>
     <message>
         <source>In the archive %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Archiv %1.</translation>
     </message>
 </context>
 <context>
     <name>macula::viewer::LinksController</name>
     <message>
         <source>Another link came while a question about a link was open, and was not followed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein weiterer Link kam, während eine Frage zu einem Link offen war; ihm wurde nicht gefolgt.</translation>
     </message>
     <message>
         <source>Answer the question, then click on the link again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beantworten Sie die Frage, und klicken Sie dann noch einmal auf den Link.</translation>
     </message>
     <message>
         <source>Asking for the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach der Studie wird gefragt</translation>
     </message>
 </context>
 <context>
@@ -12657,22 +12657,22 @@
     <name>macula::viewer::ManifestsController</name>
     <message>
         <source>Fetching was cancelled. What came is kept; opening the manifest again goes on from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Abrufen wurde abgebrochen. Was gekommen ist, bleibt erhalten; wird das Manifest noch einmal geöffnet, geht es dort weiter.</translation>
     </message>
     <message>
         <source>Fetching what the manifest names</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Manifest nennt, wird abgerufen</translation>
     </message>
     <message numerus="yes">
         <source>The manifest names %n studies, which were all fetched. The first one is shown; macula pacs fetched lists them all.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Das Manifest nennt %n Studie, die abgerufen wurde. Sie wird gezeigt; macula pacs fetched listet sie auf.</numerusform>
+            <numerusform>Das Manifest nennt %n Studien, die alle abgerufen wurden. Die erste wird gezeigt; macula pacs fetched listet alle auf.</numerusform>
         </translation>
     </message>
     <message>
         <source>What the manifest names was fetched. Another study was opened meanwhile; open the manifest again to show it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Manifest nennt, wurde abgerufen. Inzwischen wurde eine andere Studie geöffnet; öffnen Sie das Manifest noch einmal, um das Abgerufene zu zeigen.</translation>
     </message>
 </context>
 <context>
@@ -14003,7 +14003,7 @@
     </message>
     <message>
         <source>Searching…</source>
-        <translation>Suche läuft …</translation>
+        <translation>Suche läuft…</translation>
     </message>
     <message numerus="yes">
         <source>%n other studies of this patient</source>
@@ -14142,78 +14142,78 @@
     <name>macula::viewer::QueueDialog</name>
     <message>
         <source>Waiting for Archives</source>
-        <translation type="unfinished"></translation>
+        <translation>Warteschlange für Archive</translation>
     </message>
     <message>
         <source>Objects that wait for archives</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekte, die auf Archive warten</translation>
     </message>
     <message>
         <source>What was sent and is not stored there yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gesendet wurde und dort noch nicht gespeichert ist</translation>
     </message>
     <message>
         <source>Patient</source>
-        <translation type="unfinished">Patient</translation>
+        <translation>Patient</translation>
     </message>
     <message>
         <source>Archive</source>
-        <translation type="unfinished">Archiv</translation>
+        <translation>Archiv</translation>
     </message>
     <message>
         <source>Objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekte</translation>
     </message>
     <message>
         <source>Since</source>
-        <translation type="unfinished"></translation>
+        <translation>Seit</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Status</translation>
     </message>
     <message>
         <source>&amp;Send Now</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Jetzt senden</translation>
     </message>
     <message>
         <source>&amp;Remove…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Entfernen…</translation>
     </message>
     <message>
         <source>Send the selected entries</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Einträge senden</translation>
     </message>
     <message>
         <source>Remove them without sending them</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Einträge entfernen, ohne sie zu senden</translation>
     </message>
     <message>
         <source>hidden</source>
-        <translation type="unfinished">ausgeblendet</translation>
+        <translation>ausgeblendet</translation>
     </message>
     <message>
         <source>Nothing waits for an archive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wartet auf ein Archiv.</translation>
     </message>
     <message>
         <source>Remove From the Queue</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Warteschlange entfernen</translation>
     </message>
     <message numerus="yes">
         <source>Remove %n objects without sending them?</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekt entfernen, ohne es zu senden?</numerusform>
+            <numerusform>%n Objekte entfernen, ohne sie zu senden?</numerusform>
         </translation>
     </message>
     <message>
         <source>Pictures and views that were made to be sent are kept nowhere else.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder und Ansichten, die zum Senden erstellt wurden, sind nirgends sonst aufbewahrt.</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished">&amp;Entfernen</translation>
+        <translation>&amp;Entfernen</translation>
     </message>
 </context>
 <context>
@@ -14671,252 +14671,256 @@
 <context>
     <name>macula::viewer::SendController</name>
     <message>
-        <source>Sen&amp;d to an Archive…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Store the picture, the view or DICOM files in a PACS</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild, die Ansicht oder DICOM-Dateien in einem PACS speichern</translation>
     </message>
     <message>
         <source>&amp;Waiting for Archives…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Warteschlange für Archive…</translation>
     </message>
     <message>
         <source>What was sent and is not stored there yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gesendet wurde und dort noch nicht gespeichert ist</translation>
     </message>
     <message>
         <source>Objects are still being sent to an archive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es werden noch Objekte an ein Archiv gesendet.</translation>
     </message>
     <message>
         <source>No archive has been set up yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist noch kein Archiv eingerichtet.</translation>
     </message>
     <message>
         <source>Set one up in the panel Archive, or ask your administrator.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richten Sie im Bereich Archiv eines ein, oder fragen Sie Ihre Systemverwaltung.</translation>
     </message>
     <message>
         <source>No DICOM study is open, so there is no patient to whom a picture could belong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine DICOM-Studie ist offen, also gibt es keinen Patienten, zu dem ein Bild gehören könnte.</translation>
     </message>
     <message>
         <source>Send a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Ordner senden</translation>
     </message>
     <message>
         <source>Send DICOM files</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM-Dateien senden</translation>
     </message>
     <message>
         <source>Sending to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>An %1 wird gesendet</translation>
     </message>
     <message>
         <source>Sending to an archive</source>
-        <translation type="unfinished"></translation>
+        <translation>An ein Archiv wird gesendet</translation>
     </message>
     <message>
         <source>Sending was cancelled. What was not stored yet is not sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Senden wurde abgebrochen. Was noch nicht gespeichert war, wird nicht gesendet.</translation>
     </message>
     <message numerus="yes">
         <source>%n objects are stored.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekt ist gespeichert.</numerusform>
+            <numerusform>%n Objekte sind gespeichert.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n objects are stored in %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekt ist in %1 gespeichert.</numerusform>
+            <numerusform>%n Objekte sind in %1 gespeichert.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>The archive refused %n objects; File, Waiting for Archives says why.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Das Archiv hat %n Objekt abgelehnt; unter Datei, „Warteschlange für Archive“ steht, warum.</numerusform>
+            <numerusform>Das Archiv hat %n Objekte abgelehnt; unter Datei, „Warteschlange für Archive“ steht, warum.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n objects wait in the queue.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekt wartet in der Warteschlange.</numerusform>
+            <numerusform>%n Objekte warten in der Warteschlange.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Se&amp;nd to an Archive…</source>
+        <translation>An ein Arc&amp;hiv senden…</translation>
     </message>
 </context>
 <context>
     <name>macula::viewer::SendDialog</name>
     <message>
         <source>&amp;Picture of the 3D view (Secondary Capture)</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bild der 3D-Ansicht (Secondary Capture)</translation>
     </message>
     <message>
         <source>&amp;View in 3D (presentation state, no pixels)</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;nsicht in 3D (Presentation State, ohne Pixel)</translation>
     </message>
     <message>
         <source>&amp;Without patient and study</source>
-        <translation type="unfinished">&amp;Ohne Patient und Studie</translation>
+        <translation>&amp;Ohne Patient und Studie</translation>
     </message>
     <message>
         <source>Send to an Archive</source>
-        <translation type="unfinished"></translation>
+        <translation>An ein Archiv senden</translation>
     </message>
     <message>
         <source>Archive</source>
-        <translation type="unfinished">Archiv</translation>
+        <translation>Archiv</translation>
     </message>
     <message>
         <source>The archive (PACS) in which they are stored</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Archiv (PACS), in dem sie gespeichert werden</translation>
     </message>
     <message>
         <source>&amp;Archive</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Archiv</translation>
     </message>
     <message>
         <source>Patients</source>
-        <translation type="unfinished"></translation>
+        <translation>Patienten</translation>
     </message>
     <message>
         <source>Picture of the 3D view</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild der 3D-Ansicht</translation>
     </message>
     <message>
         <source>Drawn with cube, scale and letters, at the quality of the settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Würfel, Maßstab und Buchstaben gezeichnet, in der Qualität der Einstellungen</translation>
     </message>
     <message>
         <source>Size of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe des Bildes</translation>
     </message>
     <message>
         <source>In pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>In Pixeln</translation>
     </message>
     <message>
         <source>View in 3D</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht in 3D</translation>
     </message>
     <message>
         <source>Camera, colours, clip and shading; Macula draws the same picture of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera, Farben, Beschnitt und Schattierung; Macula zeichnet daraus dasselbe Bild</translation>
     </message>
     <message>
         <source>Without patient and study</source>
-        <translation type="unfinished">Ohne Patient und Studie</translation>
+        <translation>Ohne Patient und Studie</translation>
     </message>
     <message>
         <source>Picture and view get a pseudonym and new UIDs. Files are sent as they are. A face can still be seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild und Ansicht erhalten ein Pseudonym und neue UIDs. Dateien werden gesendet, wie sie sind. Ein Gesicht ist trotzdem zu erkennen.</translation>
     </message>
     <message>
         <source>As on screen</source>
-        <translation type="unfinished">Wie auf dem Bildschirm</translation>
+        <translation>Wie auf dem Bildschirm</translation>
     </message>
     <message>
         <source>As the panes</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Bildfelder</translation>
     </message>
     <message>
         <source>Twice as large</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelt so groß</translation>
     </message>
     <message>
         <source>Full HD</source>
-        <translation type="unfinished">Full HD</translation>
+        <translation>Full HD</translation>
     </message>
     <message>
         <source>Square</source>
-        <translation type="unfinished">Quadrat</translation>
+        <translation>Quadrat</translation>
     </message>
     <message>
         <source>Large square</source>
-        <translation type="unfinished"></translation>
+        <translation>Großes Quadrat</translation>
     </message>
     <message>
         <source>Add &amp;Files…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dateien hinzufügen…</translation>
     </message>
     <message>
         <source>DICOM files from a disk, as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM-Dateien von einem Datenträger, wie sie sind</translation>
     </message>
     <message>
         <source>Add F&amp;older…</source>
-        <translation type="unfinished"></translation>
+        <translation>O&amp;rdner hinzufügen…</translation>
     </message>
     <message>
         <source>All DICOM files in a folder and below it</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle DICOM-Dateien in einem Ordner und darunter</translation>
     </message>
     <message>
         <source>&amp;None</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Keine</translation>
     </message>
     <message>
         <source>Send no files from a disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Dateien von einem Datenträger senden</translation>
     </message>
     <message>
         <source>No files from a disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Dateien von einem Datenträger</translation>
     </message>
     <message>
         <source>&amp;Send</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Senden</translation>
     </message>
     <message>
         <source>Store these objects in the archive, in the background</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Objekte im Hintergrund im Archiv speichern</translation>
     </message>
     <message>
         <source>Send nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts senden</translation>
     </message>
     <message>
         <source>Reading files…</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien werden gelesen…</translation>
     </message>
     <message numerus="yes">
         <source>%n files</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Datei</numerusform>
+            <numerusform>%n Dateien</numerusform>
         </translation>
     </message>
     <message>
         <source>Choose what to send.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie, was gesendet werden soll.</translation>
     </message>
     <message numerus="yes">
         <source>Send %n objects to %1, of:</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekt an %1 senden, von:</numerusform>
+            <numerusform>%n Objekte an %1 senden, von:</numerusform>
         </translation>
     </message>
     <message>
         <source>A pseudonym, in place of patient and study</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Pseudonym anstelle von Patient und Studie</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>und noch %n</numerusform>
+            <numerusform>und noch %n</numerusform>
         </translation>
     </message>
     <message>
         <source>These objects are not of one patient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Objekte sind nicht alle vom selben Patienten.</translation>
+    </message>
+    <message>
+        <source>No date of birth</source>
+        <translation>Kein Geburtsdatum</translation>
     </message>
 </context>
 <context>
@@ -15410,7 +15414,7 @@
     </message>
     <message>
         <source>Sign In…</source>
-        <translation>Anmelden …</translation>
+        <translation>Anmelden…</translation>
     </message>
     <message>
         <source>Sign in at this archive by a browser</source>
@@ -15418,7 +15422,7 @@
     </message>
     <message>
         <source>Asking for a code…</source>
-        <translation>Ein Code wird angefordert …</translation>
+        <translation>Ein Code wird angefordert…</translation>
     </message>
     <message>
         <source>Sign in with a browser, on this device or another, at %1. The code is %2.</source>
@@ -16035,33 +16039,33 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <name>macula::viewer::WaitingBar</name>
     <message>
         <source>Send Now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt senden</translation>
     </message>
     <message>
         <source>Send all that waits</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles senden, was wartet</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen</translation>
     </message>
     <message>
         <source>What waits, of whom, and why</source>
-        <translation type="unfinished"></translation>
+        <translation>Was wartet, von wem und warum</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Später</translation>
     </message>
     <message>
         <source>It stays in the queue: File, Waiting for Archives</source>
-        <translation type="unfinished"></translation>
+        <translation>Es bleibt in der Warteschlange: Datei, „Warteschlange für Archive“</translation>
     </message>
     <message numerus="yes">
         <source>%n objects wait for %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekt wartet auf %1.</numerusform>
+            <numerusform>%n Objekte warten auf %1.</numerusform>
         </translation>
     </message>
 </context>
@@ -16069,47 +16073,47 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <name>macula::viewer::WatchController</name>
     <message>
         <source>&amp;Watched Folders</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Überwachte Ordner</translation>
     </message>
     <message>
         <source>&amp;Watch a Folder…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner &amp;überwachen…</translation>
     </message>
     <message>
         <source>Say when a study appears in a folder; nothing is opened by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Melden, wenn in einem Ordner eine Studie erscheint; von selbst wird nichts geöffnet</translation>
     </message>
     <message>
         <source>a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>einen Ordner</translation>
     </message>
     <message>
         <source>%1 (cannot be read now)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (jetzt nicht lesbar)</translation>
     </message>
     <message>
         <source>Stop Watching %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nicht mehr überwachen</translation>
     </message>
     <message>
         <source>Choose a folder to watch</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner zum Überwachen wählen</translation>
     </message>
     <message>
         <source>This folder is watched already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Ordner wird schon überwacht.</translation>
     </message>
     <message>
         <source>No more folders can be watched.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr Ordner können nicht überwacht werden.</translation>
     </message>
     <message>
         <source>Stop watching another one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden Sie zuerst die Überwachung eines anderen.</translation>
     </message>
     <message>
         <source>Macula now says when a study appears in this folder. What is there already is not told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macula meldet jetzt, wenn in diesem Ordner eine Studie erscheint. Was schon dort ist, wird nicht gemeldet.</translation>
     </message>
 </context>
 <context>

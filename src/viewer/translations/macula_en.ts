@@ -22,30 +22,30 @@
     <name>LinkQuestion</name>
     <message numerus="yes">
         <source>, the %n most recent</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, the most recent</numerusform>
+            <numerusform>, the %n most recent</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Macula would ask %n archives.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Macula would ask %n archive.</numerusform>
+            <numerusform>Macula would ask %n archives.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n studies by their UIDs</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n study by its UID</numerusform>
+            <numerusform>%n studies by their UIDs</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n studies by their accession numbers</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n study by its accession number</numerusform>
+            <numerusform>%n studies by their accession numbers</numerusform>
         </translation>
     </message>
 </context>
@@ -84,9 +84,9 @@
     <name>QueueDialog</name>
     <message numerus="yes">
         <source>waits, after %n tries</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>waits, after %n try</numerusform>
+            <numerusform>waits, after %n tries</numerusform>
         </translation>
     </message>
 </context>
@@ -114,23 +114,23 @@
     <name>macula::viewer::ArrivalBar</name>
     <message numerus="yes">
         <source>A new study arrived in %1: %2, %n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>A new study arrived in %1: %2, %n image</numerusform>
+            <numerusform>A new study arrived in %1: %2, %n images</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>A new study arrived in a folder that is watched: %1, %n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>A new study arrived in a folder that is watched: %1, %n image</numerusform>
+            <numerusform>A new study arrived in a folder that is watched: %1, %n images</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source> %n more arrived.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform> %n more arrived.</numerusform>
+            <numerusform> %n more arrived.</numerusform>
         </translation>
     </message>
 </context>
@@ -155,9 +155,9 @@
     <name>macula::viewer::LinkChoice</name>
     <message numerus="yes">
         <source>%n studies fit the link. Choose the one to fetch and open.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n study fits the link. Choose it to fetch and open it.</numerusform>
+            <numerusform>%n studies fit the link. Choose the one to fetch and open.</numerusform>
         </translation>
     </message>
 </context>
@@ -165,9 +165,9 @@
     <name>macula::viewer::ManifestsController</name>
     <message numerus="yes">
         <source>The manifest names %n studies, which were all fetched. The first one is shown; macula pacs fetched lists them all.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>The manifest names %n study, which was fetched. It is shown; macula pacs fetched lists it.</numerusform>
+            <numerusform>The manifest names %n studies, which were all fetched. The first one is shown; macula pacs fetched lists them all.</numerusform>
         </translation>
     </message>
 </context>
@@ -249,9 +249,9 @@
     <name>macula::viewer::QueueDialog</name>
     <message numerus="yes">
         <source>Remove %n objects without sending them?</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Remove %n object without sending it?</numerusform>
+            <numerusform>Remove %n objects without sending them?</numerusform>
         </translation>
     </message>
 </context>
@@ -269,30 +269,30 @@
     <name>macula::viewer::SendController</name>
     <message numerus="yes">
         <source>%n objects are stored.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n object is stored.</numerusform>
+            <numerusform>%n objects are stored.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n objects are stored in %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n object is stored in %1.</numerusform>
+            <numerusform>%n objects are stored in %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>The archive refused %n objects; File, Waiting for Archives says why.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>The archive refused %n object; File, Waiting for Archives says why.</numerusform>
+            <numerusform>The archive refused %n objects; File, Waiting for Archives says why.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n objects wait in the queue.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n object waits in the queue.</numerusform>
+            <numerusform>%n objects wait in the queue.</numerusform>
         </translation>
     </message>
 </context>
@@ -300,23 +300,23 @@
     <name>macula::viewer::SendDialog</name>
     <message numerus="yes">
         <source>%n files</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n file</numerusform>
+            <numerusform>%n files</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Send %n objects to %1, of:</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Send %n object to %1, of:</numerusform>
+            <numerusform>Send %n objects to %1, of:</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
         </translation>
     </message>
 </context>
@@ -364,9 +364,9 @@
     <name>macula::viewer::WaitingBar</name>
     <message numerus="yes">
         <source>%n objects wait for %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n object waits for %1.</numerusform>
+            <numerusform>%n objects wait for %1.</numerusform>
         </translation>
     </message>
 </context>
