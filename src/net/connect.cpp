@@ -29,8 +29,8 @@ Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& 
 Result<std::unique_ptr<Archive>> archiveOf(const SourceList& list, const Source& source) {
     MACULA_TRY(const Secrets secrets, list.secretsOf(source));
     // Where it cannot be kept, this archive still has it: the person signs in again another day.
-    return archiveFor(source, secrets, [own = SourceList(list), source](const Secrets& renewed) mutable {
-        static_cast<void>(own.keep(source, renewed));
+    return archiveFor(source, secrets, [list, source](const Secrets& renewed) {
+        static_cast<void>(list.keepTokens(source, renewed));
     });
 }
 

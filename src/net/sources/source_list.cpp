@@ -3,13 +3,17 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/file_lock.h"
 #include "base/parsing.h"
 #include "base/private_file.h"
 #include "base/user_folder.h"
@@ -20,6 +24,8 @@ namespace macula::net {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::chrono::milliseconds kLockIsTriedEvery{20};
 
 fs::path managedFile() {
     const char* folders = std::getenv("XDG_CONFIG_DIRS");
@@ -185,6 +191,21 @@ Result<void> SourceList::keep(const Source& source, const Secrets& secrets) {
     } else {
         all[source.name] = std::move(entry);
     }
+    return writePrivately(files_.secrets, all);
+}
+
+Result<void> SourceList::keepTokens(const Source& source, const Secrets& secrets) const {
+    // One thread of this program after the other; the lock is for other programs.
+    static std::mutex mutex;
+    const std::lock_guard inTurn(mutex);
+    const FileLock lock(fs::path(files_.secrets).concat(".lock"));
+    constexpr int kTries = 50;
+    for (int i = 0; i < kTries && !lock.isOurs(); ++i) std::this_thread::sleep_for(kLockIsTriedEvery);
+    MACULA_TRY(nlohmann::json all, readSecrets(files_.secrets));
+    const auto entry = all.find(source.name);
+    if (entry == all.end() || !entry->is_object()) return {};
+    (*entry)["token"] = secrets.token;
+    (*entry)["refreshToken"] = secrets.refreshToken;
     return writePrivately(files_.secrets, all);
 }
 

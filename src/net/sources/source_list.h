@@ -40,6 +40,8 @@ class SourceList {
     // None that were kept are empty. Fails with inputNotUsable where others can read the file.
     Result<Secrets> secretsOf(const Source& source) const;
     Result<void> keep(const Source& source, const Secrets& secrets);
+    // Only the tokens, and only where the archive still has secrets; several threads and programs may.
+    Result<void> keepTokens(const Source& source, const Secrets& secrets) const;
 
   private:
     explicit SourceList(SourceFiles files) : files_(std::move(files)) {}

@@ -62,11 +62,14 @@ std::vector<Message> messagesOf(const FetchedStudy& fetched, const SpooledStudy&
 }
 
 // What came before and after a fetch of some series is not all of the study: then the note stays as it was.
+// So it does while a study that was complete is fetched again, unless the archive has more by now.
 Result<void> note(SpooledStudy& study, const FetchRequest& request, SpoolRecord record) {
     const auto before = readSpoolRecord(study.folder());
     const bool isKnown = before && before->studyInstanceUid == request.studyInstanceUid;
     if (isKnown) record.senders = before->senders;
-    if (isKnown && (before->isComplete || !request.seriesInstanceUids.empty()) && !record.isComplete)
+    const bool isStillComplete =
+        isKnown && before->isComplete && record.promised > 0 && record.promised <= study.instances().size();
+    if (isKnown && !record.isComplete && (isStillComplete || !request.seriesInstanceUids.empty()))
         record = *before;
     return study.finish(std::move(record));
 }

@@ -59,6 +59,23 @@ net::FoundStudy studyOf(const dicom::Study& scanned) {
     return study;
 }
 
+// Of the largest volume, or of what there is: opening a file opens its series, and no other study.
+fs::path fileOf(const dicom::Study& scanned) {
+    constexpr std::size_t kWorthOfVolumes = 1'000'000;
+    fs::path file;
+    std::size_t most = 0;
+    for (const dicom::Series& series : scanned.series) {
+        for (const dicom::Stack& stack : series.stacks) {
+            const std::size_t worth = stack.frames.size() * (stack.canBeVolume() ? kWorthOfVolumes : 1);
+            if (worth <= most) continue;
+            most = worth;
+            file = stack.frames.front().instance->file;
+        }
+        if (file.empty() && !series.objects.empty()) file = series.objects.front().file;
+    }
+    return file;
+}
+
 }  // namespace
 
 std::vector<LocalStudy> studiesInSpool(const Spool& spool, const CancelToken& cancel) {
@@ -83,8 +100,9 @@ std::vector<LocalStudy> studiesInFolder(const fs::path& folder, const CancelToke
     std::vector<LocalStudy> studies;
     if (!scan) return studies;
     for (const dicom::Study& each : scan->studies) {
-        if (!each.studyInstanceUid.empty())
-            studies.push_back({.study = studyOf(each), .folder = folder, .archive = {}, .isWhole = true});
+        const fs::path file = fileOf(each);
+        if (!each.studyInstanceUid.empty() && !file.empty())
+            studies.push_back({.study = studyOf(each), .folder = file, .archive = {}, .isWhole = true});
     }
     return studies;
 }

@@ -14,7 +14,7 @@ namespace macula::study {
 // Names a patient: for the screen only.
 struct LocalStudy {
     net::FoundStudy study;
-    std::filesystem::path folder;  // opens it
+    std::filesystem::path folder;  // opens it; a file of it, where other studies lie in its folder too
     std::string archive;           // whence it was fetched; empty: it was not
     bool isWhole = true;           // as far as anybody said how many images it has
 };

@@ -183,6 +183,8 @@ void ReceivedStudies::finish(const std::shared_ptr<Arriving>& arriving) {
         const fs::path folder = arriving->study->folder();
         std::vector<std::string> senders(arriving->senders.begin(), arriving->senders.end());
         arriving->record.senders = senders;
+        // More came than the archive had: nobody says whether that is all of it.
+        if (arriving->kept > 0) arriving->record.isComplete = false;
         if (arriving->kept > 0 && arriving->record.source.empty())
             arriving->record.fetchedAt = timeOfRecord();
         if (instances > 0) {

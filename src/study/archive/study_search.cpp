@@ -8,12 +8,20 @@
 #include <utility>
 
 #include "net/archive/query_match.h"
+#include "study/archive/fetched_study.h"
 #include "study/archive/local_studies.h"
+#include "study/open/same_patient.h"
 #include "study/spool/spool.h"
 
 namespace macula::study {
 
 namespace {
+
+// The archive may have more by now, or name another patient: then the study is fetched again, which says so.
+bool isStillWhole(const LocalStudy& local, const net::FoundStudy& now) {
+    return local.isWhole && now.instanceCount.value_or(0) <= local.study.instanceCount.value_or(0) &&
+           samePatient(identityOf(local.study), identityOf(now)) != SamePatient::no;
+}
 
 // What has come from each place, and the listing of it.
 class Gathering {
@@ -64,7 +72,7 @@ class Gathering {
             ListedStudy listed{study, archive, {}, false};
             if (const auto found = fetched.find(study.studyInstanceUid); found != fetched.end()) {
                 listed.folder = local_[found->second].folder;
-                listed.isWhole = local_[found->second].isWhole;
+                listed.isWhole = isStillWhole(local_[found->second], study);
                 isListed[found->second] = true;
             }
             listing.studies.push_back(std::move(listed));

@@ -34,13 +34,12 @@ std::string bare(const std::string& text) {
     return std::string(trimmed(text));
 }
 
-// An accession number that an archive does not answer cannot differ.
+// An archive that ignores the accession number answers with everything.
 bool isAskedFor(const StudyLink& link, const net::FoundStudy& study) {
     if (!link.studyInstanceUids.empty() && !holds(link.studyInstanceUids, study.studyInstanceUid))
         return false;
     const std::string accession = bare(study.accessionNumber);
-    if (!link.accessionNumbers.empty() && !accession.empty() && !holds(link.accessionNumbers, accession))
-        return false;
+    if (!link.accessionNumbers.empty() && !holds(link.accessionNumbers, accession)) return false;
     if (!link.patientId.empty() && bare(study.patientId) != link.patientId) return false;
     const std::string day = bare(study.date);
     if (!link.dateFrom.empty() && !day.empty() && day < link.dateFrom) return false;

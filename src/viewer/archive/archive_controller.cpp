@@ -16,6 +16,7 @@
 #include "viewer/archive/priors_controller.h"
 #include "viewer/archive/source_dialog.h"
 #include "viewer/browser/recent_menu.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/jobs/newest_posted.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
@@ -101,7 +102,13 @@ void ArchiveController::showNames(bool shown) {
 
 void ArchiveController::onStudyShown() {
     panel_->found().setCanOpenBeside(true);
-    priors_->onStudyShown(parts_.opening.loader().source());
+    // The loader's is what was asked for last, which may not have opened, and none for another series.
+    const study::StudySource& source = parts_.opening.loader().source();
+    const std::string& uid = context_.session.study().identity.studyInstanceUid;
+    if (source || uid != shownUid_) shownSource_ = source;
+    shownUid_ = uid;
+    context_.notes.show();
+    priors_->onStudyShown(shownSource_);
 }
 
 void ArchiveController::readSources() {
@@ -192,7 +199,9 @@ void ArchiveController::fetch(const study::ListedStudy& listed, FetchFor purpose
                    .lookedAt = 0};
     }
     panel_->setRemark(QString());
-    fetcher_->fetch({listed.study, *std::move(way), purpose});
+    const std::string open =
+        context_.session.hasStudy() ? context_.session.study().identity.studyInstanceUid : std::string();
+    fetcher_->fetch({listed.study, *std::move(way), purpose, open});
 }
 
 // Reading headers takes a part of the time in which they come: each time there are twice as many images, all
@@ -233,7 +242,11 @@ void ArchiveController::finish(const FetchOrder& order, const Result<study::Fetc
     QStringList told{tr("%n images fetched", nullptr, int(fetched->counts.kept))};
     for (const Message& message : fetched->messages) told.append(inWindowsLanguage(message));
     if (order.purpose == FetchFor::show) return showWhole(*fetched, std::move(told));
-    if (order.purpose == FetchFor::beside) opensBeside_(fetched->folder);
+    const bool isOpenStill =
+        context_.session.hasStudy() && context_.session.study().identity.studyInstanceUid == order.besideOf;
+    if (order.purpose == FetchFor::beside && isOpenStill) opensBeside_(fetched->folder);
+    if (order.purpose == FetchFor::beside && !isOpenStill)
+        told.append(tr("Another study was opened meanwhile. Beside shows this one next to it."));
     panel_->setRemark(told.join(QStringLiteral("\n")));
 }
 
@@ -248,8 +261,7 @@ void ArchiveController::showWhole(const study::FetchedStudy& fetched, QStringLis
 
 // A part of a study must not pass for all of it.
 QStringList ArchiveController::notes() const {
-    const study::StudySource& open = parts_.opening.loader().source();
-    const auto record = open ? study::useSpooled(*open) : std::nullopt;
+    const auto record = shownSource_ ? study::useSpooled(*shownSource_) : std::nullopt;
     if (!record || record->isComplete) return {};
     if (fetcher_->running() && fetcher_->current()->study.studyInstanceUid == record->studyInstanceUid)
         return {tr("Images of this study are still arriving from the archive.")};

@@ -99,6 +99,8 @@ class ArchiveController : public QObject {
     QStringList searched_;  // archives
     std::uint64_t searches_ = 0;
     Coming coming_;
+    study::StudySource shownSource_;  // of the study on screen
+    std::string shownUid_;
     BackgroundJob<study::Listing> search_;
     BackgroundJob<std::filesystem::path> look_;  // whether what has come can be shown; its folder
 };

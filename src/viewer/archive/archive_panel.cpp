@@ -63,6 +63,7 @@ QLineEdit* ArchivePanel::addField(QFormLayout& form, const QString& label, const
     field->setClearButtonEnabled(true);
     form.addRow(label, field);
     connect(field, &QLineEdit::returnPressed, this, &ArchivePanel::search);
+    connect(field, &QLineEdit::textEdited, this, [this] { isTypedIn_ = true; });
     return field;
 }
 
@@ -197,11 +198,13 @@ std::optional<net::StudyQuery> ArchivePanel::query() {
 
 void ArchivePanel::search() {
     if (isSearching_) return;
-    if (const auto asked = query()) Q_EMIT searchAsked(*asked);
+    const auto asked = query();
+    if (!asked) return;
+    isTypedIn_ = false;
+    Q_EMIT searchAsked(*asked);
 }
 
 void ArchivePanel::setListing(const study::Listing& listing, bool isWhole) {
-    const bool wasEmpty = !found_->selected().has_value();
     found_->setStudies(listing.studies);
     QStringList lines;
     if (!listing.studies.empty()) {
@@ -216,7 +219,8 @@ void ArchivePanel::setListing(const study::Listing& listing, bool isWhole) {
             QStringLiteral("%1: %2").arg(QString::fromStdString(silent.name), inWindowsLanguage(silent.why)));
     if (!isWhole) lines.append(tr("Searching…"));
     setRemark(lines.join(QLatin1Char('\n')));
-    if (wasEmpty && !listing.studies.empty()) found_->view().setFocus();
+    // Whoever types on while the search lasts does not lose the keyboard.
+    if (isWhole && !isTypedIn_ && !listing.studies.empty()) found_->view().setFocus();
 }
 
 void ArchivePanel::setPriors(const std::vector<study::ListedStudy>& priors, const QString& remark) {

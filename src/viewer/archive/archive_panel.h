@@ -71,6 +71,7 @@ class ArchivePanel : public QWidget {
     QLineEdit* description_ = nullptr;
     QPushButton* search_ = nullptr;
     bool isSearching_ = false;
+    bool isTypedIn_ = false;  // since the search began
     QLabel* remark_;
     FoundStudyList* found_ = nullptr;
     QWidget* priorsBox_ = nullptr;

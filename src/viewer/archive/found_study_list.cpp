@@ -120,16 +120,22 @@ void FoundStudyList::setStudies(std::vector<study::ListedStudy> studies) {
     model_->setStudies(std::move(studies));
     fitColumns();
     int row = model_->rowCount() > 0 ? sorted_->mapToSource(sorted_->index(0, 0)).row() : -1;
-    for (int each = 0; before && each < model_->rowCount(); ++each) {
-        const study::ListedStudy& other = model_->study(each);
-        if (other.study.studyInstanceUid == before->study.studyInstanceUid &&
-            other.archive == before->archive) {
-            row = each;
-            break;
-        }
-    }
+    if (before) row = rowOf(*before);
     if (row >= 0) list_->setCurrentIndex(sorted_->mapFromSource(model_->index(row, 0)));
     showButtons();
+}
+
+// Once the archive has answered, a study of this machine is listed as the archive's. -1: it is gone, and none
+// is taken for it.
+int FoundStudyList::rowOf(const study::ListedStudy& study) const {
+    int row = -1;
+    for (int each = 0; each < model_->rowCount(); ++each) {
+        const study::ListedStudy& other = model_->study(each);
+        if (other.study.studyInstanceUid != study.study.studyInstanceUid) continue;
+        if (other.archive == study.archive) return each;
+        if (row < 0) row = each;
+    }
+    return row;
 }
 
 void FoundStudyList::fitColumns() {

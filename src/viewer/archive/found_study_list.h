@@ -24,7 +24,7 @@ class FoundStudyList : public QWidget {
     // `name` is the object name of the list; its buttons' begin with it.
     FoundStudyList(const QString& name, const QString& title, QWidget* parent = nullptr);
 
-    // Keeps the selection where that study is still there, else selects the first.
+    // Keeps the selected study, or none if it is gone; without one before, selects the first.
     void setStudies(std::vector<study::ListedStudy> studies);
     void showNames(bool shown);
     void hideColumns(const QList<FoundStudyModel::Column>& columns);
@@ -45,6 +45,7 @@ class FoundStudyList : public QWidget {
   private:
     void makeButtons(QWidget& row, const QString& name);
     void makeMenuOfColumns();
+    int rowOf(const study::ListedStudy& study) const;
     void fitColumns();
     void showButtons();
 

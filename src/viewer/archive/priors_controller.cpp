@@ -43,6 +43,7 @@ void PriorsController::onStudyShown(const std::optional<std::filesystem::path>& 
         modalities_ = record->asFound->modalities;
     isAsked_ = false;
     isNew_ = true;
+    lastPlaces_.reset();
     parts_.panel.setPriors({}, {});
     if (parts_.settings.settings().priors == PriorSearch::none || patient_.isOfNobody) return;
     study::PlacesToSearch places{.archives = {}, .isHereToo = true, .folders = {}};
@@ -53,8 +54,7 @@ void PriorsController::onStudyShown(const std::optional<std::filesystem::path>& 
 }
 
 void PriorsController::refresh() {
-    if (patient_.studyInstanceUid.empty() || search_.running()) return;
-    search(lastPlaces_);
+    if (lastPlaces_ && !search_.running()) search(*lastPlaces_);
 }
 
 void PriorsController::searchEverywhere() {
@@ -64,6 +64,7 @@ void PriorsController::searchEverywhere() {
     for (const net::Source& source : sources->all())
         places.archives.push_back(namedArchive(*sources, QString::fromStdString(source.name)));
     isAsked_ = true;
+    isNew_ = false;
     search(std::move(places));
 }
 
@@ -91,6 +92,7 @@ void PriorsController::show(const study::Listing& listing) {
         lines.append(tr("No other study of this patient was found."));
     else
         lines.append(tr("No other study of this patient is on this machine."));
+    if (listing.isCutShort) lines.append(tr("The archive has more of them."));
     for (const study::SilentArchive& silent : listing.silent)
         lines.append(
             QStringLiteral("%1: %2").arg(QString::fromStdString(silent.name), inWindowsLanguage(silent.why)));
@@ -107,6 +109,7 @@ void PriorsController::fetchSome(const std::vector<study::ListedStudy>& priors) 
     const net::SourceList* sources = parts_.sources();
     if (sources == nullptr) return;
     for (const study::ListedStudy& prior : study::priorsToFetch({}, patient_, modalities_, priors)) {
+        if (prior.archive != archive_) continue;
         auto way = wayTo(*sources, QString::fromStdString(prior.archive));
         if (way) parts_.fetcher.fetch({prior.study, *std::move(way), FetchFor::keep});
     }

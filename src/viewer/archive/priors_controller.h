@@ -49,12 +49,12 @@ class PriorsController : public QObject {
 
     WindowContext context_;
     Parts parts_;
-    study::Identity patient_;              // of the study on screen
-    std::string archive_;                  // whence it came; empty: from none
-    std::vector<std::string> modalities_;  // of the study on screen
-    study::PlacesToSearch lastPlaces_;
-    bool isAsked_ = false;  // a person asked for the list
-    bool isNew_ = false;    // nothing was found yet for this study, told or fetched
+    study::Identity patient_;                          // of the study on screen
+    std::string archive_;                              // whence it came; empty: from none
+    std::vector<std::string> modalities_;              // of the study on screen
+    std::optional<study::PlacesToSearch> lastPlaces_;  // of the study on screen
+    bool isAsked_ = false;                             // a person asked for the list
+    bool isNew_ = false;  // nothing was found yet for this study, told or fetched
     BackgroundJob<study::Listing> search_;
 };
 

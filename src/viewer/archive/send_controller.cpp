@@ -81,7 +81,13 @@ SendController::SendController(const WindowContext& context, const Uses& uses)
                   for (const std::string& each : archives ? *archives : std::vector<std::string>())
                       onAnswer(QString::fromStdString(each));
               }}) {
-    connect(bar_, &WorkBar::cancelClicked, this, &SendController::cancel);
+    connect(bar_, &WorkBar::cancelClicked, this, [this] {
+        // Others were confirmed too.
+        std::deque<Job> others = std::exchange(waitingJobs_, {});
+        cancel();
+        waitingJobs_ = std::move(others);
+        beginNext();
+    });
     connect(waiting_, &WaitingBar::sendAsked, this,
             [this] { sendQueued(entries_, study::Outbox::Which::waiting); });
     connect(waiting_, &WaitingBar::queueAsked, this, &SendController::showQueue);

@@ -26,6 +26,7 @@ struct FetchOrder {
     net::FoundStudy study;
     ArchiveWay way;
     FetchFor purpose = FetchFor::show;
+    std::string besideOf = {};  // FetchFor::beside: the UID of the study that was open
 };
 
 // Lives on the UI thread.

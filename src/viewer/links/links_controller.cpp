@@ -52,17 +52,16 @@ void LinksController::open(const QString& link) {
 
 void LinksController::search(const study::StudyLink& link, const net::SourceList& sources) {
     bar_->begin(tr("Asking for the study"));
+    isByUid_ = !link.studyInstanceUids.empty();
     search_.start([link, sources](Progress& progress) { return study::findLinked(link, sources, progress); });
 }
 
 void LinksController::showFound(const Result<study::LinkedStudies>& found) {
     bar_->hide();
     if (!found) return context_.notifications.failUnlessCancelled(found.error());
-    if (found->studies.size() == 1) {
-        if (!found->remarks.empty())
-            context_.notifications.showNote(inWindowsLanguage(found->remarks).join(QStringLiteral(" ")));
+    // With remarks, as of an archive that could not be asked, the right one may be another.
+    if (found->studies.size() == 1 && (isByUid_ || found->remarks.empty()))
         return fetch(found->studies.front());
-    }
     auto* choice = new LinkChoice(*found, showsNames_, &context_.window);
     choice->setAttribute(Qt::WA_DeleteOnClose);
     connect(choice, &LinkChoice::chosen, this, &LinksController::fetch);

@@ -42,6 +42,7 @@ class LinksController : public QObject {
     WorkBar* bar_;
     bool showsNames_ = true;
     QPointer<QWidget> question_;  // or the choice that follows it
+    bool isByUid_ = false;        // the link that is followed names a Study Instance UID
     BackgroundJob<study::LinkedStudies> search_;
 };
 

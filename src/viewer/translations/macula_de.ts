@@ -11291,6 +11291,10 @@
         <source>Somebody sent this study without saying how many images it has: some may be missing.</source>
         <translation>Beim Senden dieser Studie wurde nicht angegeben, wie viele Bilder sie hat: einige können fehlen.</translation>
     </message>
+    <message>
+        <source>Another study was opened meanwhile. Beside shows this one next to it.</source>
+        <translation>Inzwischen wurde eine andere Studie geöffnet. Daneben zeigt diese neben ihr.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchivePanel</name>
@@ -14026,6 +14030,10 @@
             <numerusform>%n andere Studie dieses Patienten steht im Bereich Archiv.</numerusform>
             <numerusform>%n andere Studien dieses Patienten stehen im Bereich Archiv.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The archive has more of them.</source>
+        <translation>Das Archiv hat noch mehr davon.</translation>
     </message>
 </context>
 <context>
