@@ -41,7 +41,7 @@ struct StoreProviderOptions {
     std::string address = "127.0.0.1";
     std::vector<AdmittedCaller> callers;  // none: whoever calls from this machine
     bool admitsAnyone = false;
-    // Where TLS is on: our certificate and its key. With `authorities`, callers must show a certificate too.
+    // Where TLS is on, it holds our certificate and its key. With `authorities`, callers must show one too.
     Tls tls;
     std::string keyPassphrase;
 

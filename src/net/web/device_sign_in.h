@@ -21,8 +21,9 @@ struct DeviceCode {
 using ShowDeviceCode = std::function<void(const DeviceCode&)>;
 
 // Asks for a code, shows it, and waits until the person has signed in: up to the life of the code, or until
-// it is cancelled. Returns the secrets with the tokens that came. Fails with usage where the source does not
-// sign in so, with archiveNotUsable where the person declined, the code ran out, or the service fails.
+// it is cancelled. Returns the secrets with the tokens that came. Fails with usage where the source uses
+// another way to sign in, with archiveNotUsable where the person declined, the code ran out, or the service
+// fails.
 Result<Secrets> signInByDevice(const Source& source, const Secrets& secrets, const ShowDeviceCode& show,
                                Progress& progress);
 

@@ -17,7 +17,8 @@ namespace macula::study {
 
 namespace {
 
-// The archive may have more by now, or name another patient: then the study is fetched again, which says so.
+// Whether our copy still holds all that the archive has. If the archive has more by now, or names another
+// patient, the study is fetched again, and the fetch reports it.
 bool isStillWhole(const LocalStudy& local, const net::FoundStudy& now) {
     return local.isWhole && now.instanceCount.value_or(0) <= local.study.instanceCount.value_or(0) &&
            samePatient(identityOf(local.study), identityOf(now)) != SamePatient::no;

@@ -28,8 +28,8 @@ struct SilentArchive {
 };
 
 struct Listing {
-    // Of the archives in their order, then of this machine alone. A study that was fetched from an archive
-    // stands once.
+    // Those of the archives come first, in the archives' order, then those of this machine alone. A study
+    // that was fetched from an archive is listed once.
     std::vector<ListedStudy> studies;
     std::vector<SilentArchive> silent;
     bool isCutShort = false;   // an archive has more

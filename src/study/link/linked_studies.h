@@ -25,7 +25,7 @@ struct LinkedStudies {
 // The archive that the link names, or all. Fails with usage where there is none of that name, or none at all.
 Result<std::vector<net::Source>> sourcesFor(const StudyLink& link, const net::SourceList& sources);
 
-// Asks them all at once; one that does not answer only makes a remark where another has the study. An answer
+// Asks all archives at once. Where one does not answer and another has the study, a remark says so. An answer
 // counts only if it is what was asked for, since archives read keys in their own ways. Fails with
 // archiveNotUsable where nothing fits.
 Result<LinkedStudies> findLinked(const StudyLink& link, const net::SourceList& sources, Progress& progress);

@@ -30,6 +30,7 @@ StudyFetcher::StudyFetcher(QObject* parent)
 void StudyFetcher::fetch(FetchOrder order) {
     if (current_ && isSame(*current_, order)) {
         current_->purpose = std::min(current_->purpose, order.purpose);
+        current_->besideOf = order.besideOf;
         return;
     }
     const auto same = std::ranges::find_if(waiting_, [&](const auto& each) { return isSame(each, order); });

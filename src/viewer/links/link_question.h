@@ -13,8 +13,8 @@ class QWidget;
 
 namespace macula::viewer {
 
-// What the link asks for, in words: "the study with the accession number 4711". Without names, it has no
-// number and no ID.
+// Puts in words what the link asks for: "the study with the accession number 4711". Without names, the words
+// hold no number and no ID.
 QString whatIsAsked(const study::StudyLink& link, bool showsNames);
 
 // Names what is asked for and from which archives, and returns at once. Calls `fetch` if the answer is yes;

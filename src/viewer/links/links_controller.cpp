@@ -60,8 +60,11 @@ void LinksController::showFound(const Result<study::LinkedStudies>& found) {
     bar_->hide();
     if (!found) return context_.notifications.failUnlessCancelled(found.error());
     // With remarks, as of an archive that could not be asked, the right one may be another.
-    if (found->studies.size() == 1 && (isByUid_ || found->remarks.empty()))
+    if (found->studies.size() == 1 && (isByUid_ || found->remarks.empty())) {
+        if (!found->remarks.empty())
+            context_.notifications.showNote(inWindowsLanguage(found->remarks).join(QStringLiteral(" ")));
         return fetch(found->studies.front());
+    }
     auto* choice = new LinkChoice(*found, showsNames_, &context_.window);
     choice->setAttribute(Qt::WA_DeleteOnClose);
     connect(choice, &LinkChoice::chosen, this, &LinksController::fetch);
