@@ -167,8 +167,8 @@ std::vector<OutboxEntry> Outbox::entries() const {
         OutboxEntry entry{.id = each->path().filename().string(), .folder = each->path(), .record = {}};
         if (entry.id.size() != kDigitsOfId || !isHex(entry.id) || !each->is_directory(gone)) continue;
         auto record = readOutboxRecord(entry.folder);
-        if (record) entry.record = *std::move(record);
         const bool isReadable = record.ok();
+        if (isReadable) entry.record = *std::move(record);
         const bool isFree = lockOf(entry.folder).isFree();
         if (!fs::is_directory(entry.folder, gone)) continue;  // sent or removed meanwhile
         entry.state = isFree ? stateOf(entry, isReadable) : OutboxState::sending;
