@@ -128,9 +128,6 @@ Result<void> fetchLinked(const FetchOptions& options, study::Spool& spool, Progr
 Result<void> fetchManifested(const FetchOptions& options, study::Spool& spool, Progress& progress,
                              Report& report) {
     MACULA_TRY(const dicom::ImagingManifest manifest, dicom::readImagingManifest(options.manifest));
-    if (manifest.unusable > 0)
-        printWarning(
-            Text("{} references of the manifest have no UID, and were left out.", manifest.unusable));
     MACULA_TRY(const net::SourceList sources, readSourceList());
     MACULA_TRY(const auto fetched, study::fetchManifest(manifest, sources, options.archive, spool, progress));
     for (const study::FetchedStudy& each : fetched) report.add(each);

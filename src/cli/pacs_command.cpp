@@ -13,6 +13,7 @@
 #include "cli/shared/interrupt.h"
 #include "cli/shared/json_text.h"
 #include "cli/shared/report.h"
+#include "net/sources/source_address.h"
 #include "net/sources/source_json.h"
 #include "net/web/device_sign_in.h"
 #include "study/archive/archive_json.h"
@@ -22,11 +23,11 @@ namespace macula::cli {
 
 namespace {
 
-std::string addressOf(const net::Source& source) {
-    if (const auto* web = std::get_if<net::WebPeer>(&source.peer)) return "DICOMweb  " + web->url;
-    const auto& peer = std::get<net::DimsePeer>(source.peer);
-    return fmt::format("DIMSE{}  {}@{}:{}, as {}", peer.tls.isOn ? " over TLS" : "", peer.calledAe, peer.host,
-                       peer.port, peer.callingAe);
+std::string wayTo(const net::Source& source) {
+    const std::string address = net::addressOf(source);
+    const auto* peer = std::get_if<net::DimsePeer>(&source.peer);
+    if (peer == nullptr) return "DICOMweb  " + address;
+    return fmt::format("DIMSE{}  {}, as {}", peer->tls.isOn ? " over TLS" : "", address, peer->callingAe);
 }
 
 Result<void> listArchives(const ArchiveOptions& options) {
@@ -41,7 +42,7 @@ Result<void> listArchives(const ArchiveOptions& options) {
         return {};
     }
     for (const net::Source& source : list.all())
-        fmt::print("{}  {}{}\n", printable(source.name), printable(addressOf(source)),
+        fmt::print("{}  {}{}\n", printable(source.name), printable(wayTo(source)),
                    source.isManaged ? "  (set up by the administrator)" : "");
     if (list.all().empty()) fmt::print("No archive has been set up. macula pacs add sets one up.\n");
     return {};

@@ -25,6 +25,7 @@ struct QueueOptions {
     std::vector<std::string> entries;  // first digits of their IDs
     bool all = false;                  // drop
     bool refusedToo = false;           // retry
+    bool moved = false;                // retry: to archives whose address has changed, too
     bool json = false;
 };
 
@@ -92,6 +93,16 @@ Result<std::vector<study::OutboxEntry>> entriesToSend(const study::Outbox& outbo
     return entries;
 }
 
+// To where their archives are now.
+Result<void> readdress(study::Outbox& outbox, std::vector<study::OutboxEntry>& entries) {
+    MACULA_TRY(const net::SourceList list, readSourceList());
+    for (const study::MovedEntry& moved : study::movedEntries(entries, list)) {
+        MACULA_TRY_VOID(outbox.readdress(moved.id, moved.address));
+        std::ranges::find(entries, moved.id, &study::OutboxEntry::id)->record.address = moved.address;
+    }
+    return {};
+}
+
 // What would be sent of an entry.
 std::size_t countToSend(const study::OutboxEntry& entry, const QueueOptions& options) {
     if (entry.state == study::OutboxState::damaged) return 0;
@@ -102,6 +113,7 @@ Result<void> retry(const QueueOptions& options) {
     MACULA_TRY(study::Outbox outbox, study::Outbox::open());
     MACULA_TRY(std::vector<study::OutboxEntry> entries, entriesToSend(outbox, options));
     std::erase_if(entries, [&](const auto& entry) { return countToSend(entry, options) == 0; });
+    if (options.moved) MACULA_TRY_VOID(readdress(outbox, entries));
     for (const study::OutboxEntry& entry : entries) {
         printPatients(stderr, "", entry);
         fmt::print(stderr, "{} to {}.\n", objects(countToSend(entry, options)),
@@ -162,6 +174,7 @@ void addPacsQueue(CLI::App& pacs, Action& action) {
     again->add_option("ARCHIVE", options->archive, "Only what waits for it; without it, everything");
     again->add_option("--entry", options->entries, "Only this entry, by the first digits of its ID");
     again->add_flag("--refused-too", options->refusedToo, "Also what the archive refused before");
+    again->add_flag("--moved", options->moved, "Also to an archive whose address has changed since");
     again->add_flag("--json", options->json, "Print JSON");
     again->callback([options, &action] { action = [options] { return retry(*options); }; });
 

@@ -18,6 +18,7 @@
 #include "cli/shared/json_text.h"
 #include "cli/shared/report.h"
 #include "dicom/scan.h"
+#include "net/sources/source_address.h"
 #include "study/archive/archive_json.h"
 #include "study/archive/files_to_send.h"
 #include "study/open/identity.h"
@@ -86,8 +87,12 @@ bool wasCancelled(const study::FilesSent& sent) {
 
 // Returns the ID of the entry; empty where nothing was left, or where it could not be kept, which is told.
 std::string queueRest(const study::FilesSent& sent, const study::FilesToSend& files,
-                      const std::string& archive) {
-    study::ToQueue rest{.archive = archive, .files = {}, .patients = files.patients, .tries = 1};
+                      const net::Source& archive) {
+    study::ToQueue rest{.archive = archive.name,
+                        .address = net::addressOf(archive),
+                        .files = {},
+                        .patients = files.patients,
+                        .tries = 1};
     if (sent.trouble) rest.trouble = study::reasonOf(*sent.trouble);
     for (const std::filesystem::path& file : sent.left) rest.files.push_back({file, {}});
     for (const net::NotSent& each : sent.refused)
@@ -135,7 +140,7 @@ Result<void> send(const SendOptions& options) {
     MACULA_TRY_VOID(askWhether(files, options));
     const study::FilesSent sent = study::sendFiles(*open.archive, files.files, progress);
     if (wasCancelled(sent)) return *sent.trouble;
-    const std::string queued = options.noQueue ? std::string() : queueRest(sent, files, open.source.name);
+    const std::string queued = options.noQueue ? std::string() : queueRest(sent, files, open.source);
     const bool isSaidByError = options.noQueue && sent.trouble && sent.stored + sent.refused.size() == 0;
     if (!options.json && !isSaidByError) printForPeople(sent, files.files.size());
     Result<std::vector<net::Commitment>> commitments = std::vector<net::Commitment>();

@@ -11,13 +11,13 @@ namespace macula::net {
 
 namespace {
 
-Result<std::unique_ptr<Archive>> archiveFor(const Source& source, const Secrets& secrets, KeepSecrets keep) {
+Result<std::unique_ptr<Archive>> archiveFor(const Source& source, const Secrets& secrets, RenewTokens renew) {
     if (const auto* dimse = std::get_if<DimsePeer>(&source.peer)) {
         MACULA_TRY_VOID(checkDimsePeer(*dimse));
         return makeDimseArchive(source, secrets);
     }
     MACULA_TRY_VOID(checkWebPeer(std::get<WebPeer>(source.peer), secrets));
-    return makeWebArchive(source, secrets, std::move(keep));
+    return makeWebArchive(source, secrets, std::move(renew));
 }
 
 }  // namespace
@@ -28,9 +28,8 @@ Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& 
 
 Result<std::unique_ptr<Archive>> archiveOf(const SourceList& list, const Source& source) {
     MACULA_TRY(const Secrets secrets, list.secretsOf(source));
-    // Where it cannot be kept, this archive still has it: the person signs in again another day.
-    return archiveFor(source, secrets, [list, source](const Secrets& renewed) {
-        static_cast<void>(list.keepTokens(source, renewed));
+    return archiveFor(source, secrets, [list, source](const Secrets& ours, const auto& ask) {
+        return list.renewTokens(source, ours, ask);
     });
 }
 

@@ -160,5 +160,40 @@ TEST_F(DeviceSignInTest, ATokenThatEndedIsRenewedAndTheNewOneKept) {
     EXPECT_EQ(over.error().code, ErrorCode::archiveNotUsable);
 }
 
+// Two windows have the same refresh token: it is used once, and both go on.
+TEST_F(DeviceSignInTest, ATokenThatAnotherHasRenewedIsTaken) {
+    const dicom::test::TemporaryFolder folder;
+    const ScriptedServer archive([&](const Request& request, Peer& peer) {
+        const bool isRight = request.has("Authorization: Bearer A2\r\n");
+        peer.answer(isRight ? 200 : 401, "application/dicom+json", "[]");
+    });
+    const Source source = sourceAt(archive.url(), service_.url());
+    auto list = SourceList::read({.managed = {}, .own = folder / "own", .secrets = folder / "secrets"});
+    ASSERT_TRUE(list);
+    ASSERT_TRUE(list->put(source));
+    ASSERT_TRUE(list->keep(source, {.token = "A1", .refreshToken = "R1"}));
+    const auto one = archiveOf(*list, source);
+    const auto other = archiveOf(*list, source);
+    ASSERT_TRUE(one);
+    ASSERT_TRUE(other);
+    answers_ = {{200, R"({"access_token":"A2","refresh_token":"R2"})"},
+                {400, R"({"error":"invalid_grant"})"}};
+    EXPECT_TRUE((*one)->findStudies({}, progress_));
+    EXPECT_TRUE((*other)->findStudies({}, progress_));
+    EXPECT_EQ(forms_.size(), 1u);
+}
+
+TEST_F(DeviceSignInTest, AServiceThatFailsForAMomentEndsNothing) {
+    answers_ = {{400, R"({"error":"authorization_pending"})"},
+                {503, "{}"},
+                {500, "<html>"},
+                {200, R"({"access_token":"A1","refresh_token":"R1","expires_in":60})"}};
+    EXPECT_EQ(words(), "signed in");
+    answers_ = {{503, "{}"}};
+    forms_.clear();
+    EXPECT_NE(words(), "signed in");
+    EXPECT_EQ(forms_.size(), 6u) << "it is tried some times, and then given up";
+}
+
 }  // namespace
 }  // namespace macula::net::test

@@ -9,6 +9,7 @@
 
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
+#include "net/no_archive.h"
 
 namespace macula::study {
 
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Has a study, and sends the files that it is told to.
-class OddArchive : public net::Archive {
+class OddArchive : public net::test::NoArchive {
   public:
     net::FoundStudy study;
     std::vector<fs::path> sends;
@@ -25,15 +26,6 @@ class OddArchive : public net::Archive {
 
     Result<net::StudyAnswers> findStudies(const net::StudyQuery& /*query*/, Progress& /*progress*/) override {
         return net::StudyAnswers{.studies = {study}};
-    }
-    Result<std::vector<net::FoundSeries>> findSeries(const std::string& /*study*/,
-                                                     Progress& /*progress*/) override {
-        return std::vector<net::FoundSeries>();
-    }
-    Result<std::vector<net::FoundInstance>> findInstances(const std::string& /*study*/,
-                                                          const std::string& /*series*/,
-                                                          Progress& /*progress*/) override {
-        return std::vector<net::FoundInstance>();
     }
     Result<net::Fetched> fetch(const net::Wanted& wanted, net::Receiver& receiver,
                                Progress& /*progress*/) override {
@@ -48,10 +40,6 @@ class OddArchive : public net::Archive {
         }
         return fetched;
     }
-    Result<net::Sent> send(std::span<const fs::path> /*files*/, Progress& /*progress*/) override {
-        return net::Sent();
-    }
-    std::vector<net::TestStep> test(Progress& /*progress*/) override { return {}; }
 };
 
 class FetchedStudyTest : public ::testing::Test {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -18,7 +19,10 @@
 
 #include "dicom/synthetic.h"
 #include "net/connect.h"
+#include "net/no_archive.h"
 #include "net/servers.h"
+#include "net/sources/source_address.h"
+#include "net/sources/source_list.h"
 #include "study/archive/files_to_send.h"
 #include "study/outbox/queue_sending.h"
 #include "study/outbox/sending.h"
@@ -40,6 +44,22 @@ std::unique_ptr<net::Archive> archiveAt(std::uint16_t port, const std::string& t
     source.peer = net::DimsePeer{.host = "127.0.0.1", .port = port, .calledAe = title};
     return *net::archiveOf(source, {});
 }
+
+// The data folder, for as long as it lives.
+class DataFolder {
+  public:
+    explicit DataFolder(const fs::path& folder) {
+        if (const char* before = std::getenv(kName)) before_ = before;
+        setenv(kName, folder.c_str(), 1);
+    }
+    ~DataFolder() { before_ ? setenv(kName, before_->c_str(), 1) : unsetenv(kName); }
+    DataFolder(const DataFolder&) = delete;
+    DataFolder& operator=(const DataFolder&) = delete;
+
+  private:
+    static constexpr const char* kName = "XDG_DATA_HOME";
+    std::optional<std::string> before_;
+};
 
 class OutboxTest : public ::testing::Test {
   protected:
@@ -208,6 +228,64 @@ TEST_F(OutboxTest, AnArchiveThatGoesInTheMiddleHasRefusedNothing) {
     EXPECT_EQ(open().entries().at(0).record.files.size(), outcome.left);
 }
 
+// Which of them the archive refused before it went is known by its answers.
+TEST_F(OutboxTest, OnlyWhatTheArchiveAnsweredIsRefused) {
+    class Goes : public net::test::NoArchive {
+        Result<net::Sent> send(std::span<const fs::path> files, Progress&) override {
+            return net::Sent{
+                .stored = 1,
+                .notSent = {{files[1], Text("It is full."), Text("Ask its administrator."), true},
+                            {files[2], Text("It is gone."), Text("Try again later."), false}}};
+        }
+    } archive;
+    Outbox outbox = open();
+    const std::string id = queued(outbox);
+    const OutboxSent outcome = sent(outbox, id, archive);
+    EXPECT_EQ(outcome.stored, 1u);
+    EXPECT_EQ(outcome.refused, 1u);
+    EXPECT_EQ(outcome.left, 1u);
+    ASSERT_TRUE(outcome.trouble);
+    EXPECT_EQ(outcome.trouble->message, "It is gone.");
+    const OutboxEntry entry = open().entries().at(0);
+    EXPECT_EQ(entry.state, OutboxState::waiting);
+    ASSERT_EQ(entry.record.files.size(), 2u);
+    EXPECT_EQ(entry.record.files[0].refused->why, "It is full.");
+    EXPECT_FALSE(entry.record.files[1].refused);
+}
+
+TEST_F(OutboxTest, WhatWaitsForOneArchiveDoesNotGoToAnotherOfItsName) {
+    const DataFolder own(folder_ / "data");
+    const net::test::StoreServer server;
+    const auto setUp = [&](const std::string& title) {
+        auto list = net::SourceList::read(net::SourceFiles::ofUser());
+        net::Source source{
+            .name = "Hospital",
+            .peer = net::DimsePeer{.host = "127.0.0.1", .port = server.port(), .calledAe = title}};
+        EXPECT_TRUE(list->put(source));
+        return net::addressOf(source);
+    };
+    ToQueue asked = request(files_);
+    asked.address = setUp("OTHER");
+    Outbox outbox = open();
+    const std::string id = queued(outbox, asked);
+    const std::string now = setUp(server.title());
+
+    Progress progress;
+    const QueueSent refused = sendQueued(outbox, outbox.entries(), openArchiveOfUser, progress);
+    EXPECT_EQ(refused.left, files_.size());
+    ASSERT_TRUE(refused.trouble);
+    EXPECT_EQ(refused.trouble->code, ErrorCode::usage);
+    EXPECT_TRUE(server.files().empty());
+
+    const auto moved = movedEntries(outbox.entries(), *net::SourceList::read(net::SourceFiles::ofUser()));
+    ASSERT_EQ(moved.size(), 1u);
+    EXPECT_EQ(moved[0].address, now);
+    EXPECT_EQ(moved[0].before, asked.address);
+    ASSERT_TRUE(outbox.readdress(id, now));
+    EXPECT_EQ(sendQueued(outbox, outbox.entries(), openArchiveOfUser, progress).stored, files_.size());
+    EXPECT_TRUE(isEmpty());
+}
+
 TEST_F(OutboxTest, ACancelledSendingKeepsAll) {
     const net::test::StoreServer server;
     Outbox outbox = open();
@@ -350,7 +428,7 @@ TEST_F(OutboxTest, TwoProgramsShareTheWork) {
             Progress progress;
             const auto sent = sendQueued(
                 own, own.entries(),
-                [&](const std::string&) {
+                [&](const OutboxRecord&) {
                     return Result<std::unique_ptr<net::Archive>>(archiveAt(server.port(), server.title()));
                 },
                 progress);

@@ -174,6 +174,40 @@ TEST_F(ReceivedStudiesTest, AnotherPatientUnderTheSameStudyIsRefusedAndSaid) {
     EXPECT_EQ(arriving(), 0u);
 }
 
+// The sender must not take for stored what is not.
+TEST_F(ReceivedStudiesTest, AnInstanceThatComesWithOtherPixelsIsRefusedAndSaid) {
+    Spool spool = openSpool();
+    const auto studies = into(spool);
+    const auto receiver = studies->receiverFor({.ae = "CT1", .address = "10.1.2.3"});
+    const auto sent = write("2.25.1");
+    EXPECT_EQ(*receive(*receiver, sent[0]), Verdict::kept);
+    // An archive writes headers anew: that is the same object.
+    const std::string before = bytesOf(sent[0].file);
+    std::string changed = before;
+    const std::size_t imageType = changed.find("PRIMARY\\AXIAL");
+    ASSERT_NE(imageType, std::string::npos);
+    changed.replace(imageType, 13, "PRIMARY\\OTHER");
+    std::ofstream(sent[0].file, std::ios::binary) << changed;
+    EXPECT_EQ(*receive(*receiver, sent[0]), Verdict::hadAlready);
+    changed = before;
+    changed.back() = static_cast<char>(changed.back() ^ 1);
+    std::ofstream(sent[0].file, std::ios::binary) << changed;
+    EXPECT_EQ(*receive(*receiver, sent[0]), Verdict::refused);
+    changed = before.substr(0, before.size() - 2);
+    std::ofstream(sent[0].file, std::ios::binary) << changed;
+    EXPECT_EQ(*receive(*receiver, sent[0]), Verdict::refused);
+
+    const auto done = studies->finishAll();
+    ASSERT_EQ(done.size(), 1u);
+    EXPECT_EQ(done[0].kept, 1u);
+    EXPECT_EQ(done[0].hadAlready, 1u);
+    EXPECT_EQ(done[0].otherContents, 2u);
+    ASSERT_EQ(done[0].messages.size(), 1u);
+    EXPECT_EQ(done[0].messages[0].key, "came-with-other-contents");
+    ASSERT_EQ(std::distance(fs::directory_iterator(done[0].folder), fs::directory_iterator()), 1);
+    EXPECT_EQ(bytesOf(fs::directory_iterator(done[0].folder)->path()), before);
+}
+
 TEST_F(ReceivedStudiesTest, WhatIsNoInstanceOrNotWhatWasSaidIsRefused) {
     Spool spool = openSpool();
     const auto studies = into(spool);

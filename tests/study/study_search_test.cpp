@@ -11,6 +11,7 @@
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
 #include "net/archive/query_match.h"
+#include "net/no_archive.h"
 #include "study/archive/local_studies.h"
 #include "study/spool/spool.h"
 
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Answers a search with what it is given, once it may.
-class AnsweringArchive : public net::Archive {
+class AnsweringArchive : public net::test::NoArchive {
   public:
     explicit AnsweringArchive(Result<net::StudyAnswers> answer) : answer_(std::move(answer)) {}
 
@@ -30,23 +31,6 @@ class AnsweringArchive : public net::Archive {
         if (until.valid()) until.wait();
         return answer_;
     }
-    Result<std::vector<net::FoundSeries>> findSeries(const std::string& /*study*/,
-                                                     Progress& /*progress*/) override {
-        return std::vector<net::FoundSeries>();
-    }
-    Result<std::vector<net::FoundInstance>> findInstances(const std::string& /*study*/,
-                                                          const std::string& /*series*/,
-                                                          Progress& /*progress*/) override {
-        return std::vector<net::FoundInstance>();
-    }
-    Result<net::Fetched> fetch(const net::Wanted& /*wanted*/, net::Receiver& /*receiver*/,
-                               Progress& /*progress*/) override {
-        return net::Fetched();
-    }
-    Result<net::Sent> send(std::span<const fs::path> /*files*/, Progress& /*progress*/) override {
-        return net::Sent();
-    }
-    std::vector<net::TestStep> test(Progress& /*progress*/) override { return {}; }
 
   private:
     Result<net::StudyAnswers> answer_;

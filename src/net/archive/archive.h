@@ -27,11 +27,13 @@ struct TestStep {
     Text advice;  // what to do; empty if it passed
 };
 
-// An instance that the archive did not take.
+// An instance that is not stored.
 struct NotSent {
     std::filesystem::path file;
     Text why;
     Text advice;
+    // The archive said no, or the file cannot be sent as it is; otherwise the archive gave no answer to it.
+    bool isRefused = true;
 };
 
 struct Sent {

@@ -46,8 +46,8 @@ Error fileTrouble() {
 Sending::Sending(const Connector& connector, std::span<const std::filesystem::path> files, Progress& progress)
     : connector_(connector), files_(files), progress_(progress) {}
 
-void Sending::note(const Outgoing& outgoing, const Error& error) {
-    sent_.notSent.push_back({outgoing.file, error.message, error.hint});
+void Sending::note(const Outgoing& outgoing, const Error& error, bool isRefused) {
+    sent_.notSent.push_back({outgoing.file, error.message, error.hint, isRefused});
     progress_.advance();
 }
 
@@ -111,7 +111,7 @@ Result<void> Sending::sendWithTries(std::vector<Outgoing>& batch) {
         failures = 0;
         const bool givesUp = !isConnected_ || ++filesGivenUp == kTriesToSend;
         const std::size_t count = givesUp ? batch.size() : 1;
-        for (std::size_t i = 0; i < count; ++i) note(batch[i], error);
+        for (std::size_t i = 0; i < count; ++i) note(batch[i], error, false);
         batch.erase(batch.begin(), batch.begin() + static_cast<std::ptrdiff_t>(count));
     }
     return {};

@@ -39,7 +39,7 @@ class Sending {
     Result<void> sendFile(Association& association, const AcceptedContext& context, const Outgoing& outgoing);
     Result<void> sendBytes(Association& association, const AcceptedContext& context,
                            const Outgoing& outgoing);
-    void note(const Outgoing& outgoing, const Error& error);
+    void note(const Outgoing& outgoing, const Error& error, bool isRefused = true);
 
     const Connector& connector_;
     std::span<const std::filesystem::path> files_;

@@ -26,6 +26,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::milliseconds kLockIsTriedEvery{20};
+// Longer than a token service takes to answer; then whoever has the lock is stuck.
+constexpr int kTriesOfLock = 1500;
 
 fs::path managedFile() {
     const char* folders = std::getenv("XDG_CONFIG_DIRS");
@@ -194,13 +196,24 @@ Result<void> SourceList::keep(const Source& source, const Secrets& secrets) {
     return writePrivately(files_.secrets, all);
 }
 
-Result<void> SourceList::keepTokens(const Source& source, const Secrets& secrets) const {
+Result<Secrets> SourceList::renewTokens(const Source& source, const Secrets& ours,
+                                        const AskForTokens& ask) const {
     // One thread of this program after the other; the lock is for other programs.
     static std::mutex mutex;
     const std::lock_guard inTurn(mutex);
     const FileLock lock(fs::path(files_.secrets).concat(".lock"));
-    constexpr int kTries = 50;
-    for (int i = 0; i < kTries && !lock.isOurs(); ++i) std::this_thread::sleep_for(kLockIsTriedEvery);
+    for (int i = 0; i < kTriesOfLock && !lock.isOurs(); ++i) std::this_thread::sleep_for(kLockIsTriedEvery);
+    const auto kept = secretsOf(source);
+    const bool isRenewed = kept && !kept->token.empty() && !kept->refreshToken.empty() &&
+                           kept->refreshToken != ours.refreshToken;
+    if (isRenewed) return kept;
+    MACULA_TRY(Secrets renewed, ask(ours));
+    // Where they cannot be kept, the caller still has them: the person signs in again another day.
+    static_cast<void>(keepTokens(source, renewed));
+    return renewed;
+}
+
+Result<void> SourceList::keepTokens(const Source& source, const Secrets& secrets) const {
     MACULA_TRY(nlohmann::json all, readSecrets(files_.secrets));
     const auto entry = all.find(source.name);
     if (entry == all.end() || !entry->is_object()) return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -40,13 +41,16 @@ class SourceList {
     // None that were kept are empty. Fails with inputNotUsable where others can read the file.
     Result<Secrets> secretsOf(const Source& source) const;
     Result<void> keep(const Source& source, const Secrets& secrets);
-    // Only the tokens, and only where the archive still has secrets; several threads and programs may.
-    Result<void> keepTokens(const Source& source, const Secrets& secrets) const;
+    // For RenewTokens of web/sign_in.h: one after another of all threads and programs that have this file.
+    using AskForTokens = std::function<Result<Secrets>(const Secrets&)>;
+    Result<Secrets> renewTokens(const Source& source, const Secrets& ours, const AskForTokens& ask) const;
 
   private:
     explicit SourceList(SourceFiles files) : files_(std::move(files)) {}
     Result<void> readAgain();
     Result<void> refuseManaged(std::string_view name) const;
+    // Only where the archive still has secrets.
+    Result<void> keepTokens(const Source& source, const Secrets& secrets) const;
 
     SourceFiles files_;
     std::vector<Source> own_;

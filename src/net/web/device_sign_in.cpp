@@ -22,6 +22,7 @@ constexpr double kUsualInterval = 5.0;  // RFC 8628 3.2
 constexpr double kLongestInterval = 60.0;
 constexpr double kSlower = 5.0;  // RFC 8628 3.5
 constexpr double kLongestLife = 3600.0;
+constexpr int kMostFailuresInTurn = 5;
 constexpr std::chrono::milliseconds kSlice{100};
 const std::string kGrant = "urn:ietf:params:oauth:grant-type:device_code";
 
@@ -119,19 +120,29 @@ Result<Secrets> signInByDevice(const Source& source, const Secrets& secrets, con
     const std::string form =
         "grant_type=" + percentEncoded(kGrant) + "&device_code=" + percentEncoded(codes.secret);
     const auto end = Clock::now() + codes.shown.life;
+    int failuresInTurn = 0;
     while (Clock::now() < end) {
         if (!waitFor(Seconds(codes.interval), progress)) return cancelledByPerson();
-        MACULA_TRY(TokenAnswer answer,
-                   askForToken(settings, peer->tokenUrl, form, {peer->clientId, secrets.password}, progress));
-        if (answer.fault == "authorization_pending") continue;
-        if (answer.fault == "slow_down") {
+        auto answer =
+            askForToken(settings, peer->tokenUrl, form, {peer->clientId, secrets.password}, progress);
+        if (!answer) {
+            // A line that is lost for a moment ends no sign-in; it is tried less often (RFC 8628 3.5).
+            const Error& error = answer.error();
+            if (error.code != ErrorCode::archiveNotUsable || ++failuresInTurn == kMostFailuresInTurn)
+                return error;
+            codes.interval = std::min(2.0 * codes.interval, kLongestInterval);
+            continue;
+        }
+        failuresInTurn = 0;
+        if (answer->fault == "authorization_pending") continue;
+        if (answer->fault == "slow_down") {
             codes.interval += kSlower;
             continue;
         }
-        if (!answer.fault.empty()) return failureOf(answer.fault);
+        if (!answer->fault.empty()) return failureOf(answer->fault);
         Secrets signedIn = secrets;
-        signedIn.token = std::move(answer.accessToken);
-        signedIn.refreshToken = std::move(answer.refreshToken);
+        signedIn.token = std::move(answer->accessToken);
+        signedIn.refreshToken = std::move(answer->refreshToken);
         return signedIn;
     }
     return failureOf("expired_token");

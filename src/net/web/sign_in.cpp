@@ -13,6 +13,8 @@ using Clock = std::chrono::steady_clock;
 
 // A token may last shorter than it says: it is asked for again a little before its end.
 constexpr std::chrono::seconds kSpareOfToken{30};
+// Of a token that another has got: it is used until it is refused.
+constexpr std::chrono::seconds kLifeUnknown{3600};
 
 Error signInAgain() {
     return {ErrorCode::archiveNotUsable,
@@ -24,11 +26,11 @@ Error signInAgain() {
 }  // namespace
 
 WebSignIn::WebSignIn(const WebPeer& peer, const Secrets& secrets, const HttpSettings& settings,
-                     KeepSecrets keep)
+                     RenewTokens renew)
     : peer_(peer),
       secrets_(secrets),
       tokenSettings_(withoutOwnCertificate(settings)),
-      keep_(std::move(keep)) {
+      renew_(std::move(renew)) {
     // The token of the sign-in itself serves until it is refused.
     if (peer_.signIn == SignIn::device && !secrets_.token.empty()) {
         token_ = secrets_.token;
@@ -64,33 +66,39 @@ bool WebSignIn::renew(const Credentials& refused) {
     return true;
 }
 
-Result<TokenAnswer> WebSignIn::refreshed(Progress& progress) {
-    if (secrets_.refreshToken.empty()) return signInAgain();
-    const std::string form =
-        "grant_type=refresh_token&refresh_token=" + percentEncoded(secrets_.refreshToken);
-    MACULA_TRY(TokenAnswer answer, askForToken(tokenSettings_, peer_.tokenUrl, form,
-                                               {peer_.clientId, secrets_.password}, progress));
-    if (answer.fault == "invalid_grant") return signInAgain();
-    if (!answer.fault.empty()) return noTokenError();
-    secrets_.token = answer.accessToken;
-    if (!answer.refreshToken.empty()) secrets_.refreshToken = answer.refreshToken;
-    if (keep_) keep_(secrets_);
-    return answer;
+Result<void> WebSignIn::refresh(Progress& progress) {
+    std::chrono::seconds life = kLifeUnknown;
+    const AskForTokens ask = [&](const Secrets& had) -> Result<Secrets> {
+        if (had.refreshToken.empty()) return signInAgain();
+        const std::string form = "grant_type=refresh_token&refresh_token=" + percentEncoded(had.refreshToken);
+        MACULA_TRY(TokenAnswer answer, askForToken(tokenSettings_, peer_.tokenUrl, form,
+                                                   {peer_.clientId, had.password}, progress));
+        if (answer.fault == "invalid_grant") return signInAgain();
+        if (!answer.fault.empty()) return noTokenError();
+        Secrets renewed = had;
+        renewed.token = std::move(answer.accessToken);
+        if (!answer.refreshToken.empty()) renewed.refreshToken = std::move(answer.refreshToken);
+        life = answer.life;
+        return renewed;
+    };
+    MACULA_TRY(secrets_, renew_ ? renew_(secrets_, ask) : ask(secrets_));
+    use(secrets_.token, life);
+    return {};
+}
+
+void WebSignIn::use(const std::string& token, std::chrono::seconds life) {
+    token_ = token;
+    tokenEnds_ = Clock::now() + std::max<std::chrono::seconds>(life - kSpareOfToken, life / 2);
 }
 
 Result<void> WebSignIn::getToken(Progress& progress) {
-    TokenAnswer answer;
-    if (peer_.signIn == SignIn::device) {
-        MACULA_TRY(answer, refreshed(progress));
-    } else {
-        std::string form = "grant_type=client_credentials";
-        if (!peer_.scope.empty()) form += "&scope=" + percentEncoded(peer_.scope);
-        MACULA_TRY(answer, askForToken(tokenSettings_, peer_.tokenUrl, form,
-                                       {peer_.clientId, secrets_.password}, progress));
-        if (!answer.fault.empty()) return noTokenError();
-    }
-    token_ = std::move(answer.accessToken);
-    tokenEnds_ = Clock::now() + std::max<std::chrono::seconds>(answer.life - kSpareOfToken, answer.life / 2);
+    if (peer_.signIn == SignIn::device) return refresh(progress);
+    std::string form = "grant_type=client_credentials";
+    if (!peer_.scope.empty()) form += "&scope=" + percentEncoded(peer_.scope);
+    MACULA_TRY(const TokenAnswer answer, askForToken(tokenSettings_, peer_.tokenUrl, form,
+                                                     {peer_.clientId, secrets_.password}, progress));
+    if (!answer.fault.empty()) return noTokenError();
+    use(answer.accessToken, answer.life);
     return {};
 }
 

@@ -12,13 +12,16 @@
 
 namespace macula::net {
 
-// Told the secrets with a refresh token that took the place of the one before: without keeping it, a person
-// would have to sign in again. Called by any thread that makes requests.
-using KeepSecrets = std::function<void(const Secrets&)>;
+// Asks the token service with the refresh token of these secrets, and returns them with new tokens.
+using AskForTokens = std::function<Result<Secrets>(const Secrets&)>;
+// Renews the tokens of a sign-in that others may be using too, such as another window: one after another,
+// since a service may take a refresh token that comes twice for a stolen one. Asks, and keeps what came; or
+// returns what another has kept meanwhile. Called by any thread that makes requests.
+using RenewTokens = std::function<Result<Secrets>(const Secrets& ours, const AskForTokens& ask)>;
 
 class WebSignIn final : public CredentialSource {
   public:
-    WebSignIn(const WebPeer& peer, const Secrets& secrets, const HttpSettings& settings, KeepSecrets keep);
+    WebSignIn(const WebPeer& peer, const Secrets& secrets, const HttpSettings& settings, RenewTokens renew);
 
     // Of OAuth 2 the token that was got before, until it expires.
     Result<Credentials> credentials(Progress& progress) override;
@@ -27,12 +30,13 @@ class WebSignIn final : public CredentialSource {
   private:
     bool usesTokenService() const;
     Result<void> getToken(Progress& progress);
-    Result<TokenAnswer> refreshed(Progress& progress);
+    Result<void> refresh(Progress& progress);
+    void use(const std::string& token, std::chrono::seconds life);
 
     WebPeer peer_;
     Secrets secrets_;
     HttpSettings tokenSettings_;
-    KeepSecrets keep_;
+    RenewTokens renew_;  // empty: nobody else has the sign-in
     std::mutex mutex_;
     std::string token_;
     std::chrono::steady_clock::time_point tokenEnds_{};

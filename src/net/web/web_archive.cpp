@@ -26,10 +26,10 @@ constexpr std::size_t kMostInstancesFound = 200'000;
 // Each call has connections of its own; the token of a sign-in is shared.
 class WebArchive final : public Archive {
   public:
-    WebArchive(const Source& source, const WebPeer& peer, const Secrets& secrets, KeepSecrets keep)
+    WebArchive(const Source& source, const WebPeer& peer, const Secrets& secrets, RenewTokens renew)
         : service_(webAddressOf(peer.url).value().url),
           settings_(httpSettingsOf(source, peer, secrets)),
-          signIn_(peer, secrets, settings_, std::move(keep)) {}
+          signIn_(peer, secrets, settings_, std::move(renew)) {}
 
     Result<StudyAnswers> findStudies(const StudyQuery& query, Progress& progress) override {
         return guarded([&]() -> Result<StudyAnswers> {
@@ -120,10 +120,10 @@ class WebArchive final : public Archive {
 
 }  // namespace
 
-std::unique_ptr<Archive> makeWebArchive(const Source& source, const Secrets& secrets, KeepSecrets keep) {
+std::unique_ptr<Archive> makeWebArchive(const Source& source, const Secrets& secrets, RenewTokens renew) {
     const WebPeer* const peer = std::get_if<WebPeer>(&source.peer);
     MACULA_CHECK(peer != nullptr);
-    return std::make_unique<WebArchive>(source, *peer, secrets, std::move(keep));
+    return std::make_unique<WebArchive>(source, *peer, secrets, std::move(renew));
 }
 
 }  // namespace macula::net

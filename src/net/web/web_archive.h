@@ -9,6 +9,6 @@
 namespace macula::net {
 
 // Of a source whose peer is a WebPeer, and whose settings were checked (web_peer.h).
-std::unique_ptr<Archive> makeWebArchive(const Source& source, const Secrets& secrets, KeepSecrets keep = {});
+std::unique_ptr<Archive> makeWebArchive(const Source& source, const Secrets& secrets, RenewTokens renew = {});
 
 }  // namespace macula::net

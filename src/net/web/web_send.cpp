@@ -42,7 +42,7 @@ Result<Sent> WebSend::run(std::span<const std::filesystem::path> files) {
                     {},
                     {}};
             if (sent_.stored == 0) return error;
-            refuse(all.subspan(judged_), error.message, error.hint);
+            note(all.subspan(judged_), error, false);
             break;
         }
         progress_.advance(to - from);
@@ -98,8 +98,7 @@ Result<void> WebSend::sendGroup(std::span<const ToSend> group) {
                                outcome.trouble == HttpTrouble::serverFailed;
     if (!isOfThisGroup) return outcome.error();
     if (group.size() == 1) {
-        const Error error = outcome.error();
-        refuse(group, error.message, error.hint);
+        note(group, outcome.error(), true);
         return {};
     }
     // One of them may be at fault, or all together be too large.
@@ -128,9 +127,10 @@ void WebSend::judge(std::span<const ToSend> group, int status, const std::string
     }
 }
 
-void WebSend::refuse(std::span<const ToSend> group, const Text& why, const Text& advice) {
+void WebSend::note(std::span<const ToSend> group, const Error& error, bool isRefused) {
     judged_ += group.size();
-    for (const ToSend& one : group) sent_.notSent.push_back({one.upload.file, why, advice});
+    for (const ToSend& one : group)
+        sent_.notSent.push_back({one.upload.file, error.message, error.hint, isRefused});
 }
 
 }  // namespace macula::net

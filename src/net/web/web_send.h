@@ -28,7 +28,7 @@ class WebSend {
     void lookAt(const std::filesystem::path& file);
     Result<void> sendGroup(std::span<const ToSend> group);
     void judge(std::span<const ToSend> group, int status, const std::string& answer);
-    void refuse(std::span<const ToSend> group, const Text& why, const Text& advice);
+    void note(std::span<const ToSend> group, const Error& error, bool isRefused);
 
     const std::string& service_;
     HttpClient& client_;

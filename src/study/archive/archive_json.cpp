@@ -98,6 +98,7 @@ Json toJson(const ReceivedStudy& received) {
             {"kept", received.kept},
             {"hadAlready", received.hadAlready},
             {"refused", received.refused},
+            {"otherContents", received.otherContents},
             {"instances", received.instances},
             {"messages", jsonOf(received.messages)}};
 }

@@ -12,10 +12,6 @@ namespace macula::study {
 
 namespace {
 
-bool isKnown(const std::string& text) {
-    return !text.empty() && !dicom::isPlaceholder(text);
-}
-
 // The same day some years before; of a leap day, 1 March at the latest.
 std::string yearsBefore(const std::string& day, int years) {
     const int year = std::stoi(day.substr(0, 4)) - years;
@@ -34,9 +30,9 @@ bool sharesModality(const net::FoundStudy& study, const std::vector<std::string>
 
 std::optional<net::StudyQuery> queryForPriors(const Identity& patient) {
     net::StudyQuery query;
-    if (isKnown(patient.patientId)) {
+    if (!dicom::isPlaceholder(patient.patientId)) {
         query.patientId = patient.patientId;
-    } else if (isKnown(patient.patientName) && isKnown(patient.birthDate)) {
+    } else if (!dicom::isPlaceholder(patient.patientName) && !dicom::isPlaceholderDate(patient.birthDate)) {
         query.patientName = patient.patientName.substr(0, patient.patientName.find('='));
         query.patientBirthDate = patient.birthDate;
     } else {
@@ -51,7 +47,7 @@ std::vector<ListedStudy> priorsOf(const Identity& patient, const Listing& listin
     for (const ListedStudy& listed : listing.studies) {
         const Identity other = identityOf(listed.study);
         const SamePatient same = samePatient(patient, other);
-        const bool hasId = isKnown(patient.patientId) && patient.patientId == other.patientId;
+        const bool hasId = !dicom::isPlaceholder(patient.patientId) && patient.patientId == other.patientId;
         if (same == SamePatient::no || (same == SamePatient::unknown && !hasId)) continue;
         if (seen.insert(listed.study.studyInstanceUid).second) priors.push_back(listed);
     }

@@ -25,17 +25,6 @@ Error tooManyStudies(std::size_t most) {
             Text("Start the program again to take more, and look at what was sent.")};
 }
 
-std::vector<Message> messagesOf(std::size_t refused) {
-    if (refused == 0) return {};
-    return {
-        {Severity::warning,
-         "came-of-others",
-         {{"count", static_cast<std::int64_t>(refused)}},
-         Text("{} objects came that name another patient than the rest of this study. They were not kept.",
-              refused),
-         Text("Tell the administrator of the machine that sent them.")}};
-}
-
 }  // namespace
 
 // Its mutex is never waited for while that of ReceivedStudies is held.
@@ -51,8 +40,28 @@ struct ReceivedStudies::Arriving {
     std::size_t kept = 0;
     std::size_t hadAlready = 0;
     std::size_t refused = 0;
+    std::size_t otherContents = 0;
     Clock::time_point last = Clock::now();  // under the mutex of ReceivedStudies
 };
+
+std::vector<Message> ReceivedStudies::messagesOf(const Arriving& arriving) {
+    std::vector<Message> messages;
+    const auto warn = [&](std::string key, std::size_t number, Text sentence) {
+        if (number > 0)
+            messages.push_back({Severity::warning,
+                                std::move(key),
+                                {{"count", static_cast<std::int64_t>(number)}},
+                                std::move(sentence),
+                                Text("Tell the administrator of the machine that sent them.")});
+    };
+    warn("came-of-others", arriving.refused,
+         Text("{} objects came that name another patient than the rest of this study. They were not kept.",
+              arriving.refused));
+    warn("came-with-other-contents", arriving.otherContents,
+         Text("{} objects came again with other contents. Those that came first were kept.",
+              arriving.otherContents));
+    return messages;
+}
 
 // What comes over one association.
 class ReceivedStudies::FromCaller : public net::Receiver {
@@ -116,12 +125,17 @@ Result<Verdict> ReceivedStudies::take(const fs::path& file, const net::InstanceK
         const std::lock_guard lock(arriving->mutex);
         if (arriving->isFinished) continue;
         MACULA_TRY_VOID(open(*arriving, sender));
-        MACULA_TRY(const Verdict verdict, arriving->study->keep(file, found));
+        MACULA_TRY(Verdict verdict, arriving->study->keep(file, found));
         switch (verdict) {
             case Verdict::kept:
                 ++arriving->kept;
                 break;
             case Verdict::hadAlready:
+                if (!arriving->study->hasSame(file, found.sopInstanceUid)) {
+                    ++arriving->otherContents;
+                    verdict = Verdict::refused;  // the sender must not take it for stored
+                    break;
+                }
                 ++arriving->hadAlready;
                 break;
             case Verdict::refused:
@@ -195,8 +209,9 @@ void ReceivedStudies::finish(const std::shared_ptr<Arriving>& arriving) {
                                      .kept = arriving->kept,
                                      .hadAlready = arriving->hadAlready,
                                      .refused = arriving->refused,
+                                     .otherContents = arriving->otherContents,
                                      .instances = instances,
-                                     .messages = messagesOf(arriving->refused)};
+                                     .messages = messagesOf(*arriving)};
         } else {
             std::error_code ignored;
             if (fs::remove(folder, ignored)) fs::remove(spoolRecordFile(folder), ignored);

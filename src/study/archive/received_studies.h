@@ -35,6 +35,7 @@ struct ReceivedStudy {
     std::size_t kept = 0;
     std::size_t hadAlready = 0;
     std::size_t refused = 0;        // of another patient than the rest of the study
+    std::size_t otherContents = 0;  // refused: under the UID of an instance that had come with other contents
     std::size_t instances = 0;      // that are there now
     std::vector<Message> messages;  // shown with the study
 };
@@ -72,6 +73,7 @@ class ReceivedStudies : public net::Reception {
     Result<void> open(Arriving& arriving, const std::string& sender);
     void finish(const std::shared_ptr<Arriving>& arriving);
     void finishOldest();
+    static std::vector<Message> messagesOf(const Arriving& arriving);
     std::vector<std::shared_ptr<Arriving>> quietSince(Clock::time_point time) const;
     std::vector<ReceivedStudy> takeFinished();
     Error noted(const Error& error);

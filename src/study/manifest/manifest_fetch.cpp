@@ -42,6 +42,14 @@ Result<void> compare(const dicom::ManifestStudy& named, Spool& spool, Progress& 
     return study->finish(std::move(record));
 }
 
+Message leftOut(std::size_t references) {
+    return {Severity::warning,
+            "manifest-leaves-out",
+            {{"count", static_cast<std::int64_t>(references)}},
+            Text("{} references of the manifest have no valid UID, and were left out.", references),
+            Text("Ask whoever made the manifest for a new one.")};
+}
+
 }  // namespace
 
 Identity identityOf(const dicom::ImagingManifest& manifest) {
@@ -72,6 +80,7 @@ Result<std::vector<FetchedStudy>> fetchManifest(const dicom::ImagingManifest& ma
         MACULA_TRY_VOID(compare(named, spool, progress, fetched));
         all.push_back(std::move(fetched));
     }
+    if (manifest.unusable > 0 && !all.empty()) all.front().messages.push_back(leftOut(manifest.unusable));
     return all;
 }
 

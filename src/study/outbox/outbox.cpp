@@ -246,6 +246,7 @@ Result<std::string> Outbox::queue(const ToQueue& request, Progress& progress) {
     if (!draft) return notCopied(folder_);
     MACULA_TRY_VOID(makePrivateFolder(draft->path()));
     OutboxRecord record{.archive = request.archive,
+                        .address = request.address,
                         .patients = request.patients,
                         .queuedAt = nowInUtcMs(),
                         .tries = request.tries,
@@ -294,6 +295,13 @@ Result<OutboxSent> Outbox::send(const std::string& id, net::Archive& archive, Pr
     MACULA_TRY_VOID(writeOutboxRecord(folder, record));
     removeFilesWithoutNote(folder, record);
     return sent;
+}
+
+Result<void> Outbox::readdress(const std::string& id, const std::string& address) {
+    MACULA_TRY(const FileLock locked, lock(id));
+    MACULA_TRY(OutboxRecord record, readOutboxRecord(folderOf(id)));
+    record.address = address;
+    return writeOutboxRecord(folderOf(id), record);
 }
 
 Result<void> Outbox::remove(const std::string& id) {

@@ -50,6 +50,7 @@ struct ToQueue {
         std::optional<Reason> refused = {};
     };
     std::string archive;
+    std::string address = {};  // see OutboxRecord
     std::vector<File> files;
     std::vector<Identity> patients;  // whom the person confirmed
     std::size_t tries = 0;
@@ -90,6 +91,9 @@ class Outbox {
     // such entry, or where somebody else is sending it; with inputNotUsable where it is damaged.
     Result<OutboxSent> send(const std::string& id, net::Archive& archive, Progress& progress,
                             Which which = Which::waiting);
+
+    // A person has said that its archive is at this address now. Fails as send() does.
+    Result<void> readdress(const std::string& id, const std::string& address);
 
     // Without sending it. Fails with usage as above.
     Result<void> remove(const std::string& id);

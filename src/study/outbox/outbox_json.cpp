@@ -32,6 +32,7 @@ Json jsonOf(const OutboxEntry& entry) {
     return {{"id", entry.id},
             {"state", nameOf(entry.state)},
             {"archive", entry.record.archive},
+            {"address", entry.record.address},
             {"queuedAt", entry.record.queuedAt},
             {"tries", entry.record.tries},
             {"triedAt", entry.record.triedAt},

@@ -69,6 +69,7 @@ std::optional<OutboxRecord> recordIn(const Json& json) {
     if (!json.is_object() || json.value("version", Json()) != kVersion) return std::nullopt;
     OutboxRecord record;
     record.archive = textOf(json, "archive");
+    record.address = textOf(json, "address");
     record.queuedAt = textOf(json, "queuedAt");
     record.triedAt = textOf(json, "triedAt");
     const Json tries = json.value("tries", Json());
@@ -115,8 +116,13 @@ Result<void> writeOutboxRecord(const fs::path& folder, const OutboxRecord& recor
         files.push_back({{"name", each.name}});
         if (each.refused) files.back()["refused"] = toJson(*each.refused);
     }
-    Json json{{"version", kVersion},      {"archive", record.archive}, {"queuedAt", record.queuedAt},
-              {"tries", record.tries},    {"triedAt", record.triedAt}, {"patients", std::move(patients)},
+    Json json{{"version", kVersion},
+              {"archive", record.archive},
+              {"address", record.address},
+              {"queuedAt", record.queuedAt},
+              {"tries", record.tries},
+              {"triedAt", record.triedAt},
+              {"patients", std::move(patients)},
               {"files", std::move(files)}};
     if (record.trouble) json["trouble"] = toJson(*record.trouble);
     return writeTextPrivately(outboxRecordFile(folder),

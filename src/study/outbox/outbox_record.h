@@ -21,6 +21,7 @@ struct OutboxFile {
 // Names patients, as the files beside it do.
 struct OutboxRecord {
     std::string archive;             // its name in the list of archives
+    std::string address;             // where it was then, see net::addressOf; empty: not known
     std::vector<Identity> patients;  // each once; whom the person was told of who sent the files
     std::string queuedAt;            // UTC, ISO 8601, with milliseconds
     std::size_t tries = 0;

@@ -12,14 +12,25 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "net/archive/archive.h"
+#include "net/sources/source_list.h"
 #include "study/outbox/outbox.h"
 
 namespace macula::study {
 
-// By its name.
-using ArchiveOpener = std::function<Result<std::unique_ptr<net::Archive>>(const std::string& name)>;
-// Of the user's list, with its secrets.
-Result<std::unique_ptr<net::Archive>> openArchiveOfUser(const std::string& name);
+// That an entry waits for.
+using ArchiveOpener = std::function<Result<std::unique_ptr<net::Archive>>(const OutboxRecord& record)>;
+// Of the user's list, with its secrets. Fails with usage where the archive of that name is not at the entry's
+// address any more: what was confirmed for one archive never goes to another by itself.
+Result<std::unique_ptr<net::Archive>> openArchiveOfUser(const OutboxRecord& record);
+
+// An entry whose archive has another address now, by the user's list.
+struct MovedEntry {
+    std::string id;
+    std::string archive;
+    std::string address;  // now
+    std::string before;   // when it was queued
+};
+std::vector<MovedEntry> movedEntries(std::span<const OutboxEntry> entries, const net::SourceList& list);
 
 struct QueueSent {
     std::size_t stored = 0;

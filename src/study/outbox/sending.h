@@ -21,8 +21,7 @@ struct FilesSent {
     std::optional<Error> trouble;             // why files are left
 };
 
-// An archive that goes away in the middle refuses nothing: then the last of the files that were not stored is
-// sent once more, which finds out whether the archive still answers.
+// An archive that goes away in the middle refuses only what it refused before.
 FilesSent sendFiles(net::Archive& archive, std::span<const std::filesystem::path> files, Progress& progress);
 
 Reason reasonOf(const Error& error);

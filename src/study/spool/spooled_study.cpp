@@ -15,6 +15,7 @@
 #include "dicom/stack/examination.h"
 #include "study/open/file_identity.h"
 #include "study/open/same_patient.h"
+#include "study/spool/same_object.h"
 
 namespace macula::study {
 
@@ -190,6 +191,10 @@ Result<net::Receiver::Verdict> SpooledStudy::keep(const fs::path& file, const di
     }
     if (kept_) kept_();
     return Verdict::kept;
+}
+
+bool SpooledStudy::hasSame(const fs::path& file, const std::string& sopInstanceUid) const {
+    return isSameObject(file, fileOf(sopInstanceUid));
 }
 
 void SpooledStudy::drop(const fs::path& file) noexcept {

@@ -61,6 +61,8 @@ class SpooledStudy : public net::Receiver {
     // The same for a file of somebody else on the same file system, who has looked at it: what is not kept
     // stays with them.
     Result<Verdict> keep(const std::filesystem::path& file, const dicom::Examination& found);
+    // Of a file that came before: whether this is the same object (isSameObject).
+    bool hasSame(const std::filesystem::path& file, const std::string& sopInstanceUid) const;
     void drop(const std::filesystem::path& file) noexcept override;
     std::uintmax_t mostBytesOfInstance() const override;
 

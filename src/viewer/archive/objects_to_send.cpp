@@ -7,6 +7,8 @@
 #include "base/draft.h"
 #include "base/exceptions.h"
 #include "base/private_file.h"
+#include "net/sources/source_address.h"
+#include "net/sources/source_list.h"
 #include "study/open/same_patient.h"
 
 namespace macula::viewer {
@@ -59,7 +61,12 @@ Result<study::OutboxEntry> queueAll(study::Outbox& outbox, ObjectsToSend objects
     MACULA_TRY(const Draft draft, Draft::beside(outbox.folder() / "made", Draft::Kind::folder));
     MACULA_TRY_VOID(makePrivateFolder(draft.path()));
     MACULA_TRY(const auto paths, makeObjects(objects, draft.path(), device, notes, progress));
-    study::ToQueue request{.archive = objects.archive, .files = {}, .patients = objects.files.patients};
+    MACULA_TRY(const net::SourceList list, net::SourceList::read(net::SourceFiles::ofUser()));
+    MACULA_TRY(const net::Source archive, list.find(objects.archive));
+    study::ToQueue request{.archive = archive.name,
+                           .address = net::addressOf(archive),
+                           .files = {},
+                           .patients = objects.files.patients};
     if (!paths.empty()) {
         MACULA_TRY(const study::FilesToSend made, study::filesToSend(paths, progress));
         MACULA_TRY_VOID(checkPatient(objects, made));

@@ -5,8 +5,10 @@
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 #include <algorithm>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "net/sources/source_list.h"
@@ -17,6 +19,7 @@
 #include "viewer/archive/waiting_bar.h"
 #include "viewer/editor/study_editor.h"
 #include "viewer/jobs/post.h"
+#include "viewer/language/harmless_text.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
 #include "viewer/output/pictures_controller.h"
@@ -41,18 +44,26 @@ Result<std::vector<study::OutboxEntry>> entriesOfUser() {
     return outbox.entries();
 }
 
-bool answers(const std::string& archive, Progress& progress) {
-    const auto opened = study::openArchiveOfUser(archive);
+bool answers(const study::OutboxRecord& waiting, Progress& progress) {
+    const auto opened = study::openArchiveOfUser(waiting);
     if (!opened) return false;
     const std::vector<net::TestStep> steps = (*opened)->test(progress);
     return !steps.empty() && std::ranges::all_of(steps, &net::TestStep::passed);
 }
 
-std::set<std::string> archivesWaitedFor(const std::vector<study::OutboxEntry>& entries) {
-    std::set<std::string> archives;
+// The archives, by their names, each with an entry that waits for it.
+std::map<std::string, study::OutboxRecord> archivesWaitedFor(const std::vector<study::OutboxEntry>& entries) {
+    std::map<std::string, study::OutboxRecord> archives;
     for (const study::OutboxEntry& entry : entries)
-        if (entry.state == study::OutboxState::waiting) archives.insert(entry.record.archive);
+        if (entry.state == study::OutboxState::waiting) archives[entry.record.archive] = entry.record;
     return archives;
+}
+
+// Blocks, for as long as another program sends one of them.
+Result<void> readdress(const std::vector<study::MovedEntry>& moved) {
+    MACULA_TRY(study::Outbox outbox, study::Outbox::open());
+    for (const study::MovedEntry& each : moved) MACULA_TRY_VOID(outbox.readdress(each.id, each.address));
+    return {};
 }
 
 }  // namespace
@@ -283,14 +294,46 @@ void SendController::showQueue() {
         queue_->showNames(namesShown_);
         queue_->setEntries(entries_);
         queue_->setSending(sending_.running());
-        connect(queue_, &QueueDialog::sendAsked, this,
-                [this](const auto& entries) { sendQueued(entries, study::Outbox::Which::refusedToo); });
+        connect(queue_, &QueueDialog::sendAsked, this, &SendController::sendChosen);
         connect(queue_, &QueueDialog::removeAsked, this, &SendController::remove);
     }
     queue_->show();
     queue_->raise();
     queue_->activateWindow();
     readQueue(false);
+}
+
+// The entries that were queued for an archive at another address are asked for by that address first.
+void SendController::sendChosen(const std::vector<study::OutboxEntry>& entries) {
+    const auto list = net::SourceList::read(net::SourceFiles::ofUser());
+    const auto moved = list ? study::movedEntries(entries, *list) : std::vector<study::MovedEntry>();
+    if (moved.empty()) return sendQueued(entries, study::Outbox::Which::refusedToo);
+    QStringList told;
+    for (const study::MovedEntry& each : moved) {
+        const QString sentence = tr("%1 is at %2 now. When objects were sent to it, it was at %3.")
+                                     .arg(harmless(QString::fromStdString(each.archive)),
+                                          harmless(QString::fromStdString(each.address)),
+                                          harmless(QString::fromStdString(each.before)));
+        if (!told.contains(sentence)) told.append(sentence);
+    }
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Send to Another Address"),
+                                told.join(QLatin1Char('\n')), QMessageBox::Cancel, queue_);
+    box->setObjectName(QStringLiteral("queue-moved"));
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(tr("Send only if it is the same archive."));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setDefaultButton(QMessageBox::Cancel);
+    auto* send = box->addButton(tr("&Send There"), QMessageBox::AcceptRole);
+    connect(send, &QPushButton::clicked, this, [this, entries, moved] {
+        if (const auto done = readdress(moved); !done) return context_.notifications.showError(done.error());
+        std::vector<study::OutboxEntry> now = entries;
+        for (study::OutboxEntry& entry : now) {
+            const auto found = std::ranges::find(moved, entry.id, &study::MovedEntry::id);
+            if (found != moved.end()) entry.record.address = found->address;
+        }
+        sendQueued(now, study::Outbox::Which::refusedToo);
+    });
+    box->open();
 }
 
 void SendController::remove(const std::vector<study::OutboxEntry>& entries) {
@@ -308,12 +351,12 @@ bool SendController::waitsFor(const QString& archive) const {
 
 void SendController::askArchives() {
     if (sending_.running() || asking_.running() || waiting_->isVisible()) return;
-    const std::set<std::string> archives = archivesWaitedFor(entries_);
+    const auto archives = archivesWaitedFor(entries_);
     if (archives.empty()) return;
     asking_.start([archives](Progress& progress) -> Result<std::vector<std::string>> {
         std::vector<std::string> found;
-        for (const std::string& each : archives)
-            if (!progress.cancelled() && answers(each, progress)) found.push_back(each);
+        for (const auto& [name, waiting] : archives)
+            if (!progress.cancelled() && answers(waiting, progress)) found.push_back(name);
         return found;
     });
 }

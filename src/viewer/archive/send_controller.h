@@ -68,6 +68,7 @@ class SendController : public QObject {
     void askForFiles(SendDialog& dialog, bool folder);
     void send(const SendDialog& dialog, ObjectsToSend onScreen);
     void sendQueued(const std::vector<study::OutboxEntry>& entries, study::Outbox::Which which);
+    void sendChosen(const std::vector<study::OutboxEntry>& entries);
     void begin(const QString& told, Work work);
     void beginNext();
     void tell(const Result<ObjectsSent>& outcome);

@@ -252,6 +252,11 @@ net::Source SourceDialog::source() const {
 
 net::Secrets SourceDialog::secrets() const {
     net::Secrets secrets = kept_;
+    // A test or another window may have renewed the tokens since.
+    if (const auto now = sources_.secretsOf(shown_); now && !now->refreshToken.empty()) {
+        secrets.token = now->token;
+        secrets.refreshToken = now->refreshToken;
+    }
     if (kind_->currentIndex() == 1) secrets.password = password_->text().toStdString();
     return secrets;
 }
@@ -281,7 +286,10 @@ bool SourceDialog::save() {
 }
 
 void SourceDialog::test() {
-    auto archive = net::archiveOf(source(), secrets());
+    const net::Source changed = source();
+    const auto* web = std::get_if<net::WebPeer>(&changed.peer);
+    const bool mayRenew = web != nullptr && web->signIn == net::SignIn::device && changed.name == shown_.name;
+    auto archive = mayRenew ? net::archiveOf(sources_, changed) : net::archiveOf(changed, secrets());
     if (!archive) return remark_->setText(inWindowsLanguage(archive.error()));
     remark_->setText(tr("Trying…"));
     test_->setEnabled(false);
