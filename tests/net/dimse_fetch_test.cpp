@@ -231,6 +231,35 @@ TEST(DimseFetch, EncodingsAreNotChanged) {
     expectSameDatasets(receiver.files(), files);
 }
 
+// dcmqrscp with these arguments prefers one encoding for all, and can change none.
+TEST(DimseFetch, AnArchiveThatChoosesOneEncodingForAllIsAskedAgain) {
+    SKIP_WITHOUT_PROGRAM("dcmqrscp");
+    SKIP_WITHOUT_PROGRAM("dcmcjpeg");
+    const TemporaryFolder folder;
+    const SmallStudy study{.seriesCount = 1, .slices = 4};
+    Files files = writeStudy(folder / "plain", study);
+    const auto compressed = folder / "compressed";
+    const auto original = std::next(files.begin());
+    const TemporaryFolder own;
+    const Ran changed =
+        ran({programNamed("dcmcjpeg"), original->second.string(), compressed.string()}, own.path());
+    ASSERT_EQ(changed.exitCode, 0) << changed.output;
+    std::filesystem::rename(compressed, original->second);
+    const std::uint16_t receiverPort = freePort();
+    const QrArchive server({.known = {{"MACULA", receiverPort}}, .arguments = {"+xs", "-xs"}});
+    sendFolder(folder / "plain", server.port(), server.title());
+    for (const Retrieve way : {Retrieve::get, Retrieve::move}) {
+        DimsePeer peer = peerAt(server.port(), server.title());
+        peer.retrieve = way;
+        peer.receiverPort = receiverPort;
+        FolderReceiver receiver;
+        const Fetched result = fetched(*archiveAt(peer), {.studyInstanceUid = study.studyUid}, receiver);
+        EXPECT_EQ(result.kept, files.size()) << server.output();
+        EXPECT_TRUE(result.never.empty());
+        expectSameDatasets(receiver.files(), files);
+    }
+}
+
 TEST(DimseFetch, StopsWhenTheReceiverIsFull) {
     SKIP_WITHOUT_PROGRAM("Orthanc");
     SKIP_WITHOUT_PROGRAM("dcmsend");

@@ -313,7 +313,7 @@ bool accepts(const Welcome& welcome, T_ASC_Parameters* parameters, const T_ASC_P
         std::string_view(context.abstractSyntax) == kCommitment ? context.proposedRole : ASC_SC_ROLE_DEFAULT;
     for (int i = 0; isOffered && i < context.transferSyntaxCount; ++i) {
         const char* syntax = context.proposedTransferSyntaxes[i];
-        if (knowsTransferSyntax(syntax))
+        if (welcome.takes ? welcome.takes(syntax) : knowsTransferSyntax(syntax))
             return ASC_acceptPresentationContext(parameters, context.presentationContextID, syntax, role)
                 .good();
     }

@@ -41,8 +41,9 @@ struct AssociationTitles {
 struct Welcome {
     // Why it is rejected; nothing for who may come. Titles are without the blanks around them.
     std::function<std::optional<Rejection>(const AssociationTitles&)> judge;
-    // The classes besides verification that are offered, in every transfer syntax that Macula knows.
+    // The classes besides verification that are offered, and in which transfer syntaxes.
     std::function<bool(std::string_view abstractSyntax)> offers;
+    std::function<bool(std::string_view transferSyntax)> takes;  // empty: all that Macula knows
     std::chrono::milliseconds patience{30000};  // with the whole request, however slowly it comes
 };
 

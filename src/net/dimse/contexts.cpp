@@ -37,6 +37,13 @@ constexpr std::array kOthers = std::to_array<std::string_view>({
 });
 constexpr std::array kPlain{kExplicitLittleEndian, kImplicitLittleEndian};
 
+std::vector<std::string> among(Encodings encodings, std::span<const std::string_view> uids) {
+    std::vector<std::string> taken;
+    for (const std::string_view uid : uids)
+        if (isAmong(encodings, uid)) taken.emplace_back(uid);
+    return taken;
+}
+
 struct UsualClass {
     std::string_view modality;  // empty: of any
     std::string_view uid;
@@ -99,6 +106,13 @@ bool knowsTransferSyntax(std::string_view uid) {
     return std::ranges::find(kPlain, uid) != kPlain.end() || std::ranges::find(kOthers, uid) != kOthers.end();
 }
 
+bool isAmong(Encodings encodings, std::string_view transferSyntaxUid) {
+    const bool isPlain = transferSyntaxUid == kExplicitBigEndian ||
+                         std::ranges::find(kPlain, transferSyntaxUid) != kPlain.end();
+    return knowsTransferSyntax(transferSyntaxUid) &&
+           (encodings == Encodings::any || isPlain == (encodings == Encodings::plain));
+}
+
 bool isStorageClass(std::string_view uid) {
     return uid.starts_with("1.2.840.10008.5.1.4.1.1.") && isUid(uid);
 }
@@ -124,28 +138,27 @@ ProposedContext plainContext(std::string_view abstractSyntax) {
     return {std::string(abstractSyntax), {kPlain.begin(), kPlain.end()}, false};
 }
 
-std::vector<ProposedContext> contextsToReceive(const std::set<std::string>& classes, std::size_t most) {
+std::vector<ProposedContext> contextsToReceive(const std::set<std::string>& classes, std::size_t most,
+                                               Encodings encodings) {
     std::vector<std::string> taken;
     for (const std::string& each : classes)
         if (isUid(each) && taken.size() < most) taken.push_back(each);
     std::vector<ProposedContext> contexts;
     if (taken.empty()) return contexts;
-    // One for the plain ones; what is over shares the last one.
-    const std::size_t groups = std::min(most / taken.size(), 1 + kOthers.size());
-    for (const std::string& each : taken) {
-        ProposedContext plain{each, {kPlain.begin(), kPlain.end()}, true};
-        if (groups == 1) {
-            plain.transferSyntaxes.insert(plain.transferSyntaxes.end(), kOthers.begin(), kOthers.end());
-            contexts.push_back(plain);
-            continue;
-        }
-        contexts.push_back(plain);
-        for (std::size_t i = 0; i + 1 < groups; ++i) {
-            const bool isLast = i + 2 == groups;
-            const auto end = isLast ? kOthers.end() : kOthers.begin() + static_cast<long>(i) + 1;
-            contexts.push_back({each, {kOthers.begin() + static_cast<long>(i), end}, true});
-        }
-    }
+    // The plain ones share a context, each other has its own; what is over shares the last one.
+    std::vector<std::vector<std::string>> groups;
+    const std::size_t mostGroups = most / taken.size();
+    const auto add = [&](std::vector<std::string> syntaxes) {
+        if (syntaxes.empty()) return;
+        if (groups.size() < mostGroups)
+            groups.push_back(std::move(syntaxes));
+        else
+            groups.back().insert(groups.back().end(), syntaxes.begin(), syntaxes.end());
+    };
+    add(among(encodings, kPlain));
+    for (std::string& each : among(encodings, kOthers)) add({std::move(each)});
+    for (const std::string& each : taken)
+        for (const auto& syntaxes : groups) contexts.push_back({each, syntaxes, true});
     return contexts;
 }
 

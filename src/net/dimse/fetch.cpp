@@ -70,6 +70,9 @@ Result<Fetched> Fetch::run() {
             connector_.peer().retrieve == Retrieve::automatic && failures++ == 0)
             continue;  // by C-MOVE
         if (attempted) {
+            askInOtherEncodings();
+            if (const auto failure = incoming_.failure()) return *failure;
+            if (progress_.cancelled()) return cancelledError();
             // What the archive says it cannot send does not come by asking again.
             const Fetched result = fetched();
             const bool isNothing = result.kept + result.hadAlready + result.refused == 0;
@@ -197,7 +200,7 @@ std::vector<ProposedContext> Fetch::contexts() const {
     for (const auto& [uid, instance] : promised_)
         if (isMissing(uid) && !instance.sopClassUid.empty()) classes.insert(instance.sopClassUid);
     if (classes.empty()) classes = usualClasses(modalities_);
-    const auto storage = contextsToReceive(classes, kMostContexts - contexts.size());
+    const auto storage = contextsToReceive(classes, kMostContexts - contexts.size(), encodings_);
     contexts.insert(contexts.end(), storage.begin(), storage.end());
     return contexts;
 }
@@ -227,11 +230,14 @@ Result<void> Fetch::attempt() {
     const AcceptedContext& context = *association->contextFor(
         std::string(modelOf(*way == Way::get ? Service::get : Service::move, patientRoot)));
     const std::size_t before = incoming_.arrived();
+    way_ = *way;
+    failed_ = 0;
     refusal_.reset();
     told_ = 0;
     std::unique_ptr<MoveReceiver> receiver;
     if (*way == Way::move) {
-        MACULA_TRY(receiver, MoveReceiver::start(connector_, incoming_, heartbeat_, progress_.token()));
+        MACULA_TRY(receiver,
+                   MoveReceiver::start(connector_, incoming_, heartbeat_, encodings_, progress_.token()));
         association->wire().setHeartbeat(heartbeat_);
         sentByMove_ = failedByMove_ = 0;
     }
@@ -240,6 +246,21 @@ Result<void> Fetch::attempt() {
     association->release();
     getFailed_ = *way == Way::get && incoming_.arrived() == before;
     return {};
+}
+
+void Fetch::askInOtherEncodings() {
+    for (const Encodings encodings : {Encodings::plain, Encodings::compressed}) {
+        const bool isOver = progress_.cancelled() || incoming_.failure();
+        if (isOver || !isPromised_ || failed_ == 0 || countMissing() == 0) return;
+        encodings_ = encodings;
+        if (way_ == Way::get) getFailed_ = false;
+        const std::optional<Error> refusal = refusal_;
+        const std::size_t failed = failed_;
+        // Where this fails, what it was for is as missing as before.
+        if (attempt() && !refusal_) continue;
+        refusal_ = refusal;
+        failed_ = failed;
+    }
 }
 
 void Fetch::awaitStragglers(const MoveReceiver& receiver, std::size_t sent) {
@@ -309,6 +330,7 @@ Result<bool> Fetch::takeResponse(Association& association, const AcceptedContext
     const std::uint16_t status = *response.status;
     if (isPending(status)) return false;
     told_ += done + response.failed.value_or(0) + response.remaining.value_or(0);
+    failed_ += response.failed.value_or(0);
     if (way == Way::move) {
         sentByMove_ += done;
         failedByMove_ += response.failed.value_or(0);

@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "net/archive/receiver.h"
 #include "net/dimse/connector.h"
+#include "net/dimse/contexts.h"
 #include "net/dimse/find.h"
 #include "net/dimse/heartbeat.h"
 #include "net/dimse/incoming.h"
@@ -40,6 +41,8 @@ class Fetch {
     std::vector<ProposedContext> contexts() const;
     // Over one association.
     Result<void> attempt();
+    // An archive may choose one encoding for all that it sends, and then fail with what it has in another.
+    void askInOtherEncodings();
     Result<Way> wayOver(const Association& association) const;
     Result<void> request(Association& association, const AcceptedContext& context, const Keys& keys, Way way);
     Result<void> receiveResponses(Association& association, const AcceptedContext& context,
@@ -63,6 +66,9 @@ class Fetch {
     std::size_t failedByMove_ = 0;  // as the archive counts
     std::optional<Error> refusal_;  // why the archive sent less than it has
     bool getFailed_ = false;        // C-GET brought nothing
+    std::size_t failed_ = 0;        // over the last association, as the archive counts
+    Way way_ = Way::get;            // over the last association
+    Encodings encodings_ = Encodings::any;
     std::shared_ptr<Heartbeat> heartbeat_;
 };
 

@@ -30,6 +30,7 @@ struct MoveReceiver::State {
     Incoming& incoming;
     PortTurn turn;
     std::string title;
+    Encodings encodings = Encodings::any;
     std::chrono::milliseconds answerTimeout{};
     std::shared_ptr<const TlsSettings> tls;
     std::shared_ptr<Heartbeat> heartbeat;
@@ -53,7 +54,8 @@ void MoveReceiver::State::serve(const Acceptor::Connection& connection) {
     if (tls && !wire->beginTls(*tls, {}, answerTimeout)) return;
     const Welcome welcome{
         .judge = [this](const AssociationTitles& titles) { return unlessCalled(titles, title); },
-        .offers = isStorageClass};
+        .offers = isStorageClass,
+        .takes = [this](std::string_view uid) { return isAmong(encodings, uid); }};
     const Result<std::unique_ptr<Association>> association = Association::accept(std::move(wire), welcome);
     if (!association) return;
     answerRequests(**association, [this, &association](const ReceivedCommand& request) {
@@ -71,11 +73,12 @@ std::size_t MoveReceiver::openAssociations() const {
 
 Result<std::unique_ptr<MoveReceiver>> MoveReceiver::start(const Connector& connector, Incoming& incoming,
                                                           std::shared_ptr<Heartbeat> heartbeat,
-                                                          const CancelToken& cancel) {
+                                                          Encodings encodings, const CancelToken& cancel) {
     const DimsePeer& peer = connector.peer();
     auto state = std::make_unique<State>(incoming, peer.receiverPort);
     if (!state->turn.wait(cancel)) return cancelledError();
     state->title = receiverTitle(peer);
+    state->encodings = encodings;
     state->answerTimeout = connector.answerTimeout();
     state->heartbeat = std::move(heartbeat);
     MACULA_TRY(state->tls, connector.receiverTls());

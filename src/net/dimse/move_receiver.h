@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "net/dimse/connector.h"
+#include "net/dimse/contexts.h"
 #include "net/dimse/heartbeat.h"
 #include "net/dimse/incoming.h"
 
@@ -18,10 +19,10 @@ namespace macula::net {
 class MoveReceiver {
   public:
     // Waits until no other fetch of this process listens at the port. Accepts only who calls it by its AE
-    // title, eight associations at most.
+    // title, eight associations at most, and only instances in these encodings.
     static Result<std::unique_ptr<MoveReceiver>> start(const Connector& connector, Incoming& incoming,
                                                        std::shared_ptr<Heartbeat> heartbeat,
-                                                       const CancelToken& cancel);
+                                                       Encodings encodings, const CancelToken& cancel);
     ~MoveReceiver();
 
     std::size_t openAssociations() const;
