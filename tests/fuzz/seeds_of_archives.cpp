@@ -87,7 +87,9 @@ std::vector<unsigned char> answerOfFind(std::uint16_t status) {
                          .hasDataset = status != 0});
 }
 
-void writeAssociationSeeds(const std::filesystem::path& folder) {
+void writeAssociationSeeds(const std::filesystem::path& corpus) {
+    const std::filesystem::path folder = corpus / "association";
+    const std::filesystem::path messages = corpus / "command";
     const auto identifier = [](std::string_view syntax) {
         return net::identifierBytes({{net::Key::level, "STUDY"},
                                      {net::Key::patientName, "DOE^J"},
@@ -100,25 +102,25 @@ void writeAssociationSeeds(const std::filesystem::path& folder) {
     const auto text = [](const std::vector<unsigned char>& bytes) {
         return std::string(bytes.begin(), bytes.end());
     };
-    save(folder / "command", std::string(1, '\0') + text(answerOfFind(0xff00)));
-    save(folder / "explicit", "\x01" + text(identifier(net::kExplicitLittleEndian)));
-    save(folder / "implicit", "\x02" + text(identifier(net::kImplicitLittleEndian)));
+    save(messages / "command", std::string(1, '\0') + text(answerOfFind(0xff00)));
+    save(messages / "explicit", "\x01" + text(identifier(net::kExplicitLittleEndian)));
+    save(messages / "implicit", "\x02" + text(identifier(net::kImplicitLittleEndian)));
     constexpr std::uint16_t kPending = 0xff00;
     const std::string found =
         fragment(1, 3, answerOfFind(kPending)) + fragment(1, 2, identifier(net::kExplicitLittleEndian));
-    save(folder / "answers", "\x03" + acceptance() + found + found + fragment(1, 3, answerOfFind(0)));
+    save(folder / "answers", acceptance() + found + found + fragment(1, 3, answerOfFind(0)));
     const auto store = net::bytesOf({.field = net::CommandField::storeRequest,
                                      .messageId = std::uint16_t{7},
                                      .sopClassUid = "1.2.840.10008.5.1.4.1.1.2",
                                      .sopInstanceUid = "1.2.3",
                                      .priority = std::uint16_t{0},
                                      .hasDataset = true});
-    save(folder / "instance", "\x03" + acceptance() + fragment(3, 3, store) +
+    save(folder / "instance", acceptance() + fragment(3, 3, store) +
                                   fragment(3, 0, identifier(net::kExplicitLittleEndian)) +
                                   fragment(3, 2, identifier(net::kExplicitLittleEndian)));
-    save(folder / "released", "\x03" + acceptance() + pdu(5, std::string(4, '\0')));
-    save(folder / "aborted", "\x03" + acceptance() + pdu(7, big(2, 4)));
-    save(folder / "rejected", "\x03" + pdu(3, big(0x00010107, 4)));
+    save(folder / "released", acceptance() + pdu(5, std::string(4, '\0')));
+    save(folder / "aborted", acceptance() + pdu(7, big(2, 4)));
+    save(folder / "rejected", pdu(3, big(0x00010107, 4)));
 }
 
 void writeLinkSeeds(const std::filesystem::path& folder) {
@@ -139,7 +141,7 @@ void writeArchiveSeeds(const std::filesystem::path& corpus) {
     writeLinkSeeds(corpus / "link");
     writeMultipartSeeds(corpus / "multipart");
     writeQidoSeeds(corpus / "qido");
-    writeAssociationSeeds(corpus / "association");
+    writeAssociationSeeds(corpus);
 }
 
 }  // namespace macula::fuzz
