@@ -1,5 +1,4 @@
 // What an archive holds, as the JSON that `macula find` prints.
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -14,11 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool isDayOrNothing(const std::string& text) {
-    const bool isOfDigits = std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-    return text.empty() || (isOfDigits && text.size() == 8);
-}
-
 Result<net::StudyQuery> queryOf(const macula_query* given) {
     MACULA_TRY(const macula_query query, taken(given));
     net::StudyQuery asked{.patientName = textOrEmpty(query.patient_name),
@@ -32,11 +26,6 @@ Result<net::StudyQuery> queryOf(const macula_query* given) {
                           .modality = textOrEmpty(query.modality),
                           .description = textOrEmpty(query.description),
                           .referringPhysician = textOrEmpty(query.referring_physician)};
-    // Some archives answer a malformed date with nothing, as if there were no such study.
-    for (const std::string& day : {asked.patientBirthDate, asked.dateFrom, asked.dateTo})
-        if (!isDayOrNothing(day))
-            return badArgument(Text("A date of the search is malformed."), Text("Write it as YYYYMMDD."));
-    if (!asked.studyInstanceUid.empty()) MACULA_TRY_VOID(checkUid(query.study_uid));
     if (query.most_answers != 0) asked.mostAnswers = query.most_answers;
     return asked;
 }

@@ -80,22 +80,41 @@ TEST_F(Hybrid, GoesOnFromTheModelOfAnEarlierRun) {
         EXPECT_EQ(ran.exitCode, 0) << ran.err;
         return framesOf(at(folder));
     };
-    // Once more for longer where the machine was too slow for a model.
-    const auto recordFresh = [&](const std::string& folder, const std::vector<std::string>& more) {
+    // Once more for longer where the machine was too slow for a model; each time with what was stored before,
+    // since a model that was hardly begun is stored too. Returns the frames, and what is stored now.
+    const auto recordFresh = [&](const std::string& folder, const std::string& storedBefore,
+                                 const std::vector<std::string>& more) {
+        std::vector<json> frames;
+        std::string stored;
         for (int learnSeconds = 1; learnSeconds <= 64; learnSeconds *= 4) {
-            const auto frames = record(folder + std::to_string(learnSeconds), more, learnSeconds);
-            if (!frames.empty() && frames.back()["model"]["steps"] >= 40) return frames;
+            const std::string name = folder + std::to_string(learnSeconds);
+            stored = at(name + "-sessions");
+            if (!storedBefore.empty())
+                std::filesystem::copy(storedBefore, stored, std::filesystem::copy_options::recursive);
+            std::vector<std::string> arguments{"--sessions", stored};
+            arguments.insert(arguments.end(), more.begin(), more.end());
+            frames = record(name, arguments, learnSeconds);
+            if (!frames.empty() && frames.back()["model"]["steps"] >= 40) break;
         }
-        return record(folder, more);
+        return std::pair(frames, stored);
     };
-    const std::vector<std::string> kept{"--sessions", at("sessions")};
-    const auto first = recordFresh("first", kept);
+    // For longer where it was too slow to show a model at all; the last frame is of that.
+    const auto recordUntilShown = [&](const std::string& folder, const std::vector<std::string>& more) {
+        std::vector<json> frames;
+        for (int learnSeconds = 1; learnSeconds <= 64; learnSeconds *= 4) {
+            frames = record(folder + std::to_string(learnSeconds), more, learnSeconds);
+            if (!frames.empty() && frames.back()["model"]["splats"] > 0) break;
+        }
+        return frames;
+    };
+    const auto [first, stored] = recordFresh("first", {}, {});
     ASSERT_FALSE(first.empty());
     EXPECT_EQ(first.back()["model"]["origin"], "fresh");
     EXPECT_EQ(first.back()["model"]["why"], "no model of this is stored");
     const std::uint64_t steps = first.back()["model"]["steps"];
     ASSERT_GE(steps, 40u);
-    const auto second = record("second", kept);
+    const auto second = recordUntilShown("second", {"--sessions", stored});
+    ASSERT_FALSE(second.empty());
     for (const json& frame : second) {
         if (frame["model"]["splats"] > 0) {
             EXPECT_EQ(frame["model"]["origin"], "resumed");
@@ -105,15 +124,16 @@ TEST_F(Hybrid, GoesOnFromTheModelOfAnEarlierRun) {
     EXPECT_GE(second.back()["model"]["steps"].get<std::uint64_t>(), steps);
     // With a second volume it is another scene: what was learnt of the one alone is not shown of both.
     const std::string other = writeBall("other.nrrd");
-    const std::vector<std::string> both{"--sessions", at("sessions"),    "--second",
-                                        other,        "--second-preset", "ct-muscle"};
-    const auto mixed = recordFresh("mixed", both);
+    const std::vector<std::string> both{"--second", other, "--second-preset", "ct-muscle"};
+    const auto [mixed, storedOfBoth] = recordFresh("mixed", stored, both);
     ASSERT_FALSE(mixed.empty());
     for (const json& frame : mixed) EXPECT_NE(frame["model"]["origin"], "resumed");
     EXPECT_EQ(mixed.back()["model"]["origin"], "fresh");
     ASSERT_GT(mixed.back()["model"]["splats"], 0);
-    EXPECT_EQ(record("mixed again", both).back()["model"]["origin"], "resumed");
-    const auto none = record("third", {"--no-session"});
+    std::vector<std::string> again{"--sessions", storedOfBoth};
+    again.insert(again.end(), both.begin(), both.end());
+    EXPECT_EQ(recordUntilShown("mixed again", again).back()["model"]["origin"], "resumed");
+    const auto none = recordUntilShown("third", {"--no-session"});
     EXPECT_EQ(none.back()["model"]["origin"], "fresh");
     EXPECT_FALSE(runMacula({"hybrid", ball, "-o", at("x"), "--no-session", "--sessions", at("s")}).exitCode ==
                  0);

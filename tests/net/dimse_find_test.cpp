@@ -189,6 +189,18 @@ TEST(DimseFind, EndsAtTheMostThatIsWanted) {
     }
 }
 
+// No archive is asked: many would answer as if there were no such study.
+TEST(DimseFind, AMalformedQueryIsUsage) {
+    const auto archive = archiveAt(peerAt(freePort(), "NOBODY"));
+    Progress progress;
+    for (const StudyQuery& query :
+         {StudyQuery{.patientBirthDate = "1.1.1970"}, StudyQuery{.dateFrom = "20201"},
+          StudyQuery{.dateTo = "yesterday"}, StudyQuery{.studyInstanceUid = "1.2.*"}})
+        EXPECT_EQ(archive->findStudies(query, progress).error().code, ErrorCode::usage);
+    EXPECT_EQ(archive->findSeries("../1", progress).error().code, ErrorCode::usage);
+    EXPECT_EQ(archive->findInstances("1.2", "a", progress).error().code, ErrorCode::usage);
+}
+
 TEST(DimseFind, CancelledIsCancelled) {
     SKIP_WITHOUT_PROGRAM("dcmqrscp");
     const QrArchive server;

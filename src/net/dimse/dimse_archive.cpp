@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "net/archive/query_check.h"
 #include "net/dimse/committing.h"
 #include "net/dimse/connection_test.h"
 #include "net/dimse/connector.h"
@@ -46,6 +47,7 @@ class DimseArchive : public Archive {
 
     Result<StudyAnswers> findStudies(const StudyQuery& query, Progress& progress) override {
         const QuietToolkit quiet;
+        MACULA_TRY_VOID(checkQuery(query));
         progress.beginStage(Text("Searching the archive"), 1);
         MACULA_TRY(Finder finder, Finder::open(connector_, progress.token()));
         Result<StudyAnswers> answers = finder.studies(query);
@@ -57,6 +59,7 @@ class DimseArchive : public Archive {
     Result<std::vector<FoundSeries>> findSeries(const std::string& studyInstanceUid,
                                                 Progress& progress) override {
         const QuietToolkit quiet;
+        MACULA_TRY_VOID(checkUid(studyInstanceUid));
         progress.beginStage(Text("Asking the archive for series"), 1);
         MACULA_TRY(Finder finder, Finder::open(connector_, progress.token()));
         MACULA_TRY(SeriesAnswers answers, finder.series(placeOf(studyInstanceUid)));
@@ -68,6 +71,8 @@ class DimseArchive : public Archive {
                                                      const std::string& seriesInstanceUid,
                                                      Progress& progress) override {
         const QuietToolkit quiet;
+        MACULA_TRY_VOID(checkUid(studyInstanceUid));
+        if (!seriesInstanceUid.empty()) MACULA_TRY_VOID(checkUid(seriesInstanceUid));
         MACULA_TRY(Finder finder, Finder::open(connector_, progress.token()));
         std::vector<std::string> series{seriesInstanceUid};
         // Archives need not search for instances without their series.
@@ -84,7 +89,7 @@ class DimseArchive : public Archive {
             found.insert(found.end(), std::make_move_iterator(answers.instances.begin()),
                          std::make_move_iterator(answers.instances.end()));
             progress.advance();
-            if (answers.isCutShort) break;  // and with it the association
+            if (answers.isCutShort) return tooManyInstances();
         }
         return found;
     }

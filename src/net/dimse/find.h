@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "net/archive/query.h"
+#include "net/archive/query_check.h"
 #include "net/dimse/connector.h"
 #include "net/dimse/identifier.h"
 
@@ -30,7 +31,6 @@ struct InstanceAnswers {
     bool isCutShort = false;
     std::size_t unusable = 0;
 };
-constexpr std::size_t kMostInstancesOfStudy = 200'000;
 
 // Asks over an association of its own, which is released when the object goes.
 class Finder {

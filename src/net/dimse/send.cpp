@@ -142,7 +142,7 @@ Result<void> Sending::sendBatch(std::vector<Outgoing>& batch) {
                 association->abort();
                 return {};
             }
-            MACULA_TRY_VOID(sent);
+            if (!sent) return sent;
         }
         batch.erase(batch.begin());
     }

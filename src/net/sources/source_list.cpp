@@ -33,7 +33,7 @@ fs::path managedFile() {
     const char* folders = std::getenv("XDG_CONFIG_DIRS");
     std::istringstream list(folders != nullptr && *folders != '\0' ? folders : "/etc/xdg");
     for (std::string folder; std::getline(list, folder, ':');) {
-        const fs::path file = fs::path(folder) / "macula" / "sources.json";
+        fs::path file = fs::path(folder) / "macula" / "sources.json";
         std::error_code failure;
         if (file.is_absolute() && fs::exists(file, failure)) return file;
     }
@@ -203,7 +203,7 @@ Result<Secrets> SourceList::renewTokens(const Source& source, const Secrets& our
     const std::lock_guard inTurn(mutex);
     const FileLock lock(fs::path(files_.secrets).concat(".lock"));
     for (int i = 0; i < kTriesOfLock && !lock.isOurs(); ++i) std::this_thread::sleep_for(kLockIsTriedEvery);
-    const auto kept = secretsOf(source);
+    auto kept = secretsOf(source);
     const bool isRenewed = kept && !kept->token.empty() && !kept->refreshToken.empty() &&
                            kept->refreshToken != ours.refreshToken;
     if (isRenewed) return kept;

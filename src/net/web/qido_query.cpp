@@ -1,25 +1,11 @@
 #include "net/web/qido_query.h"
 
-#include <algorithm>
-
-#include "net/archive/file_meta.h"
+#include "net/archive/query_check.h"
 #include "net/web/web_address.h"
 
 namespace macula::net {
 
 namespace {
-
-Error malformedUid() {
-    return {ErrorCode::usage,
-            Text("The identifier of a study, series or image is malformed."),
-            {},
-            Text("It has at most 64 digits and dots: choose from the archive's list instead.")};
-}
-
-bool isDate(const std::string& text) {
-    constexpr std::size_t kDigits = 8;
-    return text.size() == kDigits && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-}
 
 // As a range of PS3.4 C.2.2.2.5.
 std::string dateRange(const std::string& from, const std::string& to) {
@@ -29,14 +15,7 @@ std::string dateRange(const std::string& from, const std::string& to) {
 }  // namespace
 
 Result<std::string> studiesUrl(const std::string& service, const StudyQuery& query) {
-    for (const std::string& date : {query.patientBirthDate, query.dateFrom, query.dateTo}) {
-        if (!date.empty() && !isDate(date))
-            return Error{ErrorCode::usage,
-                         Text("A date of the search is malformed."),
-                         {},
-                         Text("Write year, month and day with eight digits.")};
-    }
-    if (!query.studyInstanceUid.empty() && !isUid(query.studyInstanceUid)) return malformedUid();
+    MACULA_TRY_VOID(checkQuery(query));
     std::string url = service + "/studies?";
     const auto add = [&](const char* name, const std::string& value) {
         if (!value.empty()) url += std::string(name) + "=" + queryEncoded(value) + "&";
@@ -55,14 +34,14 @@ Result<std::string> studiesUrl(const std::string& service, const StudyQuery& que
 }
 
 Result<std::string> seriesUrl(const std::string& service, const std::string& studyInstanceUid) {
-    if (!isUid(studyInstanceUid)) return malformedUid();
+    MACULA_TRY_VOID(checkUid(studyInstanceUid));
     return service + "/studies/" + studyInstanceUid + "/series?includefield=BodyPartExamined";
 }
 
 Result<std::string> instancesUrl(const std::string& service, const std::string& studyInstanceUid,
                                  const std::string& seriesInstanceUid) {
-    if (!isUid(studyInstanceUid)) return malformedUid();
-    if (!seriesInstanceUid.empty() && !isUid(seriesInstanceUid)) return malformedUid();
+    MACULA_TRY_VOID(checkUid(studyInstanceUid));
+    if (!seriesInstanceUid.empty()) MACULA_TRY_VOID(checkUid(seriesInstanceUid));
     const std::string series = seriesInstanceUid.empty() ? "" : "/series/" + seriesInstanceUid;
     return service + "/studies/" + studyInstanceUid + series + "/instances?includefield=SeriesInstanceUID";
 }

@@ -1,4 +1,5 @@
 #include "net/web/web_archive.h"
+#include "net/archive/query_check.h"
 #include "net/archive/query_match.h"
 
 #include <type_traits>
@@ -21,7 +22,6 @@ namespace macula::net {
 namespace {
 
 constexpr std::size_t kMostSeriesFound = 20'000;
-constexpr std::size_t kMostInstancesFound = 200'000;
 
 // Each call has connections of its own; the token of a sign-in is shared.
 class WebArchive final : public Archive {
@@ -66,8 +66,10 @@ class WebArchive final : public Archive {
             progress.beginStage(Text("Asking the archive for images"), 1);
             MACULA_TRY(const std::string url, instancesUrl(service_, studyInstanceUid, seriesInstanceUid));
             HttpClient client(settings_, &signIn_);
-            MACULA_TRY(auto found, searchAll<FoundInstance>(client, url, kMostInstancesFound, instancesInJson,
-                                                            &FoundInstance::sopInstanceUid, progress));
+            MACULA_TRY(auto found,
+                       searchAll<FoundInstance>(client, url, kMostInstancesOfStudy, instancesInJson,
+                                                &FoundInstance::sopInstanceUid, progress));
+            if (found.isCutShort) return tooManyInstances();
             for (FoundInstance& instance : found.found)
                 if (!seriesInstanceUid.empty()) instance.seriesInstanceUid = seriesInstanceUid;
             progress.advance();

@@ -5,6 +5,7 @@
 #include <map>
 #include <thread>
 
+#include "net/archive/query_check.h"
 #include "net/web/qido_search.h"
 
 namespace macula::net {
@@ -12,7 +13,6 @@ namespace macula::net {
 namespace {
 
 constexpr std::size_t kMostAtOnce = 4;
-constexpr std::size_t kMostInstancesOfStudy = 200'000;
 constexpr std::size_t kMostSeriesOfStudy = 20'000;
 constexpr int kMostFailures = 3;  // one after the other, without an instance in between
 constexpr std::size_t kSpareInstances = 16;
