@@ -18,6 +18,7 @@
 #include "c/utf8_text.h"
 #include "formats/raw_image.h"
 #include "study/open/found_volumes.h"
+#include "study/spool/spool.h"
 #include "study/spool/spool_record.h"
 
 namespace macula::c {
@@ -53,9 +54,12 @@ std::string choiceOf(const study::OpenedStudy& study) {
     return study.volumeTitles.size() > 1 ? study.whyThisSeries.english() : std::string();
 }
 
-// A part of a study that was fetched must not pass for all of it.
+// A part of a study that was fetched must not pass for all of it. Of the user's own it is noted that it was
+// used: those that nobody used for long are purged first.
 std::string doubtOf(const std::filesystem::path& path) {
-    const auto record = study::readSpoolRecord(path.has_filename() ? path : path.parent_path());
+    const std::filesystem::path folder = path.has_filename() ? path : path.parent_path();
+    static_cast<void>(study::useSpooled(folder));
+    const auto record = study::readSpoolRecord(folder);
     if (!record || record->isComplete) return {};
     return "This study is not known to be complete: images that the archive has may be missing. Fetch it "
            "again.";

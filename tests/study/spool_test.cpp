@@ -90,6 +90,9 @@ TEST_F(SpoolTest, KeepsEachInstanceOnceAsItCame) {
     std::ranges::sort(found);
     EXPECT_EQ(sent, found);
     EXPECT_EQ(fs::status(study->folder()).permissions(), fs::perms::owner_all);
+    ASSERT_TRUE(study->finish({}));
+    EXPECT_EQ(fs::status(spoolRecordFile(study->folder())).permissions(),
+              fs::perms::owner_read | fs::perms::owner_write);
     EXPECT_EQ(arriving(), 0u);
 }
 

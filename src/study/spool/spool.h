@@ -27,7 +27,7 @@ struct SpoolEntry {
     SpoolRecord record;
     std::size_t instances = 0;
     std::uintmax_t bytes = 0;
-    std::filesystem::file_time_type used{};  // last fetched, or opened in a window (touch)
+    std::filesystem::file_time_type used{};  // last fetched, or opened (touch)
 };
 
 // The record of a folder of the user's spool, of which it notes that it is used; nothing for other folders.

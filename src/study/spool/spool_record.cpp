@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/private_file.h"
 
 namespace macula::study {
 
@@ -115,7 +116,7 @@ Result<void> writeSpoolRecord(const std::filesystem::path& folder, const SpoolRe
               {"fetchedAt", record.fetchedAt}};
     if (record.asFound) json["study"] = toJson(*record.asFound);
     const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    return writeTextAtomically(spoolRecordFile(folder), text);
+    return writeTextPrivately(spoolRecordFile(folder), text);
 }
 
 }  // namespace macula::study
