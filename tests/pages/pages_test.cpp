@@ -117,7 +117,8 @@ TEST(Pages, ReferencesLeadSomewhere) {
 TEST(Pages, EveryVerbIsOnItsPage) {
     std::vector<std::string> lines;
     for (const PageText& code : readFile("docs/command.md").codeLines) lines.push_back(code.text + " ");
-    for (const char* group : {"macula", "macula sessions", "macula-bench", "macula-bench evaluate"}) {
+    for (const char* group :
+         {"macula", "macula pacs", "macula sessions", "macula-bench", "macula-bench evaluate"}) {
         const auto& verbs = verbsBehind(maculaWords(group));
         EXPECT_FALSE(verbs.empty()) << group;
         for (const std::string& verb : verbs) {
