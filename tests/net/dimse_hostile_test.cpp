@@ -215,6 +215,27 @@ TEST(DimseHostile, WhatIsNoDicomIsAnError) {
     }
 }
 
+// PDUs of known and unknown kinds that have no place while an association is open (PS3.8 table 9-10).
+TEST(DimseHostile, AMisplacedPduIsAnsweredOnce) {
+    for (const std::uint8_t type : {1, 2, 3, 6, 8, 0xff}) {
+        std::atomic<int> aborts{0};
+        {
+            const HostilePeer peer([&](HostileLine& line) {
+                if (!line.acceptAssociation()) return;
+                line.receiveCommandOf(CommandField::findRequest);
+                line.sendPdu(type, Bytes(80, 0));
+                while (const auto pdu = line.receivePdu())
+                    if (pdu->first == 7) ++aborts;
+            });
+            Progress progress;
+            const auto answers = hostileArchive(peer)->findStudies({}, progress);
+            ASSERT_FALSE(answers) << int(type);
+            EXPECT_EQ(answers.error().code, ErrorCode::archiveNotUsable) << int(type);
+        }
+        EXPECT_LE(aborts, 2) << int(type);
+    }
+}
+
 TEST(DimseHostile, SilenceEndsInTime) {
     const HostilePeer deaf([](HostileLine& line) {
         while (line.receivePdu()) continue;

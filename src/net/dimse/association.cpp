@@ -467,6 +467,11 @@ Result<Fragment> Association::next() {
             end_ = End::broken;
             return closedMidway();
         }
+        // DCMTK answers a PDU that has no place here with A-ABORT, and calls that a success.
+        if (read.good() && read != DUL_PDATAPDUARRIVED) {
+            end_ = End::broken;
+            return notWhatDicomSays();
+        }
         if (read == DUL_PDATAPDUARRIVED) read = DUL_NextPDV(key, &fragment);
     }
     if (read.bad()) return broken();
