@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "net/dimse/dimse_archive.h"
+#include "net/web/rendered_pictures.h"
 #include "net/web/web_archive.h"
 #include "net/web/web_peer.h"
 
@@ -20,6 +21,19 @@ Result<std::unique_ptr<Archive>> archiveFor(const Source& source, const Secrets&
     return makeWebArchive(source, secrets, std::move(keep));
 }
 
+// Where it cannot be kept, the archive still has it: the person signs in again another day.
+KeepSecrets keeperIn(const SourceList& list, const Source& source) {
+    return [list, source](const Secrets& renewed) { static_cast<void>(list.keepTokens(source, renewed)); };
+}
+
+Result<std::unique_ptr<PictureSource>> picturesFor(const Source& source, const Secrets& secrets,
+                                                   KeepSecrets keep) {
+    const auto* web = std::get_if<WebPeer>(&source.peer);
+    if (web == nullptr) return std::unique_ptr<PictureSource>();
+    MACULA_TRY_VOID(checkWebPeer(*web, secrets));
+    return makeRenderedPictures(source, secrets, std::move(keep));
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& secrets) {
@@ -28,10 +42,16 @@ Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& 
 
 Result<std::unique_ptr<Archive>> archiveOf(const SourceList& list, const Source& source) {
     MACULA_TRY(const Secrets secrets, list.secretsOf(source));
-    // Where it cannot be kept, this archive still has it: the person signs in again another day.
-    return archiveFor(source, secrets, [list, source](const Secrets& renewed) {
-        static_cast<void>(list.keepTokens(source, renewed));
-    });
+    return archiveFor(source, secrets, keeperIn(list, source));
+}
+
+Result<std::unique_ptr<PictureSource>> picturesOf(const Source& source, const Secrets& secrets) {
+    return picturesFor(source, secrets, {});
+}
+
+Result<std::unique_ptr<PictureSource>> picturesOf(const SourceList& list, const Source& source) {
+    MACULA_TRY(const Secrets secrets, list.secretsOf(source));
+    return picturesFor(source, secrets, keeperIn(list, source));
 }
 
 }  // namespace macula::net

@@ -128,4 +128,20 @@ Listing searchStudies(const PlacesToSearch& places, const net::StudyQuery& query
     return gathering.listing();
 }
 
+Listing withStudiesHere(Listing listing, const net::StudyQuery& query, const CancelToken& cancel) {
+    const auto spool = Spool::open();
+    if (!spool) return listing;
+    for (LocalStudy& local : studiesInSpool(*spool, cancel)) {
+        const auto listed = std::ranges::find(listing.studies, local.folder, &ListedStudy::folder);
+        if (listed == listing.studies.end()) {
+            if (local.archive.empty() && net::matchesQuery(query, local.study))
+                listing.studies.push_back({std::move(local.study), {}, local.folder, local.isWhole});
+        } else if (listed->archive.empty()) {
+            listed->study = std::move(local.study);
+            listed->isWhole = local.isWhole;
+        }
+    }
+    return listing;
+}
+
 }  // namespace macula::study
