@@ -21,7 +21,6 @@
 #include "study/spool/spool.h"
 #include "synthetic.h"
 #include "viewer/receive/receive_controller.h"
-#include "viewer/status/status_widgets.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -54,9 +53,7 @@ class ReceiveWindowTest : public WindowTest {
     std::uint16_t port() const { return std::uint16_t(settings_.receiving.port); }
     QAction& action() { return named<QAction>("receive"); }
     ReceiveController& controller() { return *window_->findChild<ReceiveController*>(); }
-    QString state() {
-        return named<ElidingLabel>("receive-state").isVisible() ? controller().text() : QString();
-    }
+    QString state() { return named<QLabel>("receive-state").isVisible() ? controller().text() : QString(); }
     QString arrived() {
         auto& label = named<QLabel>("arrival-text");
         return label.isVisible() ? label.text() : QString();
@@ -182,7 +179,7 @@ TEST_F(ReceiveWindowTest, WhoMayNotSendIsTurnedAwayAndToldOf) {
                         std::to_string(port()), (folder_ / "study").string()},
                        folder_.path());
     EXPECT_NE(sent.exitCode, 0) << sent.output;
-    const auto& label = named<ElidingLabel>("receive-state");
+    const auto& label = named<QLabel>("receive-state");
     ASSERT_TRUE(waitUntil([&] {
         return label.toolTip().contains(QStringLiteral("not among those that may"));
     })) << label.toolTip().toStdString();

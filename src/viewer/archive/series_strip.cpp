@@ -26,13 +26,12 @@ SeriesStrip::SeriesStrip(QWidget* parent) : QWidget(parent), list_(new QListWidg
     list_->setWrapping(false);
     list_->setMovement(QListView::Static);
     list_->setWordWrap(true);
-    list_->setUniformItemSizes(true);
     list_->setTextElideMode(Qt::ElideRight);
     list_->setIconSize(QSize(kSeriesPicturePx, kSeriesPicturePx));
     list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    const int itemHeight = kSeriesPicturePx + kLines * fontMetrics().lineSpacing() + kPaddingPx;
-    list_->setGridSize(QSize(kItemWidthPx, itemHeight));
-    list_->setFixedHeight(itemHeight + list_->horizontalScrollBar()->sizeHint().height() + kPaddingPx);
+    list_->setGridSize(itemSize());
+    list_->setFixedHeight(itemSize().height() + list_->horizontalScrollBar()->sizeHint().height() +
+                          kPaddingPx);
     list_->viewport()->installEventFilter(this);
     connect(list_->horizontalScrollBar(), &QScrollBar::valueChanged, this, &SeriesStrip::viewChanged);
     auto* column = new QVBoxLayout(this);
@@ -47,9 +46,15 @@ void SeriesStrip::setSeries(std::vector<net::FoundSeries> series) {
     for (const net::FoundSeries& each : series_) {
         auto* item = new QListWidgetItem(textOf(each), list_);
         item->setToolTip(textOf(each));
+        item->setSizeHint(itemSize());
         item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
     }
     setVisible(!series_.empty());
+}
+
+// The same with a picture and without one: they come one by one.
+QSize SeriesStrip::itemSize() const {
+    return {kItemWidthPx, kSeriesPicturePx + kLines * fontMetrics().lineSpacing() + kPaddingPx};
 }
 
 void SeriesStrip::setPicture(std::size_t series, const QImage& picture) {

@@ -36,6 +36,7 @@ class SeriesStrip : public QWidget {
 
   private:
     QString textOf(const net::FoundSeries& series) const;
+    QSize itemSize() const;
 
     QListWidget* list_;
     std::vector<net::FoundSeries> series_;

@@ -3,6 +3,7 @@
 #include "viewer/receive/receive_controller.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
 #include <QStringList>
@@ -13,7 +14,6 @@
 #include "viewer/menus/controls.h"
 #include "viewer/settings/settings_controller.h"
 #include "viewer/status/notifications.h"
-#include "viewer/status/status_widgets.h"
 #include "viewer/watch/arrival_bar.h"
 
 namespace macula::viewer {
@@ -32,9 +32,10 @@ ReceiveController::ReceiveController(const WindowContext& context, Parts parts)
     : QObject(&context.window),
       context_(context),
       parts_(parts),
-      label_(new ElidingLabel(tr("Receiving studies"), &context.window)),
+      label_(new QLabel(&context.window)),
       job_(this, {.ended = [this](const Result<ReceptionEnd>& ended) { end(ended); }}) {
     label_->setObjectName(QStringLiteral("receive-state"));
+    label_->setTextFormat(Qt::PlainText);
     label_->hide();
     connect(&parts_.settings, &SettingsController::receivingChanged, this, &ReceiveController::onSettings);
 }
@@ -132,23 +133,22 @@ void ReceiveController::onSettings() {
 
 QString ReceiveController::text() const {
     if (port_ == 0) return {};
-    QString text =
-        tr("Receives as %1 at port %2").arg(QString::fromStdString(options_.provider.ownAe)).arg(port_);
     if (news_.arriving.images > 0)
-        text += QStringLiteral(": ") + tr("%n images are arriving", nullptr, int(news_.arriving.images));
-    return text;
+        return tr("%n images are arriving at port %1", nullptr, int(news_.arriving.images)).arg(port_);
+    return tr("Receives as %1 at port %2").arg(QString::fromStdString(options_.provider.ownAe)).arg(port_);
 }
 
 void ReceiveController::show() {
     if (action_ != nullptr) action_->setChecked(isWanted_);
-    QStringList more;
+    QStringList more{tr("Macula listens for studies that others send. File, Receive Studies ends it.")};
     if (news_.turnedAway > 0 && news_.whyTurnedAway)
         more.append(tr("%n connections were turned away. The last: %1", nullptr, int(news_.turnedAway))
                         .arg(inWindowsLanguage(*news_.whyTurnedAway)));
     if (news_.refused > 0)
         more.append(
             tr("%n objects were refused, and their sender was told so.", nullptr, int(news_.refused)));
-    label_->setFullText(text(), more.join(QLatin1Char('\n')));
+    label_->setText(text());
+    label_->setToolTip(more.join(QLatin1Char('\n')));
     label_->setVisible(port_ != 0);
 }
 

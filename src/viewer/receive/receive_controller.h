@@ -15,12 +15,12 @@
 #include "viewer/settings/receive_settings.h"
 
 class QAction;
+class QLabel;
 class QMenu;
 
 namespace macula::viewer {
 
 class ArrivalBar;
-class ElidingLabel;
 class SettingsController;
 
 // Lives on the UI thread; all that listens, reads and writes is on others.
@@ -36,9 +36,7 @@ class ReceiveController : public QObject {
     ReceiveController(const WindowContext& context, Parts parts);
 
     void addAction(QMenu& file);
-    ElidingLabel* label() const {
-        return label_;
-    }  // while it listens; it belongs to the widget that shows it
+    QLabel* label() const { return label_; }  // while it listens; it belongs to the widget that shows it
     bool listening() const { return port_ != 0; }
     bool atRest() const { return job_.atRest(); }
     QString text() const;  // of the label; empty while nothing listens
@@ -58,7 +56,7 @@ class ReceiveController : public QObject {
 
     WindowContext context_;
     Parts parts_;
-    ElidingLabel* label_;
+    QLabel* label_;
     QAction* action_ = nullptr;
     bool isWanted_ = false;
     CancelToken stop_;

@@ -106,7 +106,7 @@ void ReceivePage::addCallers(QFormLayout& form, const ReceiveSettings& settings)
                         tr("TITLE, TITLE@ADDRESS or *@ADDRESS, several with commas between; an address may "
                            "be a range, as *@10.1.0.0/16. AE titles alone prove nothing."),
                         settings.callers.join(QStringLiteral(", ")));
-    callers_->setPlaceholderText(QStringLiteral("CT1@10.1.2.3, *@10.1.0.0/16"));
+    callers_->setPlaceholderText(tr("for example %1").arg(QStringLiteral("CT1@10.1.2.3, *@10.1.0.0/16")));
     anyone_ = new QCheckBox(tr("&Everybody who reaches this machine"), this);
     describe(*anyone_, "receive-anyone", tr("Everybody who reaches this machine may send"),
              tr("Whoever reaches the port may send, whatever stands above"));
