@@ -77,7 +77,7 @@ TEST(RenderedPictures, OrthancDrawsAnImageInTheMiddle) {
     dicom::test::SyntheticSeries series;
     series.studyUid = "2.25.77";
     series.seriesUid = "2.25.771";
-    series.size = {200, 100, 5};
+    series.size = {40, 30, 5};
     dicom::test::writeFiles(folder / "a", series);
     const Orthanc archive;
     sendFolder(folder / "a", archive.dicomPort(), archive.title());

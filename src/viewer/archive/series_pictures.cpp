@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -18,6 +19,7 @@ namespace {
 // Whoever walks through the list with the keyboard asks for nothing on the way.
 constexpr std::chrono::milliseconds kSelectedFor{250};
 constexpr std::size_t kAtOnce = 2;
+constexpr std::size_t kMostSeries = 500;  // that are shown
 constexpr qsizetype kMostKeptBytes = qsizetype{16} << 20;
 constexpr qsizetype kCostOfNone = 64;
 
@@ -103,6 +105,7 @@ void SeriesPictures::show(const Result<std::vector<net::FoundSeries>>& series) {
     std::ranges::copy_if(*series, std::back_inserter(drawable), hasImages);
     std::ranges::stable_sort(drawable, {},
                              [](const net::FoundSeries& each) { return each.number.value_or(0); });
+    if (drawable.size() > kMostSeries) drawable.resize(kMostSeries);
     strip_.setSeries(std::move(drawable));
     askForPictures();
 }

@@ -27,7 +27,7 @@ class SeriesPictures : public QObject {
     Q_OBJECT
 
   public:
-    // The strip outlives it.
+    // The strip lives until the window's destructor.
     SeriesPictures(SeriesStrip& strip, QObject* parent);
 
     // The study that is selected now; nothing without one.

@@ -12,7 +12,7 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr int kLines = 2;
+constexpr int kLines = 3;
 constexpr int kPaddingPx = 8;
 constexpr int kItemWidthPx = 104;
 
