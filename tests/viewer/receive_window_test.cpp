@@ -224,8 +224,7 @@ TEST_F(ReceiveWindowTest, WhyItCannotReceiveIsSaid) {
     std::ofstream(userDataFolder() / "fetched") << "no folder";
     receiving = {};
     receiving.port = port();
-    EXPECT_NE(fails(receiving).find("cannot be written"), std::string::npos)
-        << window_->message().toStdString();
+    EXPECT_NE(fails(receiving).find("cannot be made"), std::string::npos) << window_->message().toStdString();
     fs::remove(userDataFolder() / "fetched");
 }
 
