@@ -15,6 +15,7 @@
 #include <mutex>
 #include <thread>
 
+#include "net/certificates.h"
 #include "net/servers.h"
 #include "net/sources/source_list.h"
 #include "study/archive/receiving.h"
@@ -184,6 +185,31 @@ TEST_F(ReceiveWindowTest, WhoMayNotSendIsTurnedAwayAndToldOf) {
         return label.toolTip().contains(QStringLiteral("not among those that may"));
     })) << label.toolTip().toStdString();
     EXPECT_EQ(study::Spool::open()->entries().size(), 0u);
+}
+
+TEST_F(ReceiveWindowTest, ACertificateEncryptsIt) {
+    const std::string storescu = net::test::programNamed("storescu");
+    if (storescu.empty()) GTEST_SKIP() << "storescu is not installed on this machine";
+    const dicom::test::TemporaryFolder keys;
+    const net::test::Authority authority(keys.path());
+    const net::test::Certificate own = authority.sign("window");
+    Settings settings = window_->settings();
+    settings.receiving.certificate = QString::fromStdString(own.certificate.string());
+    settings.receiving.key = QString::fromStdString(own.key.string());
+    window_->takeSettings(settings);
+    switchOn();
+    const auto sent = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> command{storescu, "-aec", "MACULA"};
+        command.insert(command.end(), options.begin(), options.end());
+        command.insert(command.end(), {"127.0.0.1", std::to_string(port()),
+                                       fs::directory_iterator(folder_ / "study")->path().string()});
+        return net::test::ran(command, folder_.path());
+    };
+    EXPECT_NE(sent({}).exitCode, 0) << "in the clear";
+    const net::test::Ran encrypted = sent({"+tla", "+cf", authority.file().string()});
+    EXPECT_EQ(encrypted.exitCode, 0) << encrypted.output;
+    EXPECT_TRUE(waitUntil([&] { return arrived().contains(QStringLiteral("1 image")); }))
+        << arrived().toStdString();
 }
 
 TEST_F(ReceiveWindowTest, WhyItCannotReceiveIsSaid) {
