@@ -18,7 +18,7 @@
 #include "cli/shared/report.h"
 #include "net/dimse/address_range.h"
 #include "study/archive/archive_json.h"
-#include "study/archive/received_studies.h"
+#include "study/archive/receiving.h"
 
 namespace macula::cli {
 
@@ -113,16 +113,14 @@ Result<void> endOf(const ReceiveOptions& options, const Printer& printer,
 }
 
 Result<void> receive(const ReceiveOptions& options) {
-    MACULA_TRY(net::StoreProviderOptions settings, providerOf(options));
-    MACULA_TRY(study::Spool spool,
-               options.into.empty() ? study::Spool::open() : study::Spool::chosen(options.into));
-    const study::ReceptionLimits limits{
-        .quiet = std::chrono::milliseconds(static_cast<long>(options.doneAfterSeconds * 1000))};
-    MACULA_TRY(const auto studies, study::ReceivedStudies::into(spool, limits));
+    MACULA_TRY(study::ReceivingOptions settings, receivingOptions(options));
     SaidOnce said;
-    settings.onTurnedAway = [&said](const net::TurnedAway& each) { said.warn(textOf(each).english()); };
-    MACULA_TRY(const auto provider, net::StoreProvider::start(settings, *studies));
-    printListening(settings, provider->port());
+    settings.provider.onTurnedAway = [&said](const net::TurnedAway& each) {
+        said.warn(textOf(each).english());
+    };
+    MACULA_TRY(const auto receiving, study::Receiving::start(settings));
+    study::ReceivedStudies& studies = receiving->studies();
+    printListening(settings.provider, receiving->port());
 
     Printer printer(options);
     std::optional<Error> trouble;
@@ -130,18 +128,18 @@ Result<void> receive(const ReceiveOptions& options) {
     while (!interruptToken().cancelled()) {
         if (options.forSeconds > 0 && secondsSince(begun) >= options.forSeconds) break;
         std::this_thread::sleep_for(kLookedAtEvery);
-        printer.print(studies->finishQuiet());
-        if (const auto latest = studies->takeTrouble()) {
+        printer.print(studies.finishQuiet());
+        if (const auto latest = studies.takeTrouble()) {
             trouble = latest;
             said.warn(describe(*latest));
         }
         if (options.once && printer.studies() > 0) break;
     }
-    provider->end();
-    printer.print(studies->finishAll());
-    if (const auto latest = studies->takeTrouble()) trouble = latest;
-    printSummary(printer, provider->counts(), studies->unreadable());
-    return endOf(options, printer, provider->counts(), trouble);
+    receiving->end();
+    printer.print(studies.finishAll());
+    if (const auto latest = studies.takeTrouble()) trouble = latest;
+    printSummary(printer, receiving->counts(), studies.unreadable());
+    return endOf(options, printer, receiving->counts(), trouble);
 }
 
 }  // namespace

@@ -2,6 +2,10 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <chrono>
+#include <utility>
+
+#include "net/dimse/admission.h"
 
 namespace macula::cli {
 
@@ -10,17 +14,11 @@ namespace {
 constexpr const char* kAllAddresses = "all";
 
 Result<net::AdmittedCaller> callerOf(const std::string& text) {
-    const std::size_t at = text.find('@');
-    net::AdmittedCaller caller{.ae = text.substr(0, at), .address = {}};
-    if (at != std::string::npos) caller.address = text.substr(at + 1);
-    const bool isUseful = !caller.ae.empty() && (at == std::string::npos || !caller.address.empty());
-    if (!isUseful || text == "*")
-        return Error{ErrorCode::usage,
-                     Text("Who may send is written as TITLE, TITLE@ADDRESS or *@ADDRESS."),
-                     {},
-                     Text("For example --from CT1@10.1.2.3, or --anyone for everybody.")};
-    if (caller.ae == "*") caller.ae.clear();
-    return caller;
+    Result<net::AdmittedCaller> caller = net::admittedCaller(text);
+    if (caller) return caller;
+    Error error = caller.error();
+    error.hint = Text("For example --from CT1@10.1.2.3, or --anyone for everybody.");
+    return error;
 }
 
 }  // namespace
@@ -63,7 +61,7 @@ void addReceiveOptions(CLI::App& command, ReceiveOptions& options) {
     command.add_flag("--json", options.json, "Print a line of JSON for each study");
 }
 
-Result<net::StoreProviderOptions> providerOf(const ReceiveOptions& options) {
+Result<study::ReceivingOptions> receivingOptions(const ReceiveOptions& options) {
     net::StoreProviderOptions provider = options.provider;
     if (provider.address == kAllAddresses) provider.address.clear();
     for (const std::string& each : options.from) {
@@ -74,7 +72,10 @@ Result<net::StoreProviderOptions> providerOf(const ReceiveOptions& options) {
     provider.tls.isOn = !tls.certificate.empty() || !tls.key.empty() || !tls.authorities.empty();
     if (options.limitGigabytes > 0)
         provider.mostBytes = static_cast<std::uintmax_t>(options.limitGigabytes * 1e9);
-    return provider;
+    return study::ReceivingOptions{
+        .provider = std::move(provider),
+        .into = options.into,
+        .limits = {.quiet = std::chrono::milliseconds(static_cast<long>(options.doneAfterSeconds * 1000))}};
 }
 
 }  // namespace macula::cli

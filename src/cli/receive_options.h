@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "net/dimse/store_provider.h"
+#include "study/archive/receiving.h"
 
 namespace macula::cli {
 
@@ -25,6 +26,6 @@ struct ReceiveOptions {
 void addReceiveOptions(CLI::App& command, ReceiveOptions& options);
 
 // Fails with usage where a caller is not written as it should be.
-Result<net::StoreProviderOptions> providerOf(const ReceiveOptions& options);
+Result<study::ReceivingOptions> receivingOptions(const ReceiveOptions& options);
 
 }  // namespace macula::cli

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "net/dimse/dimse_archive.h"
+#include "net/web/rendered_pictures.h"
 #include "net/web/web_archive.h"
 #include "net/web/web_peer.h"
 
@@ -20,6 +21,20 @@ Result<std::unique_ptr<Archive>> archiveFor(const Source& source, const Secrets&
     return makeWebArchive(source, secrets, std::move(renew));
 }
 
+RenewTokens renewerIn(const SourceList& list, const Source& source) {
+    return [list, source](const Secrets& ours, const AskForTokens& ask) {
+        return list.renewTokens(source, ours, ask);
+    };
+}
+
+Result<std::unique_ptr<PictureSource>> picturesFor(const Source& source, const Secrets& secrets,
+                                                   RenewTokens renew) {
+    const auto* web = std::get_if<WebPeer>(&source.peer);
+    if (web == nullptr) return std::unique_ptr<PictureSource>();
+    MACULA_TRY_VOID(checkWebPeer(*web, secrets));
+    return makeRenderedPictures(source, secrets, std::move(renew));
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& secrets) {
@@ -28,9 +43,16 @@ Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& 
 
 Result<std::unique_ptr<Archive>> archiveOf(const SourceList& list, const Source& source) {
     MACULA_TRY(const Secrets secrets, list.secretsOf(source));
-    return archiveFor(source, secrets, [list, source](const Secrets& ours, const auto& ask) {
-        return list.renewTokens(source, ours, ask);
-    });
+    return archiveFor(source, secrets, renewerIn(list, source));
+}
+
+Result<std::unique_ptr<PictureSource>> picturesOf(const Source& source, const Secrets& secrets) {
+    return picturesFor(source, secrets, {});
+}
+
+Result<std::unique_ptr<PictureSource>> picturesOf(const SourceList& list, const Source& source) {
+    MACULA_TRY(const Secrets secrets, list.secretsOf(source));
+    return picturesFor(source, secrets, renewerIn(list, source));
 }
 
 }  // namespace macula::net

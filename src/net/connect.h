@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "net/archive/archive.h"
+#include "net/archive/picture_source.h"
 #include "net/sources/source_list.h"
 
 namespace macula::net {
@@ -14,5 +15,10 @@ Result<std::unique_ptr<Archive>> archiveOf(const Source& source, const Secrets& 
 
 // With the secrets that the list keeps. A token that takes the place of another is kept there too.
 Result<std::unique_ptr<Archive>> archiveOf(const SourceList& list, const Source& source);
+
+// What draws small pictures of the series of an archive; null where its protocol has none (DIMSE). Fails as
+// archiveOf. To be kept: it remembers what the archive does not offer.
+Result<std::unique_ptr<PictureSource>> picturesOf(const Source& source, const Secrets& secrets);
+Result<std::unique_ptr<PictureSource>> picturesOf(const SourceList& list, const Source& source);
 
 }  // namespace macula::net

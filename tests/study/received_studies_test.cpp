@@ -260,6 +260,47 @@ TEST_F(ReceivedStudiesTest, StudiesWithoutEndAreBounded) {
     EXPECT_EQ(spool.entries().size(), 4u);
 }
 
+TEST_F(ReceivedStudiesTest, OnlyNewStudiesOfLateCount) {
+    Spool spool = openSpool();
+    const auto studies = into(spool, {.mostStudies = 2});
+    const auto receiver = studies->receiverFor({.ae = "CT1", .address = {}});
+    const auto first = write("2.25.11");
+    ASSERT_TRUE(receive(*receiver, first[0]));
+    ASSERT_TRUE(receive(*receiver, write("2.25.12")[0]));
+    ASSERT_EQ(studies->finishAll().size(), 2u);
+    EXPECT_FALSE(receive(*receiver, write("2.25.13")[0])) << "those that are done count too";
+    EXPECT_FALSE(fs::exists(spool.folderOf("2.25.13")));
+    EXPECT_TRUE(receive(*receiver, first[1])) << "more of one that is there";
+    studies->finishAll();
+
+    const auto forgetful = into(spool, {.mostStudies = 2, .counted = {}});
+    const auto patient = forgetful->receiverFor({.ae = "CT1", .address = {}});
+    for (int i = 3; i <= 9; ++i) {
+        ASSERT_TRUE(receive(*patient, write("2.25.1" + std::to_string(i))[0])) << "the others are long ago";
+        forgetful->finishAll();
+    }
+}
+
+TEST_F(ReceivedStudiesTest, SaysWhatIsOnItsWayAndOfWhomItWas) {
+    Spool spool = openSpool();
+    const auto studies = into(spool);
+    const auto receiver = studies->receiverFor({.ae = "CT1", .address = {}});
+    EXPECT_EQ(studies->arriving(), ArrivingStudies{});
+    const auto files = write("2.25.1");
+    ASSERT_TRUE(receive(*receiver, files[0]));
+    ASSERT_TRUE(receive(*receiver, files[1]));
+    ASSERT_TRUE(receive(*receiver, files[1]));
+    ASSERT_TRUE(receive(*receiver, write("2.25.2")[0]));
+    EXPECT_EQ(studies->arriving(), (ArrivingStudies{.studies = 2, .images = 3}));
+    auto done = studies->finishAll();
+    EXPECT_EQ(studies->arriving(), ArrivingStudies{});
+    ASSERT_EQ(done.size(), 2u);
+    std::ranges::sort(done, {}, &ReceivedStudy::kept);
+    EXPECT_EQ(done[1].identity.patientId, "SYN1");
+    EXPECT_EQ(done[1].identity.studyInstanceUid, "2.25.1");
+    EXPECT_EQ(done[1].modalities, std::set<std::string>{"CT"});
+}
+
 TEST_F(ReceivedStudiesTest, AFullDiskIsSaidBeforeAnythingIsWritten) {
     Spool spool = openSpool({.leastFreeBytes = std::uintmax_t(1) << 60});
     const auto studies = into(spool);

@@ -120,6 +120,25 @@ TEST_F(StudySearchTest, OneThatIsLateHoldsUpNoOther) {
     EXPECT_EQ(all.studies.size(), 2u);
 }
 
+TEST_F(StudySearchTest, WhatOthersSendMeanwhileIsAddedAndNoArchiveIsAsked) {
+    const Listing before{.studies = {{found("2.25.2"), "A", {}, false}}, .silent = {}};
+    const fs::path folder = putIntoSpool("", false);
+    const Listing now = withStudiesHere(before, {.patientName = "synth*"});
+    ASSERT_EQ(now.studies.size(), 2u);
+    EXPECT_EQ(now.studies[0].archive, "A");
+    EXPECT_EQ(now.studies[1].folder, folder);
+    EXPECT_EQ(now.studies[1].archive, "");
+    EXPECT_FALSE(now.studies[1].isWhole);
+    EXPECT_EQ(now.studies[1].study.instanceCount, files_.size());
+    EXPECT_EQ(withStudiesHere(before, {.patientName = "other*"}).studies.size(), 1u);
+
+    Listing older = now;
+    older.studies[1].study.instanceCount = 1;
+    const Listing again = withStudiesHere(older, {.patientName = "synth*"});
+    ASSERT_EQ(again.studies.size(), 2u) << "it stands once";
+    EXPECT_EQ(again.studies[1].study.instanceCount, files_.size());
+}
+
 TEST_F(StudySearchTest, AFetchedStudyStandsOnceWithWhereItLies) {
     const fs::path folder = putIntoSpool("A", true);
     const PlacesToSearch places{.archives = {named("A", answering({found(series_.studyUid)})),

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
@@ -110,6 +111,28 @@ TEST_F(ArchiveWindowTest, AStudyIsFoundAndOpenedByDicomWeb) {
     setUp(byWeb());
     findAndOpen();
     expectWhole();
+}
+
+TEST_F(ArchiveWindowTest, SeriesOfAFoundStudyShowHowTheyLookBeforeAnythingIsFetched) {
+    setUp(byWeb());
+    openPanel();
+    searchFor("synth");
+    auto& series = named<QListWidget>("archive-series");
+    ASSERT_TRUE(waitUntil([&] { return series.count() == 1 && !series.item(0)->icon().isNull(); }))
+        << remark().toStdString() << archive_.output();
+    EXPECT_TRUE(series.isVisible());
+    EXPECT_TRUE(series.item(0)->text().contains(QStringLiteral("12 images")))
+        << series.item(0)->text().toStdString();
+    const auto spool = study::Spool::open();
+    ASSERT_TRUE(spool);
+    EXPECT_TRUE(spool->entries().empty());
+    EXPECT_FALSE(window_->hasStudy());
+}
+
+TEST_F(ArchiveWindowTest, ArchivesOfDimseShowNoSeries) {
+    setUp(byDimse());
+    findAndOpen();
+    EXPECT_FALSE(named<QListWidget>("archive-series").isVisible());
 }
 
 TEST_F(ArchiveWindowTest, NothingThatMatchesAndNobodyWhoAnswersAreSaid) {

@@ -5,6 +5,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -37,6 +38,16 @@ Settings someSettings() {
     settings.windowPlace = QStringLiteral("AAEC");
     settings.priors = PriorSearch::fetch;
     settings.archiveColumns = QStringLiteral("AAED");
+    settings.receiving = {.atStart = true,
+                          .title = QStringLiteral("INBOX"),
+                          .port = 104,
+                          .address = QString(),
+                          .callers = {QStringLiteral("CT1@10.1.2.3"), QStringLiteral("*@10.1.0.0/16")},
+                          .admitsAnyone = true,
+                          .certificate = QStringLiteral("/own.pem"),
+                          .key = QStringLiteral("/key.pem"),
+                          .authorities = QStringLiteral("/all.pem"),
+                          .limitGb = 7};
     return settings;
 }
 
@@ -190,6 +201,39 @@ TEST_F(SettingsDialogTest, TakesWhatAPersonChooses) {
     EXPECT_EQ(now.keepDays, 30);
     EXPECT_TRUE(now.storeFolder.startsWith(QLatin1Char('/')));
     EXPECT_TRUE(now.storeFolder.endsWith(QLatin1String("/relative")));
+}
+
+TEST_F(SettingsDialogTest, TakesHowToReceiveAndSaysWhatCannotWork) {
+    SettingsDialog dialog({}, {}, true);
+    const auto* trouble = dialog.findChild<QLabel*>(QStringLiteral("receive-trouble"));
+    const auto line = [&](const char* name) {
+        return dialog.findChild<QLineEdit*>(QString::fromLatin1(name));
+    };
+    EXPECT_TRUE(trouble->text().contains(QStringLiteral("opens nothing by itself")));
+    auto* places = dialog.findChild<QComboBox*>(QStringLiteral("receive-place"));
+    EXPECT_FALSE(line("receive-address")->isEnabled());
+    places->setCurrentIndex(2);
+    EXPECT_TRUE(line("receive-address")->isEnabled());
+    EXPECT_EQ(dialog.settings().receiving.address, QStringLiteral("127.0.0.1")) << "none was entered";
+    line("receive-address")->setText(QStringLiteral(" 10.1.2.3 "));
+    EXPECT_TRUE(trouble->text().contains(QStringLiteral("nobody said which may")))
+        << trouble->text().toStdString();
+    line("receive-callers")->setText(QStringLiteral("CT 1@10.1.2.3, ,pacs@host"));
+    EXPECT_TRUE(trouble->text().contains(QStringLiteral("host is no address")))
+        << trouble->text().toStdString();
+    line("receive-callers")->setText(QStringLiteral("CT 1@10.1.2.3, *@10.2.0.0/16"));
+    EXPECT_TRUE(trouble->text().contains(QStringLiteral("opens nothing by itself")));
+    line("receive-authorities")->setText(QStringLiteral("/all.pem"));
+    EXPECT_TRUE(trouble->text().contains(QStringLiteral("needs a certificate")))
+        << trouble->text().toStdString();
+    dialog.findChild<QSpinBox*>(QStringLiteral("receive-port"))->setValue(104);
+    const ReceiveSettings now = dialog.settings().receiving;
+    EXPECT_EQ(now.address, QStringLiteral("10.1.2.3"));
+    EXPECT_EQ(now.callers, (QStringList{QStringLiteral("CT 1@10.1.2.3"), QStringLiteral("*@10.2.0.0/16")}));
+    EXPECT_EQ(now.port, 104);
+    EXPECT_FALSE(now.atStart);
+    places->setCurrentIndex(1);
+    EXPECT_EQ(dialog.settings().receiving.address, QString());
 }
 
 }  // namespace

@@ -18,6 +18,13 @@ namespace {
 constexpr int kBacklog = 16;
 constexpr std::chrono::milliseconds kAcceptSlice{50};
 
+Error portInUse(std::uint16_t port) {
+    return {ErrorCode::usage,
+            Text("Another program already listens at port {}.", port),
+            {},
+            Text("End that program, or choose another port here and where the images come from.")};
+}
+
 int listenerAt(const addrinfo& address) {
     const int listener = ::socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (listener < 0) return -1;
@@ -50,11 +57,7 @@ Result<int> listenAt(const ListeningPlace& place) {
     const int problem = errno;
     if (isFound) freeaddrinfo(list);
     if (listener >= 0) return listener;
-    if (problem == EADDRINUSE)
-        return Error{ErrorCode::usage,
-                     Text("Another program already listens at port {}.", place.port),
-                     {},
-                     Text("End that program, or choose another port here and where the images come from.")};
+    if (problem == EADDRINUSE) return portInUse(place.port);
     if (problem == EACCES)
         return Error{ErrorCode::usage,
                      Text("This program may not listen at port {}.", place.port),
@@ -75,6 +78,10 @@ std::uint16_t portOf(int listener) {
 }
 
 }  // namespace
+
+bool saysPortInUse(const Error& error) {
+    return error.message.format() == portInUse(0).message.format();
+}
 
 Acceptor::Acceptor(int listener, std::size_t most, CancelToken stop, Serve serve)
     : listener_(listener),

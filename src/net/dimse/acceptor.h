@@ -21,6 +21,9 @@ struct ListeningPlace {
     std::uint16_t port = 0;  // 0: any that is free
 };
 
+// Whether a start failed because somebody else listens there.
+bool saysPortInUse(const Error& error);
+
 class Acceptor {
   public:
     struct Connection {

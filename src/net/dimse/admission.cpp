@@ -13,6 +13,20 @@ constexpr Rejection kTooMany{.result = 2, .source = 3, .reason = 2};   // local 
 
 }  // namespace
 
+Result<AdmittedCaller> admittedCaller(const std::string& text) {
+    const std::size_t at = text.find('@');
+    AdmittedCaller caller{.ae = text.substr(0, at), .address = {}};
+    if (at != std::string::npos) caller.address = text.substr(at + 1);
+    const bool isUseful = !caller.ae.empty() && (at == std::string::npos || !caller.address.empty());
+    if (!isUseful || text == "*")
+        return Error{ErrorCode::usage,
+                     Text("Who may send is written as TITLE, TITLE@ADDRESS or *@ADDRESS."),
+                     {},
+                     Text("For example CT1@10.1.2.3, or *@10.1.0.0/16.")};
+    if (caller.ae == "*") caller.ae.clear();
+    return caller;
+}
+
 Result<std::unique_ptr<Admission>> Admission::of(const std::vector<AdmittedCaller>& callers,
                                                  bool admitsAnyone, const AdmissionLimits& limits) {
     auto admission = std::make_unique<Admission>();

@@ -17,6 +17,10 @@
 
 namespace macula::net {
 
+// As people write who may send: TITLE, TITLE@ADDRESS or *@ADDRESS. Fails with usage where it is none of
+// these.
+Result<AdmittedCaller> admittedCaller(const std::string& text);
+
 // Thread-safe.
 class Admission {
   public:

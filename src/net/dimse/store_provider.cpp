@@ -29,7 +29,14 @@ Error badOption(Text message, Text hint) {
     return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
 }
 
-Result<void> checkOptions(const StoreProviderOptions& options) {
+std::string nameOf(const Caller& caller) {
+    if (caller.address.empty()) return caller.ae;
+    return caller.ae.empty() ? caller.address : caller.ae + " (" + caller.address + ")";
+}
+
+}  // namespace
+
+Result<void> checkProviderOptions(const StoreProviderOptions& options) {
     if (!isAeTitle(options.ownAe))
         return badOption(Text("The AE title of this program is not valid."),
                          Text("An AE title has 1 to 16 letters, digits and signs, without accents."));
@@ -39,15 +46,10 @@ Result<void> checkOptions(const StoreProviderOptions& options) {
     if (options.tls.isOn && options.tls.certificate.empty())
         return badOption(Text("To protect connections that others make, this program needs a certificate."),
                          Text("Enter a certificate with its key."));
+    MACULA_TRY([[maybe_unused]] const auto admission,
+               Admission::of(options.callers, options.admitsAnyone, options.admission));
     return {};
 }
-
-std::string nameOf(const Caller& caller) {
-    if (caller.address.empty()) return caller.ae;
-    return caller.ae.empty() ? caller.address : caller.ae + " (" + caller.address + ")";
-}
-
-}  // namespace
 
 Text textOf(const TurnedAway& turnedAway) {
     const std::string name = nameOf(turnedAway.caller);
@@ -259,7 +261,7 @@ std::uint16_t StoreProvider::port() const {
 
 Result<std::unique_ptr<StoreProvider>> StoreProvider::start(const StoreProviderOptions& options,
                                                             Reception& reception) {
-    MACULA_TRY_VOID(checkOptions(options));
+    MACULA_TRY_VOID(checkProviderOptions(options));
     auto state = std::make_unique<State>(options, reception);
     MACULA_TRY(state->admission, Admission::of(options.callers, options.admitsAnyone, options.admission));
     if (options.tls.isOn) {

@@ -54,6 +54,9 @@ struct StoreProviderOptions {
     std::function<void(const TurnedAway&)> onTurnedAway;
 };
 
+// Fails with usage where they cannot work, whatever the files of TLS hold and whoever has the port.
+Result<void> checkProviderOptions(const StoreProviderOptions& options);
+
 class StoreProvider {
   public:
     // Listens until it goes, and answers C-ECHO and C-STORE: of every storage class, in every transfer syntax

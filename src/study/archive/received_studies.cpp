@@ -1,13 +1,13 @@
 #include "study/archive/received_studies.h"
 
 #include <algorithm>
-#include <set>
 #include <system_error>
 #include <utility>
 
 #include "base/printable.h"
 #include "dicom/stack/examination.h"
 #include "net/archive/file_meta.h"
+#include "study/open/file_identity.h"
 
 namespace macula::study {
 
@@ -17,12 +17,14 @@ using Verdict = net::Receiver::Verdict;
 namespace {
 
 constexpr std::size_t kMostSenders = 16;
+constexpr std::size_t kMostModalities = 16;
 
-Error tooManyStudies(std::size_t most) {
+Error tooManyStudies(const ReceptionLimits& limits) {
     return {ErrorCode::archiveNotUsable,
-            Text("More than {} studies were sent.", most),
+            Text("More than {} new studies were sent within {} hours.", limits.mostStudies,
+                 std::chrono::ceil<std::chrono::hours>(limits.counted).count()),
             {},
-            Text("Start the program again to take more, and look at what was sent.")};
+            Text("Look at what was sent. Macula takes more later, or when it begins to receive again.")};
 }
 
 }  // namespace
@@ -31,17 +33,28 @@ Error tooManyStudies(std::size_t most) {
 struct ReceivedStudies::Arriving {
     explicit Arriving(std::string uid) : studyInstanceUid(std::move(uid)) {}
 
+    void note(const dicom::Examination& found, const std::string& sender) {
+        if (senders.size() < kMostSenders) senders.insert(sender);
+        if (!found.modality.empty() && modalities.size() < kMostModalities) modalities.insert(found.modality);
+        if (identity.studyInstanceUid.empty()) identity = identityOf(found);
+    }
+
     const std::string studyInstanceUid;
     std::mutex mutex;
     bool isFinished = false;  // whoever waited for the mutex needs a new one
     std::unique_ptr<SpooledStudy> study;
     SpoolRecord record;
     std::set<std::string> senders;
+    Identity identity;
+    std::set<std::string> modalities;
+    std::optional<Clock::time_point> counted;  // in begun_
     std::size_t kept = 0;
     std::size_t hadAlready = 0;
     std::size_t refused = 0;
     std::size_t otherContents = 0;
-    Clock::time_point last = Clock::now();  // under the mutex of ReceivedStudies
+    // Under the mutex of ReceivedStudies.
+    std::size_t came = 0;
+    Clock::time_point last = Clock::now();
 };
 
 std::vector<Message> ReceivedStudies::messagesOf(const Arriving& arriving) {
@@ -142,9 +155,9 @@ Result<Verdict> ReceivedStudies::take(const fs::path& file, const net::InstanceK
                 ++arriving->refused;
                 break;
         }
-        if (verdict != Verdict::refused && arriving->senders.size() < kMostSenders)
-            arriving->senders.insert(sender);
+        if (verdict != Verdict::refused) arriving->note(found, sender);
         const std::lock_guard own(mutex_);
+        if (verdict == Verdict::kept) ++arriving->came;
         arriving->last = Clock::now();
         return verdict;
     }
@@ -157,21 +170,18 @@ Result<std::shared_ptr<ReceivedStudies::Arriving>> ReceivedStudies::arrivingOf(
         const std::lock_guard lock(mutex_);
         const auto found = studies_.find(studyInstanceUid);
         if (found != studies_.end()) return found->second;
-        if (begun_ >= limits_.mostStudies) return tooManyStudies(limits_.mostStudies);
         isCrowded = studies_.size() >= limits_.mostStudiesAtOnce;
     }
     if (isCrowded) finishOldest();
     const std::lock_guard lock(mutex_);
     auto& arriving = studies_[studyInstanceUid];
-    if (!arriving) {
-        arriving = std::make_shared<Arriving>(studyInstanceUid);
-        ++begun_;
-    }
+    if (!arriving) arriving = std::make_shared<Arriving>(studyInstanceUid);
     return arriving;
 }
 
 Result<void> ReceivedStudies::open(Arriving& arriving, const std::string& sender) {
     if (arriving.study) return {};
+    MACULA_TRY_VOID(countNew(arriving));
     MACULA_TRY(std::unique_ptr<SpooledStudy> study, spool_.study(arriving.studyInstanceUid));
     MACULA_TRY_VOID(spool_.purge());
     auto before = readSpoolRecord(study->folder());
@@ -187,11 +197,25 @@ Result<void> ReceivedStudies::open(Arriving& arriving, const std::string& sender
     return {};
 }
 
+// A sender without end must not fill the disk with folders.
+Result<void> ReceivedStudies::countNew(Arriving& arriving) {
+    std::error_code failure;
+    if (arriving.counted || fs::exists(spool_.folderOf(arriving.studyInstanceUid), failure)) return {};
+    const std::lock_guard lock(mutex_);
+    const Clock::time_point now = Clock::now();
+    while (!begun_.empty() && begun_.front() <= now - limits_.counted) begun_.pop_front();
+    if (begun_.size() >= limits_.mostStudies) return tooManyStudies(limits_);
+    begun_.push_back(now);
+    arriving.counted = now;
+    return {};
+}
+
 void ReceivedStudies::finish(const std::shared_ptr<Arriving>& arriving) {
     const std::lock_guard lock(arriving->mutex);
     if (arriving->isFinished) return;
     arriving->isFinished = true;
     std::optional<ReceivedStudy> finished;
+    bool isForgotten = true;
     if (arriving->study) {
         const std::size_t instances = arriving->study->instances().size();
         const fs::path folder = arriving->study->folder();
@@ -202,9 +226,12 @@ void ReceivedStudies::finish(const std::shared_ptr<Arriving>& arriving) {
         if (arriving->kept > 0 && arriving->record.source.empty())
             arriving->record.fetchedAt = timeOfRecord();
         if (instances > 0) {
+            isForgotten = false;
             const Result<void> written = arriving->study->finish(arriving->record);
             if (!written) noted(written.error());
             finished = ReceivedStudy{.folder = folder,
+                                     .identity = arriving->identity,
+                                     .modalities = arriving->modalities,
                                      .senders = std::move(senders),
                                      .kept = arriving->kept,
                                      .hadAlready = arriving->hadAlready,
@@ -220,6 +247,10 @@ void ReceivedStudies::finish(const std::shared_ptr<Arriving>& arriving) {
     }
     const std::lock_guard own(mutex_);
     studies_.erase(arriving->studyInstanceUid);
+    if (isForgotten && arriving->counted) {
+        const auto counted = std::ranges::find(begun_, *arriving->counted);
+        if (counted != begun_.end()) begun_.erase(counted);
+    }
     if (finished) finished_.push_back(*std::move(finished));
 }
 
@@ -237,6 +268,17 @@ std::vector<std::shared_ptr<ReceivedStudies::Arriving>> ReceivedStudies::quietSi
 void ReceivedStudies::finishOldest() {
     const auto open = quietSince(Clock::now());
     if (!open.empty()) finish(open.front());
+}
+
+ArrivingStudies ReceivedStudies::arriving() const {
+    const std::lock_guard lock(mutex_);
+    ArrivingStudies now;
+    for (const auto& [uid, arriving] : studies_) {
+        if (arriving->came == 0) continue;
+        ++now.studies;
+        now.images += arriving->came;
+    }
+    return now;
 }
 
 std::vector<ReceivedStudy> ReceivedStudies::takeFinished() {

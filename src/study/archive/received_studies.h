@@ -4,17 +4,20 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "base/message.h"
 #include "base/result.h"
 #include "net/archive/reception.h"
+#include "study/open/identity.h"
 #include "study/spool/arriving_files.h"
 #include "study/spool/spool.h"
 
@@ -24,13 +27,17 @@ struct ReceptionLimits {
     // A study of which nothing has come for so long is done: nobody says how many images a study that is sent
     // has.
     std::chrono::milliseconds quiet{5000};
-    std::size_t mostStudies = 10'000;    // over the life of the object
+    // New ones that came within `counted`; older ones are forgotten, as are those of which nothing was kept.
+    std::size_t mostStudies = 10'000;
+    std::chrono::milliseconds counted = std::chrono::hours(24);
     std::size_t mostStudiesAtOnce = 32;  // then those that have been quiet longest are done
 };
 
 // What has come of a study since it was last done.
 struct ReceivedStudy {
     std::filesystem::path folder;
+    Identity identity;                 // of the first image that was taken
+    std::set<std::string> modalities;  // of what came
     std::vector<std::string> senders;  // AE titles, as the senders say themselves
     std::size_t kept = 0;
     std::size_t hadAlready = 0;
@@ -38,6 +45,14 @@ struct ReceivedStudy {
     std::size_t otherContents = 0;  // refused: under the UID of an instance that had come with other contents
     std::size_t instances = 0;      // that are there now
     std::vector<Message> messages;  // shown with the study
+};
+
+// What is on its way.
+struct ArrivingStudies {
+    std::size_t studies = 0;
+    std::size_t images = 0;  // of these, that came since each began
+
+    bool operator==(const ArrivingStudies&) const = default;
 };
 
 // Keeps what SpooledStudy keeps. The record of a study says who sent it, and never that it is complete; what
@@ -56,6 +71,8 @@ class ReceivedStudies : public net::Reception {
     // The same for all, when nobody sends any more.
     std::vector<ReceivedStudy> finishAll();
 
+    ArrivingStudies arriving() const;
+
     // Refused, because their header cannot be read, or because they are not what the sender said.
     std::size_t unreadable() const { return unreadable_.load(); }
     // The last error since this was asked, such as a full disk: it concerns what was not kept.
@@ -71,6 +88,7 @@ class ReceivedStudies : public net::Reception {
                                         const std::string& sender);
     Result<std::shared_ptr<Arriving>> arrivingOf(const std::string& studyInstanceUid);
     Result<void> open(Arriving& arriving, const std::string& sender);
+    Result<void> countNew(Arriving& arriving);
     void finish(const std::shared_ptr<Arriving>& arriving);
     void finishOldest();
     static std::vector<Message> messagesOf(const Arriving& arriving);
@@ -83,7 +101,7 @@ class ReceivedStudies : public net::Reception {
     ArrivingFiles files_;
     mutable std::mutex mutex_;
     std::map<std::string, std::shared_ptr<Arriving>> studies_;  // by Study Instance UID
-    std::size_t begun_ = 0;
+    std::deque<Clock::time_point> begun_;                       // those that count, in order
     std::vector<ReceivedStudy> finished_;
     std::optional<Error> trouble_;
     std::atomic<std::size_t> unreadable_{0};

@@ -128,4 +128,23 @@ Listing searchStudies(const PlacesToSearch& places, const net::StudyQuery& query
     return gathering.listing();
 }
 
+Listing withStudiesHere(Listing listing, const net::StudyQuery& query, const CancelToken& cancel) {
+    const auto spool = Spool::open();
+    if (!spool) return listing;
+    std::map<std::filesystem::path, std::size_t> byFolder;
+    for (std::size_t i = 0; i < listing.studies.size(); ++i)
+        if (!listing.studies[i].folder.empty()) byFolder.emplace(listing.studies[i].folder, i);
+    for (LocalStudy& local : studiesInSpool(*spool, cancel)) {
+        const auto found = byFolder.find(local.folder);
+        if (found == byFolder.end()) {
+            if (local.archive.empty() && net::matchesQuery(query, local.study))
+                listing.studies.push_back({std::move(local.study), {}, local.folder, local.isWhole});
+        } else if (ListedStudy& listed = listing.studies[found->second]; listed.archive.empty()) {
+            listed.study = std::move(local.study);
+            listed.isWhole = local.isWhole;
+        }
+    }
+    return listing;
+}
+
 }  // namespace macula::study

@@ -55,4 +55,8 @@ using ListingListener = std::function<void(const Listing&)>;
 Listing searchStudies(const PlacesToSearch& places, const net::StudyQuery& query, Progress& progress,
                       const ListingListener& listener = {});
 
+// With what is on this machine now of fetched studies and of those that others sent, as the search for
+// `query` has it that looks on this machine too. Asks no archive.
+Listing withStudiesHere(Listing listing, const net::StudyQuery& query, const CancelToken& cancel = {});
+
 }  // namespace macula::study

@@ -31,6 +31,8 @@ struct ArrivedStudy {
     Identity identity;
     std::set<std::string> modalities;
     std::size_t images = 0;  // files that came
+    std::string sender =
+        {};  // who sent it to this program, as it says itself; empty: it appeared in the folder
 };
 
 // Looks at names, sizes and times of the files, which also works where a network file system tells nobody of

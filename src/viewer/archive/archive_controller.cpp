@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "dicom/best_volume.h"
@@ -14,6 +15,7 @@
 #include "viewer/archive/archive_way.h"
 #include "viewer/archive/found_study_list.h"
 #include "viewer/archive/priors_controller.h"
+#include "viewer/archive/series_pictures.h"
 #include "viewer/archive/source_dialog.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/editor/study_editor.h"
@@ -28,6 +30,12 @@
 
 namespace macula::viewer {
 
+namespace {
+
+constexpr std::chrono::milliseconds kRenewedEvery{1000};
+
+}  // namespace
+
 ArchiveController::ArchiveController(const WindowContext& context, Parts parts)
     : QObject(&context.window),
       context_(context),
@@ -39,18 +47,28 @@ ArchiveController::ArchiveController(const WindowContext& context, Parts parts)
                                              .fetcher = *fetcher_,
                                              .sources = [this] { return sources_ ? &*sources_ : nullptr; },
                                              .folders = [this] { return foldersHere(); }})),
+      series_(new SeriesPictures(panel_->series(), this)),
       search_(this, {.ended =
                          [this](const Result<study::Listing>& listing) {
                              panel_->setSearching(false);
                              if (!listing) return;
+                             shownListing_ = *listing;
                              panel_->setListing(*listing, true);
                              tellWhoAnswered(*listing);
                          }}),
+      renewal_(this, {.ended =
+                          [this](const Result<study::Listing>& listing) {
+                              if (!listing) return;
+                              shownListing_ = *listing;
+                              panel_->renewListing(*listing);
+                          }}),
       look_(this, {.ended = [this](const Result<std::filesystem::path>& folder) {
                 if (folder && !folder->empty()) showPart(*folder);
             }}) {
     connectPanel();
     connectFetcher();
+    renewalTimer_.setSingleShot(true);
+    connect(&renewalTimer_, &QTimer::timeout, this, &ArchiveController::renewListing);
     context_.notes.setSource(NoteOn::archive, [this] { return notes(); });
     readSources();
 }
@@ -70,9 +88,14 @@ void ArchiveController::connectPanel() {
         connect(list, &FoundStudyList::fetchAsked, this,
                 [this](const study::ListedStudy& listed) { fetch(listed, FetchFor::keep); });
     }
+    connect(&panel_->found(), &FoundStudyList::selectionChanged, this, &ArchiveController::showSeries);
     panel_->found().setColumns(parts_.settings.settings().archiveColumns);
     connect(&panel_->found(), &FoundStudyList::columnsChanged, this,
             [this] { parts_.settings.keepArchiveColumns(panel_->found().columns()); });
+}
+
+void ArchiveController::showSeries() {
+    if (sources_) series_->select(panel_->found().selected(), *sources_);
 }
 
 void ArchiveController::connectFetcher() {
@@ -127,6 +150,8 @@ void ArchiveController::setUp() {
     SourceDialog dialog(*sources_, &context_.window);
     dialog.exec();
     readSources();
+    series_->forgetArchives();
+    showSeries();
 }
 
 void ArchiveController::search(const net::StudyQuery& query) {
@@ -136,6 +161,9 @@ void ArchiveController::search(const net::StudyQuery& query) {
     for (const QString& name : where.archives) places.archives.push_back(namedArchive(*sources_, name));
     if (where.isHereToo) places.folders = foldersHere();
     searched_ = where.archives;
+    query_ = where.isHereToo ? std::optional(query) : std::nullopt;
+    shownListing_.reset();
+    renewal_.cancel();
     panel_->setListing({}, false);
     panel_->setSearching(true);
     const NewestPosted<study::Listing> soFar(this,
@@ -145,6 +173,19 @@ void ArchiveController::search(const net::StudyQuery& query) {
                                              });
     search_.start([places = std::move(places), query, soFar](Progress& progress) -> Result<study::Listing> {
         return study::searchStudies(places, query, progress, soFar);
+    });
+}
+
+// Studies that others send are listed while they arrive, where the last search looked on this machine too.
+void ArchiveController::onStudiesReceived() {
+    if (!renewalTimer_.isActive()) renewalTimer_.start(kRenewedEvery);
+}
+
+void ArchiveController::renewListing() {
+    if (!query_ || !shownListing_ || search_.running()) return;
+    if (renewal_.running()) return onStudiesReceived();
+    renewal_.start([listing = *shownListing_, query = *query_](Progress& progress) -> Result<study::Listing> {
+        return study::withStudiesHere(listing, query, progress.token());
     });
 }
 

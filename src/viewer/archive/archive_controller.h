@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <QTimer>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -28,6 +29,7 @@ class ArchivePanel;
 class OpeningController;
 class PriorsController;
 class RecentMenu;
+class SeriesPictures;
 class SettingsController;
 class WorkBar;
 
@@ -56,6 +58,8 @@ class ArchiveController : public QObject {
     // Fetches a study that the archive of this name has, and opens it as it comes.
     void fetchFrom(const QString& from, const net::FoundStudy& study);
     void showNames(bool shown);
+    // Others sent images to this machine.
+    void onStudiesReceived();
     bool fetching() const { return fetcher_->running(); }
     void onStudyShown();
 
@@ -73,9 +77,11 @@ class ArchiveController : public QObject {
 
     void connectPanel();
     void connectFetcher();
+    void showSeries();
     void readSources();
     void setUp();
     void search(const net::StudyQuery& query);
+    void renewListing();
     void tellWhoAnswered(const study::Listing& listing);
     std::vector<std::filesystem::path> foldersHere() const;
     void open(const study::ListedStudy& listed);
@@ -93,15 +99,20 @@ class ArchiveController : public QObject {
     ArchivePanel* panel_;
     StudyFetcher* fetcher_;
     PriorsController* priors_;
+    SeriesPictures* series_;
     QAction* shown_ = nullptr;
     std::function<void(const std::filesystem::path&)> opensBeside_;
     std::optional<net::SourceList> sources_;
-    QStringList searched_;  // archives
+    QStringList searched_;                        // archives
+    std::optional<net::StudyQuery> query_;        // of the last search, if it looked on this machine too
+    std::optional<study::Listing> shownListing_;  // once that was done
+    QTimer renewalTimer_;
     std::uint64_t searches_ = 0;
     Coming coming_;
     study::StudySource shownSource_;  // of the study on screen
     std::string shownUid_;
     BackgroundJob<study::Listing> search_;
+    BackgroundJob<study::Listing> renewal_;      // of what is on this machine
     BackgroundJob<std::filesystem::path> look_;  // whether what has come can be shown; its folder
 };
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "viewer/archive/found_study_list.h"
+#include "viewer/archive/series_strip.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
 
@@ -113,6 +114,8 @@ QWidget* ArchivePanel::makeFound() {
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(remark_);
     column->addWidget(found_, 1);
+    series_ = new SeriesStrip(box);
+    column->addWidget(series_);
     return box;
 }
 
@@ -206,6 +209,17 @@ void ArchivePanel::search() {
 
 void ArchivePanel::setListing(const study::Listing& listing, bool isWhole) {
     found_->setStudies(listing.studies);
+    showCount(listing, isWhole);
+    // Whoever types on while the search lasts does not lose the keyboard.
+    if (isWhole && !isTypedIn_ && !listing.studies.empty()) found_->view().setFocus();
+}
+
+void ArchivePanel::renewListing(const study::Listing& listing) {
+    found_->setStudies(listing.studies);
+    if (remark_->text() == count_) showCount(listing, true);  // and nothing else is said there
+}
+
+void ArchivePanel::showCount(const study::Listing& listing, bool isWhole) {
     QStringList lines;
     if (!listing.studies.empty()) {
         QString count = tr("%n studies", nullptr, int(listing.studies.size()));
@@ -218,9 +232,8 @@ void ArchivePanel::setListing(const study::Listing& listing, bool isWhole) {
         lines.append(
             QStringLiteral("%1: %2").arg(QString::fromStdString(silent.name), inWindowsLanguage(silent.why)));
     if (!isWhole) lines.append(tr("Searching…"));
-    setRemark(lines.join(QLatin1Char('\n')));
-    // Whoever types on while the search lasts does not lose the keyboard.
-    if (isWhole && !isTypedIn_ && !listing.studies.empty()) found_->view().setFocus();
+    count_ = lines.join(QLatin1Char('\n'));
+    setRemark(count_);
 }
 
 void ArchivePanel::setPriors(const std::vector<study::ListedStudy>& priors, const QString& remark) {
@@ -241,6 +254,7 @@ void ArchivePanel::setSearching(bool searching) {
 
 void ArchivePanel::showNames(bool shown) {
     found_->showNames(shown);
+    series_->showNames(shown);
     priors_->showNames(shown);
 }
 

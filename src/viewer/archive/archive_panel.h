@@ -20,6 +20,7 @@ class QSplitter;
 namespace macula::viewer {
 
 class FoundStudyList;
+class SeriesStrip;
 
 // Where to search.
 struct SearchedPlaces {
@@ -38,6 +39,8 @@ class ArchivePanel : public QWidget {
     SearchedPlaces places() const;
     SearchedPlaces allPlaces() const;
     void setListing(const study::Listing& listing, bool isWhole);
+    // The same search, of which there is more by now; the keyboard stays where it is.
+    void renewListing(const study::Listing& listing);
     void setRemark(const QString& text);  // below the list
     void setSearching(bool searching);
     // Other studies of the open patient; hides the list without any, unless there is a remark.
@@ -45,6 +48,7 @@ class ArchivePanel : public QWidget {
     void showNames(bool shown);
     void focusSearch();
     FoundStudyList& found() const { return *found_; }
+    SeriesStrip& series() const { return *series_; }  // of the selected study
     FoundStudyList& priors() const { return *priors_; }
 
   Q_SIGNALS:
@@ -60,6 +64,7 @@ class ArchivePanel : public QWidget {
     QLineEdit* addField(QFormLayout& form, const QString& label, const char* name, const QString& tip);
     std::optional<net::StudyQuery> query();  // nothing, with a remark, where a date is none
     void search();
+    void showCount(const study::Listing& listing, bool isWhole);
 
     QComboBox* places_;
     QLineEdit* patient_ = nullptr;
@@ -73,7 +78,9 @@ class ArchivePanel : public QWidget {
     bool isSearching_ = false;
     bool isTypedIn_ = false;  // since the search began
     QLabel* remark_;
+    QString count_;  // of the listing, as the remark says it
     FoundStudyList* found_ = nullptr;
+    SeriesStrip* series_ = nullptr;
     QWidget* priorsBox_ = nullptr;
     QLabel* priorsRemark_ = nullptr;
     FoundStudyList* priors_ = nullptr;

@@ -51,8 +51,10 @@ FoundStudyList::FoundStudyList(const QString& name, const QString& title, QWidge
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(list_, 1);
     column->addWidget(row);
-    connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            &FoundStudyList::showButtons);
+    connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        showButtons();
+        Q_EMIT selectionChanged();
+    });
     showButtons();
 }
 
@@ -123,6 +125,7 @@ void FoundStudyList::setStudies(std::vector<study::ListedStudy> studies) {
     if (before) row = rowOf(*before);
     if (row >= 0) list_->setCurrentIndex(sorted_->mapFromSource(model_->index(row, 0)));
     showButtons();
+    Q_EMIT selectionChanged();
 }
 
 // Once the archive has answered, a study of this machine is listed as the archive's. -1: it is gone, and none

@@ -41,6 +41,7 @@ class FoundStudyList : public QWidget {
     void besideAsked(const macula::study::ListedStudy& study);
     void fetchAsked(const macula::study::ListedStudy& study);
     void columnsChanged();
+    void selectionChanged();
 
   private:
     void makeButtons(QWidget& row, const QString& name);

@@ -57,6 +57,7 @@ class Members {
             if (text->isString()) texts.insert(text.key(), text->toString());
         return texts;
     }
+    QJsonObject object(const QString& name) { return object_.take(name).toObject(); }
     QStringList list(const QString& name, std::size_t most) {
         QStringList texts;
         for (const QJsonValue& value : object_.take(name).toArray()) {
@@ -109,6 +110,7 @@ Result<Settings> settingsFromJson(const std::string& text) {
     settings.priors = priorSearchOf(members.text(QStringLiteral("priors"), {}));
     settings.archiveColumns = members.text(QStringLiteral("archiveColumns"), {});
     settings.archive = members.text(QStringLiteral("archive"), {});
+    settings.receiving = receiveSettingsOf(members.object(QStringLiteral("receiving")));
     settings.others = members.rest();
     return settings;
 }
@@ -139,6 +141,7 @@ std::string toJson(const Settings& settings) {
         object[QStringLiteral("watchedFolders")] = QJsonArray::fromStringList(settings.watchedFolders);
     if (!settings.windowPlace.isEmpty()) object[QStringLiteral("windowPlace")] = settings.windowPlace;
     if (!settings.archive.isEmpty()) object[QStringLiteral("archive")] = settings.archive;
+    object[QStringLiteral("receiving")] = toJson(settings.receiving);
     return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
 }
 
@@ -164,6 +167,7 @@ Settings withChanges(Settings stored, const Settings& before, const Settings& af
         if (!before.watchedFolders.contains(folder) && !stored.watchedFolders.contains(folder))
             stored.watchedFolders.append(folder);
     take(&Settings::archive);
+    take(&Settings::receiving);
     for (auto field : {&Settings::keys, &Settings::folders}) {
         const QMap<QString, QString>& old = before.*field;
         const QMap<QString, QString>& now = after.*field;

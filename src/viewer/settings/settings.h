@@ -11,6 +11,7 @@
 
 #include "base/result.h"
 #include "viewer/language/language.h"
+#include "viewer/settings/receive_settings.h"
 
 namespace macula::viewer {
 
@@ -40,7 +41,8 @@ struct Settings {
     PriorSearch priors = PriorSearch::list;
     QString archiveColumns = {};  // of the list of studies, see ArchivePanel; empty: the default
     QString archive = {};         // the name of the one to which something was sent last
-    QJsonObject others = {};      // from a later version: written back unchanged
+    ReceiveSettings receiving = {};
+    QJsonObject others = {};  // from a later version: written back unchanged
 
     bool operator==(const Settings&) const = default;
 };

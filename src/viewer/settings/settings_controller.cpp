@@ -80,6 +80,7 @@ void SettingsController::take(const Settings& settings) {
                    {.highContrast = settings.highContrast, .fontScale = settings.fontScale});
     }
     if (settings.showsNames != before.showsNames) Q_EMIT namesToggled(settings.showsNames);
+    if (settings.receiving != before.receiving) Q_EMIT receivingChanged();
     KeyBook::ofProgram().setOwn(settings.keys);
     if (!file_) return;
     const Result<Settings> stored = readSettings(*file_);

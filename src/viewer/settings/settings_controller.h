@@ -40,6 +40,7 @@ class SettingsController : public QObject {
   Q_SIGNALS:
     void aboutToAsk();  // to end a drag: the dialog gets the button's release
     void namesToggled(bool shown);
+    void receivingChanged();
 
   private:
     void ask();

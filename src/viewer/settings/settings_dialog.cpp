@@ -47,6 +47,7 @@ SettingsDialog::SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isK
       keepDays_(new QSpinBox(this)),
       modelCap_(new QSpinBox(this)),
       priors_(new QComboBox(this)),
+      receive_(new ReceivePage(before_.receiving, this)),
       keys_(new KeysPage(std::move(keys), before_.keys, this)) {
     setWindowTitle(tr("Settings"));
     auto* pages = new QTabWidget(this);
@@ -57,6 +58,7 @@ SettingsDialog::SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isK
     pages->addTab(makePictures(), tr("Pictures"));
     pages->addTab(makeSessions(), tr("Sessions"));
     pages->addTab(makeArchives(), tr("Archives"));
+    pages->addTab(receive_, tr("Receiving"));
     pages->addTab(keys_, tr("Keys"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Take all pages as they are"));
@@ -203,6 +205,7 @@ Settings SettingsDialog::settings() const {
     now.keepDays = keepDays_->value() > 0 ? std::optional(keepDays_->value()) : std::nullopt;
     now.modelCapMb = modelCap_->value();
     now.priors = PriorSearch(priors_->currentData().toInt());
+    now.receiving = receive_->settings();
     now.keys = keys_->own();
     return now;
 }

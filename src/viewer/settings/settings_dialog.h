@@ -9,6 +9,7 @@
 #include <QSpinBox>
 
 #include "viewer/settings/keys_page.h"
+#include "viewer/settings/receive_page.h"
 #include "viewer/settings/settings.h"
 
 namespace macula::viewer {
@@ -41,6 +42,7 @@ class SettingsDialog : public QDialog {
     QSpinBox* keepDays_;
     QSpinBox* modelCap_;
     QComboBox* priors_;
+    ReceivePage* receive_;
     KeysPage* keys_;
 };
 

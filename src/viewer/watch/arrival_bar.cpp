@@ -72,19 +72,11 @@ void ArrivalBar::next() {
     refresh();
 }
 
-// The names of folders may be those of patients.
 void ArrivalBar::refresh() {
     setVisible(!waiting_.empty());
     if (waiting_.empty()) return;
     const study::ArrivedStudy& study = waiting_.front();
-    QStringList modalities;
-    for (const std::string& modality : study.modalities) modalities.append(QString::fromStdString(modality));
-    QString text = namesShown_ ? tr("A new study arrived in %1: %2, %n images", nullptr, int(study.images))
-                                     .arg(QString::fromStdString(study.folder.filename().string()),
-                                          modalities.join(QLatin1Char('/')))
-                               : tr("A new study arrived in a folder that is watched: %1, %n images", nullptr,
-                                    int(study.images))
-                                     .arg(modalities.join(QLatin1Char('/')));
+    QString text = whereItArrived(study);
     if (namesShown_) {
         const QString name = QString::fromStdString(study::nameForPeople(study.identity.patientName));
         text += QStringLiteral(", ") + (name.isEmpty() ? tr("no patient name") : name);
@@ -92,6 +84,22 @@ void ArrivalBar::refresh() {
     text += QLatin1Char('.');
     if (waiting_.size() > 1) text += tr(" %n more arrived.", nullptr, int(waiting_.size() - 1));
     text_->setText(text.simplified());
+}
+
+// The names of folders may be those of patients.
+QString ArrivalBar::whereItArrived(const study::ArrivedStudy& study) const {
+    QStringList list;
+    for (const std::string& modality : study.modalities) list.append(QString::fromStdString(modality));
+    const QString modalities = list.join(QLatin1Char('/'));
+    const int images = int(study.images);
+    if (!study.sender.empty())
+        return tr("A new study was sent by %1: %2, %n images", nullptr, images)
+            .arg(QString::fromStdString(study.sender), modalities);
+    if (namesShown_)
+        return tr("A new study arrived in %1: %2, %n images", nullptr, images)
+            .arg(QString::fromStdString(study.folder.filename().string()), modalities);
+    return tr("A new study arrived in a folder that is watched: %1, %n images", nullptr, images)
+        .arg(modalities);
 }
 
 }  // namespace macula::viewer

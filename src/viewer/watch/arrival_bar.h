@@ -1,5 +1,5 @@
-// Says that a study has appeared in a folder that is watched, until a person opens it or says that it was
-// seen.
+// Says that a study has appeared in a folder that is watched, or was sent to this program, until a person
+// opens it or says that it was seen.
 #pragma once
 
 #include <QWidget>
@@ -32,6 +32,7 @@ class ArrivalBar : public QWidget {
   private:
     void next();
     void refresh();
+    QString whereItArrived(const study::ArrivedStudy& study) const;
 
     std::deque<study::ArrivedStudy> waiting_;
     bool namesShown_ = true;

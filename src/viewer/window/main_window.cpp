@@ -39,6 +39,7 @@
 #include "viewer/presets/preset_gallery.h"
 #include "viewer/presets/presets_controller.h"
 #include "viewer/quality/quality_controller.h"
+#include "viewer/receive/receive_controller.h"
 #include "viewer/second/second_volume_controller.h"
 #include "viewer/second/second_volume_loader.h"
 #include "viewer/segmentation/segmentation_panel.h"
@@ -184,6 +185,9 @@ void MainWindow::makePanels() {
 void MainWindow::makeOthers() {
     second_ = new SecondVolumeController(context_, *browser_, panes_->pairs());
     archive_->setOpensBeside([this](const std::filesystem::path& folder) { second_->loader().open(folder); });
+    receive_ = new ReceiveController(
+        context_, {.settings = *settings_, .arrivals = watch_->bar(), .quiet = options_.watchPace.quiet});
+    connect(receive_, &ReceiveController::studiesChanged, archive_, &ArchiveController::onStudiesReceived);
     quality_ = new QualityController(context_, options_.sampleLimit);
     panes_->shareOwnWindows(options_.sessions);
     if (options_.calibrates) quality_->calibrate(options_.sessions);

@@ -46,6 +46,7 @@ class PicturesController;
 class PresentationsController;
 class PresetsController;
 class QualityController;
+class ReceiveController;
 class ScissorTool;
 class SecondVolumeController;
 class SecondVolumeLoader;
@@ -210,6 +211,7 @@ class MainWindow : public QMainWindow {
     View3dController* view3d_ = nullptr;
     StatusController* status_ = nullptr;
     WatchController* watch_ = nullptr;
+    ReceiveController* receive_ = nullptr;
     QuitController* quit_ = nullptr;
     QAction* names_ = nullptr;
 };

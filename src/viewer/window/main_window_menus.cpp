@@ -27,6 +27,7 @@
 #include "viewer/presets/presets_controller.h"
 #include "viewer/quality/quality_control.h"
 #include "viewer/quality/quality_controller.h"
+#include "viewer/receive/receive_controller.h"
 #include "viewer/second/second_volume_controller.h"
 #include "viewer/segmentation/segmentations_controller.h"
 #include "viewer/settings/key_book.h"
@@ -59,6 +60,7 @@ void MainWindow::makeFileMenu() {
     archive_->addAction(*file);
     file->addMenu(&browser_->recent());
     watch_->addMenu(*file);
+    receive_->addAction(*file);
     opening_->addPhantomAction(*file);
     second_->addFileActions(*file);
     file->addSeparator();
@@ -129,6 +131,7 @@ void MainWindow::makeStatusBar() {
                          models_->bar(), quality_->bar(), clips_->bar()})
         statusBar()->addWidget(bar);
     status_->addTo(*statusBar());
+    statusBar()->addPermanentWidget(receive_->label());
 }
 
 }  // namespace macula::viewer
