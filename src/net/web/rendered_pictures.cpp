@@ -75,18 +75,17 @@ class RenderedPictures final : public PictureSource {
         if (way_.load() == Way::thumbnail) {
             const std::string url = retrieveUrl(service_, studyInstanceUid, series.seriesInstanceUid);
             MACULA_TRY(Picture picture,
-                       asked(client, url + "/thumbnail" + viewport, Way::rendered, progress));
+                       asked(client, url + "/thumbnail" + viewport, Way::thumbnail, progress));
             if (picture || way_.load() == Way::thumbnail) return picture;
         }
         if (way_.load() != Way::rendered) return Picture();
         MACULA_TRY(const std::string instance, instanceIn(client, studyInstanceUid, series, progress));
-        if (instance.empty()) return refused(false, Way::none);
+        if (instance.empty()) return refused(false, Way::rendered);
         const std::string url = retrieveUrl(service_, studyInstanceUid, series.seriesInstanceUid, instance);
-        return asked(client, url + "/rendered" + viewport, Way::none, progress);
+        return asked(client, url + "/rendered" + viewport, Way::rendered, progress);
     }
 
-    // `otherwise` is the way that is left where the archive does not know this one.
-    Result<Picture> asked(HttpClient& client, const std::string& url, Way otherwise, Progress& progress) {
+    Result<Picture> asked(HttpClient& client, const std::string& url, Way way, Progress& progress) {
         GatheredBody body;
         HttpRequest request;
         request.url = url;
@@ -96,21 +95,22 @@ class RenderedPictures final : public PictureSource {
         const HttpOutcome outcome = client.run(request, progress);
         if (outcome.ok()) {
             const auto kind = kindOf(body.head(), body.text());
-            if (!kind) return refused(true, otherwise);
+            if (!kind) return refused(true, way);
             hasCome_ = true;
             return Picture(EncodedPicture{*kind, body.text()});
         }
-        if (isRefusal(outcome)) return refused(saysNotOffered(outcome.trouble), otherwise);
+        if (isRefusal(outcome)) return refused(saysNotOffered(outcome.trouble), way);
         if (outcome.trouble == HttpTrouble::tooLarge) return Picture();
         return outcome.error();
     }
 
-    // Once a picture has come, what is refused is a matter of the one series.
-    Picture refused(bool isOfTheArchive, Way otherwise) {
-        if (!hasCome_.load() && (isOfTheArchive || ++refusals_ >= kMostRefusals)) {
+    // Once a picture has come, what is refused is a matter of the one series. Of several that ask at once,
+    // one may have gone on to the next way before.
+    Picture refused(bool isOfTheArchive, Way way) {
+        if (hasCome_.load()) return {};
+        if (!isOfTheArchive && ++refusals_ < kMostRefusals) return {};
+        if (way_.compare_exchange_strong(way, way == Way::thumbnail ? Way::rendered : Way::none))
             refusals_ = 0;
-            way_ = otherwise;
-        }
         return {};
     }
 

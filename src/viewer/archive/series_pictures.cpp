@@ -147,8 +147,9 @@ void SeriesPictures::take(const Result<Drawn>& drawn) {
             std::ranges::find_if(series, [&](const auto& each) { return keyOf(each) == drawn->key; });
         if (shown != series.end()) strip_.setPicture(std::size_t(shown - series.begin()), drawn->picture);
     }
-    if (source_ && !source_->isOffered()) return strip_.setSeries({});  // no list of empty frames
-    askForPictures();
+    if (!source_ || source_->isOffered()) return askForPictures();
+    for (const auto& job : drawing_) job->cancel();
+    strip_.setSeries({});  // no list of empty frames
 }
 
 }  // namespace macula::viewer
