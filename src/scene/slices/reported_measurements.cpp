@@ -142,9 +142,10 @@ class Places {
     }
 
   private:
+    static constexpr double kToleranceSlices = 0.01;
+
     // The frame in whose plane all of the points lie, to a hundredth of a slice; null if there is none.
     const dicom::Frame* frameHolding(std::span<const glm::dvec3> pointsMm) const {
-        constexpr double kToleranceSlices = 0.01;
         const double slice = std::round(transformPoint(voxelFromWorld_, pointsMm.front()).z);
         if (!(slice >= 0.0 && slice < double(of_.volume.size().z))) return nullptr;
         const bool isPlane = std::ranges::all_of(pointsMm, [&](const glm::dvec3& mm) {
@@ -187,8 +188,8 @@ class Places {
             high = std::max(high, slice);
         }
         const double last = double(of_.volume.size().z) - 1.0;
-        const auto firstSlice = std::size_t(std::clamp(std::floor(low), 0.0, last));
-        const auto lastSlice = std::size_t(std::clamp(std::ceil(high), 0.0, last));
+        const auto firstSlice = std::size_t(std::clamp(std::floor(low + kToleranceSlices), 0.0, last));
+        const auto lastSlice = std::size_t(std::clamp(std::ceil(high - kToleranceSlices), 0.0, last));
         for (std::size_t slice = firstSlice; slice <= lastSlice; ++slice) {
             const dicom::SliceSource& source = of_.stack.slices[slice];
             for (const std::size_t each : {source.below, source.above})
