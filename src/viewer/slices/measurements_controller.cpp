@@ -37,7 +37,7 @@ void MeasurementsController::addFileActions(QMenu& file) {
     describe(*save, "save-measurements",
              tr("As a table (CSV) or JSON, in mm, degrees and the unit of the study"));
     QAction* report =
-        file.addAction(tr("Save Measurements as &DICOM…"), this, &MeasurementsController::askHowToSaveReport);
+        file.addAction(tr("Save Measurements as D&ICOM…"), this, &MeasurementsController::askHowToSaveReport);
     describe(*report, "save-measurement-report",
              tr("As a structured report, which archives keep and other programs show over the images"));
 }
