@@ -10,20 +10,12 @@
 #include <variant>
 #include <vector>
 
+#include "base/coded_name.h"
 #include "base/result.h"
 #include "dicom/presentation/volume_presentation.h"
 #include "dicom/write/secondary_capture.h"
 
 namespace macula::dicom {
-
-// A coded concept: "121071", "DCM", "Finding". At most 16, 16 and 64 characters.
-struct CodedName {
-    std::string value;
-    std::string scheme;
-    std::string meaning;
-
-    bool operator==(const CodedName&) const = default;
-};
 
 struct ReportedNumber {
     CodedName name;  // what it is
