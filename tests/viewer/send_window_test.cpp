@@ -110,6 +110,42 @@ TEST_F(SendWindowTest, PictureAndViewGoToTheArchiveOfThePatientWhoIsNamed) {
     EXPECT_EQ(window_->settings().archive, QStringLiteral("Hospital"));
 }
 
+TEST_F(SendWindowTest, MeasurementsGoAsAReportThatTheArchiveFindsAgain) {
+    openStudy();
+    trigger("send-to-archive");
+    auto& none = in<QCheckBox>(dialog(), "send-measurements");
+    EXPECT_FALSE(none.isEnabled());
+    EXPECT_EQ(none.toolTip().section(QLatin1Char('\n'), 0, 0).left(30),
+              QStringLiteral("There are no measurements to s"));
+    dialog().reject();
+    ASSERT_TRUE(waitUntil([&] { return window_->findChild<SendDialog*>() == nullptr; }));
+
+    const dicom::test::Slice slice = dicom::test::slicesOf(series_)[4];
+    window_->session().change(QStringLiteral("Measured"), [&](scene::StudyState& next) {
+        next.measurements = {
+            {.label = "Läsion",
+             .shape = slices::Distance{{slice.positionMm, slice.positionMm + 9.0 * slice.rowDirection}}},
+            {.shape = slices::Distance{{slice.positionMm, slice.positionMm + 30.0 * slice.normal()}}}};
+    });
+    trigger("send-to-archive");
+    auto& box = in<QCheckBox>(dialog(), "send-measurements");
+    ASSERT_TRUE(box.isEnabled());
+    EXPECT_TRUE(box.text().contains(QStringLiteral("(2,"))) << box.text().toStdString();
+    EXPECT_FALSE(box.isChecked()) << "sent unless somebody asks for it";
+    in<QCheckBox>(dialog(), "send-picture").setChecked(false);
+    EXPECT_FALSE(in<QPushButton>(dialog(), "send-now").isEnabled());
+    box.setChecked(true);
+    EXPECT_TRUE(said(dialog(), "send-patients").contains(QStringLiteral("SYN1")));
+    press(dialog(), "send-now");
+    ASSERT_TRUE(comes(QStringLiteral("1 object"))) << window_->message().toStdString();
+    EXPECT_EQ(storedObjects(), 1u);
+    Progress progress;
+    const auto series = (*net::archiveOf(source(), {}))->findSeries(series_.studyUid, progress);
+    ASSERT_TRUE(series);
+    ASSERT_EQ(series->size(), 1u);
+    EXPECT_EQ(series->at(0).modality, "SR");
+}
+
 TEST_F(SendWindowTest, WithoutPatientNothingOfThePatientGoes) {
     openStudy();
     trigger("send-to-archive");

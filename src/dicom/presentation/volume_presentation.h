@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/frames.h"
+#include "base/installation_key.h"
 #include "base/volume.h"
 
 namespace macula::dicom {
@@ -29,6 +30,9 @@ struct PresentedSeries {
 
     bool operator==(const PresentedSeries&) const = default;
 };
+
+// The series as deidentified objects refer to it: by standInUid.
+PresentedSeries withStandIns(PresentedSeries series, const InstallationKey& key);
 
 // Maps values to colour and opacity. Entry i of n belongs to the value low + i / (n - 1) * (high - low);
 // values beyond get the first or last entry. 0 is none, 65535 full.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "dicom/read/sop_class.h"
 #include "dicom/stack/examination.h"
 #include "dicom/write/decimal_string.h"
+#include "dicom/write/item_writer.h"
 #include "dicom/write/object_owner.h"
 #include "dicom/write/uid.h"
 #include "toolkit/quiet_toolkit.h"
@@ -147,53 +147,18 @@ Result<void> check(const VolumePresentation& p, const PresentationOwner& owner) 
     return {};
 }
 
-// A data set or an item of one. Once something does not fit its VR, all fails.
-class ItemWriter {
-  public:
-    ItemWriter(DcmItem& item, bool& ok) : item_(&item), ok_(&ok) {}
+void point(ItemWriter to, Tag tag, const glm::dvec3& p) {
+    to.numbers(tag, {p.x, p.y, p.z});
+}
 
-    void text(const DcmTagKey& tag, const std::string& value) {
-        note(item_->putAndInsertString(tag, value.c_str()));
-    }
-    void text(Tag tag, const std::string& value) { text(DcmTagKey(tag.group, tag.element), value); }
-    void word(Tag tag, std::uint16_t value) {
-        note(item_->putAndInsertUint16(DcmTagKey(tag.group, tag.element), value));
-    }
-    // The caller gives the VR, because the dictionary leaves open which VR of 16 bits it is.
-    void words(Tag tag, DcmEVR vr, std::span<const std::uint16_t> values) {
-        note(item_->putAndInsertUint16Array(DcmTag(tag.group, tag.element, vr), values.data(),
-                                            static_cast<unsigned long>(values.size())));
-    }
-    void bytes(Tag tag, const std::vector<std::uint8_t>& values) {
-        note(item_->putAndInsertUint8Array(DcmTag(tag.group, tag.element, EVR_OB), values.data(),
-                                           static_cast<unsigned long>(values.size())));
-    }
-    void numbers(Tag tag, std::initializer_list<double> values) {
-        note(item_->putAndInsertFloat64Array(DcmTagKey(tag.group, tag.element), std::data(values),
-                                             static_cast<unsigned long>(values.size())));
-    }
-    void point(Tag tag, const glm::dvec3& p) { numbers(tag, {p.x, p.y, p.z}); }
-    void ownBlock(const std::string& state, const std::string& digest) {
-        const auto tagOf = [](Tag tag, DcmEVR vr) { return DcmTag(tag.group, tag.element, vr); };
-        note(item_->putAndInsertString(tagOf(tags::kPrivateBlock, EVR_LO), tags::kPrivateCreator));
-        std::vector<std::uint8_t> json(state.begin(), state.end());
-        if (json.size() % 2 != 0) json.push_back(' ');
-        bytes(tags::kOwnState, json);
-        note(item_->putAndInsertString(tagOf(tags::kOwnStateDigest, EVR_LO), digest.c_str()));
-    }
-    ItemWriter item(Tag sequence, std::size_t place) {
-        DcmItem* made = nullptr;
-        note(item_->findOrCreateSequenceItem(DcmTagKey(sequence.group, sequence.element), made,
-                                             static_cast<long>(place)));
-        return {made != nullptr ? *made : *item_, *ok_};
-    }
-
-  private:
-    void note(const OFCondition& done) { *ok_ = *ok_ && done.good(); }
-
-    DcmItem* item_;
-    bool* ok_;
-};
+void writeOwnBlock(ItemWriter to, const std::string& state, const std::string& digest) {
+    const auto tagOf = [](Tag tag) { return DcmTag(tag.group, tag.element, EVR_LO); };
+    to.note(to.dcmtk().putAndInsertString(tagOf(tags::kPrivateBlock), tags::kPrivateCreator));
+    std::vector<std::uint8_t> json(state.begin(), state.end());
+    if (json.size() % 2 != 0) json.push_back(' ');
+    to.bytes(tags::kOwnState, json);
+    to.note(to.dcmtk().putAndInsertString(tagOf(tags::kOwnStateDigest), digest.c_str()));
+}
 
 void writeSeries(ItemWriter to, const VolumePresentation& p, const PresentationOwner& owner) {
     to.text(DCM_Modality, "PR");
@@ -278,7 +243,7 @@ void writeCropping(ItemWriter to, const Cropping& cropping) {
             const glm::dvec3& n = plane.outward;
             ItemWriter made = item.item(tags::kObliquePlanes, i);
             made.numbers(tags::kPlane, {n.x, n.y, n.z, -plane.offsetMm});
-            made.point(tags::kPlaneNormal, n);
+            point(made, tags::kPlaneNormal, n);
         }
     }
     to.words(tags::kGlobalCroppingIndex, EVR_US, numbers);
@@ -324,9 +289,9 @@ void writeRendering(ItemWriter to, const VolumePresentation& p) {
     const PresentedView& view = p.view;
     to.text(tags::kRenderProjection,
             view.projection == Projection::perspective ? "PERSPECTIVE" : "ORTHOGRAPHIC");
-    to.point(tags::kViewpointPosition, view.positionMm);
-    to.point(tags::kViewpointLookAt, view.lookAtMm);
-    to.point(tags::kViewpointUp, view.up);
+    point(to, tags::kViewpointPosition, view.positionMm);
+    point(to, tags::kViewpointLookAt, view.lookAtMm);
+    point(to, tags::kViewpointUp, view.up);
     const FieldOfView& f = view.field;
     to.numbers(tags::kRenderFieldOfView, {f.leftMm, f.rightMm, f.topMm, f.bottomMm, f.nearMm, f.farMm});
     to.text(tags::kRenderingMethod, nameOf(p.method));
@@ -335,7 +300,7 @@ void writeRendering(ItemWriter to, const VolumePresentation& p) {
     const PresentedShading& s = *p.shading;
     to.text(tags::kShadingStyle, s.isDoubleSided ? "DOUBLESIDED" : "SINGLESIDED");
     to.numbers(tags::kAmbient, {s.ambient});
-    to.point(tags::kLightDirection, s.lightDirection);
+    point(to, tags::kLightDirection, s.lightDirection);
     to.numbers(tags::kDiffuse, {s.diffuse});
     to.numbers(tags::kSpecular, {s.specular});
     if (s.shininess) to.numbers(tags::kShininess, {*s.shininess});
@@ -373,14 +338,6 @@ ValueRange asWritten(const ValueRange& values) {
     return {*centre - 0.5 * *width, *centre + 0.5 * *width};
 }
 
-// The series as a deidentified object refers to it.
-PresentedSeries withStandIns(PresentedSeries series, const InstallationKey& key) {
-    series.seriesInstanceUid = standInUid(key, series.seriesInstanceUid);
-    series.frameOfReferenceUid = standInUid(key, series.frameOfReferenceUid);
-    for (ReferencedImage& image : series.images) image.sopInstanceUid = standInUid(key, image.sopInstanceUid);
-    return series;
-}
-
 }  // namespace
 
 Result<void> writePresentationState(const fs::path& path, const VolumePresentation& presentation,
@@ -410,7 +367,7 @@ Result<void> writePresentationState(const fs::path& path, const VolumePresentati
     writeRendering(to, written);
     writeDisplay(to, written.palette);
     if (!written.ownState.empty()) {
-        to.ownBlock(written.ownState, digestOf(written));
+        writeOwnBlock(to, written.ownState, digestOf(written));
     }
     if (!ok) return failed;
     return writeAtomically(path, [&](const fs::path& draft) -> Result<void> {

@@ -42,13 +42,19 @@ Result<std::vector<fs::path>> makeObjects(ObjectsToSend& objects, const fs::path
         MACULA_TRY(auto more, scene::writePresentation(folder / "view.dcm", *objects.view));
         add(folder / "view.dcm", std::move(more));
     }
+    if (objects.measurements) {
+        MACULA_TRY(auto more,
+                   scene::writeMeasurementReport(folder / "measurements.dcm", *objects.measurements));
+        add(folder / "measurements.dcm", std::move(more));
+    }
     return made;
 }
 
 // By what the files say of themselves.
 Result<void> checkPatient(const ObjectsToSend& objects, const study::FilesToSend& made) {
-    const bool isDeidentified =
-        objects.picture ? objects.picture->isDeidentified : objects.view && objects.view->isDeidentified;
+    const bool isDeidentified = (objects.picture && objects.picture->isDeidentified) ||
+                                (objects.view && objects.view->isDeidentified) ||
+                                (objects.measurements && objects.measurements->isDeidentified);
     for (const study::Identity& named : made.patients) {
         if (!isDeidentified && study::samePatient(objects.patient, named) == study::SamePatient::no)
             return ofSomebodyElse();

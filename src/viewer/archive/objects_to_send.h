@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "pictures/view_picture.h"
 #include "scene/presentation/presentation_file.h"
+#include "scene/slices/reported_measurements.h"
 #include "study/archive/files_to_send.h"
 #include "study/outbox/queue_sending.h"
 
@@ -20,10 +21,13 @@ struct ObjectsToSend {
     // Of what was on screen when the person asked; without an output.
     std::optional<pictures::ViewPicture> picture;
     std::optional<scene::PresentationRequest> view;
-    study::Identity patient;   // of both, as the question named it
+    std::optional<scene::ReportRequest> measurements;
+    study::Identity patient;   // of these, as the question named it
     study::FilesToSend files;  // chosen from a disk; their patients were named, too
 
-    std::size_t count() const { return files.files.size() + (picture ? 1 : 0) + (view ? 1 : 0); }
+    std::size_t count() const {
+        return files.files.size() + (picture ? 1 : 0) + (view ? 1 : 0) + (measurements ? 1 : 0);
+    }
 };
 
 struct ObjectsSent {

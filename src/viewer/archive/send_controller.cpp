@@ -26,6 +26,7 @@
 #include "viewer/output/presentations_controller.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/settings/settings_controller.h"
+#include "viewer/slices/measurements_controller.h"
 #include "viewer/status/notifications.h"
 #include "viewer/status/status_widgets.h"
 #include "viewer/volume/opening_controller.h"
@@ -110,7 +111,8 @@ SendController::SendController(const WindowContext& context, const Uses& uses)
 
 void SendController::addActions(QMenu& file) {
     QAction* send = file.addAction(tr("Se&nd to an Archive…"), this, &SendController::askWhatToSend);
-    describe(*send, "send-to-archive", tr("Store the picture, the view or DICOM files in a PACS"));
+    describe(*send, "send-to-archive",
+             tr("Store the picture, the view, measurements or DICOM files in a PACS"));
     queueAction_ = file.addAction(tr("&Waiting for Archives…"), this, &SendController::showQueue);
     describe(*queueAction_, "waiting-for-archives", tr("What was sent and is not stored there yet"));
 }
@@ -163,6 +165,12 @@ void SendController::askWhatToSend() {
             onScreen.view = *view;
         else
             offer.whyNoView = inWindowsLanguage(view.error());
+        if (const auto measurements = uses_.measurements.onScreen()) {
+            onScreen.measurements = *measurements;
+            offer.measurements = int(measurements->measurements.size());
+        } else {
+            offer.whyNoMeasurements = inWindowsLanguage(measurements.error());
+        }
     } else {
         offer.whyNoObjects =
             tr("No DICOM study is open, so there is no patient to whom a picture could belong.");
@@ -196,6 +204,8 @@ void SendController::send(const SendDialog& dialog, ObjectsToSend onScreen) {
     objects.files = dialog.files();
     if (!dialog.sendsView()) objects.view.reset();
     if (objects.view) objects.view->isDeidentified = dialog.isDeidentified();
+    if (!dialog.sendsMeasurements()) objects.measurements.reset();
+    if (objects.measurements) objects.measurements->isDeidentified = dialog.isDeidentified();
     if (!dialog.sendsPicture()) objects.picture.reset();
     if (objects.picture) {
         objects.picture->sizePx = {dialog.sizePx().width(), dialog.sizePx().height()};

@@ -21,6 +21,7 @@ class QMenu;
 namespace macula::viewer {
 
 class ArchiveController;
+class MeasurementsController;
 class OpeningController;
 class PicturesController;
 class PresentationsController;
@@ -39,6 +40,7 @@ class SendController : public QObject {
   public:
     struct Uses {  // all of it outlives the controller
         ArchiveController& archives;
+        MeasurementsController& measurements;
         OpeningController& opening;
         PicturesController& pictures;
         PresentationsController& presentations;

@@ -62,6 +62,7 @@ SendDialog::SendDialog(const SendOffer& offer, QWidget* parent)
       picture_(new QCheckBox(tr("&Picture of the 3D view (Secondary Capture)"), this)),
       sizes_(new QComboBox(this)),
       view_(new QCheckBox(tr("&View in 3D (presentation state, no pixels)"), this)),
+      measurements_(new QCheckBox(this)),
       deidentified_(new QCheckBox(tr("&Without patient and study"), this)),
       filesTold_(sentence(this, "send-files-told")),
       question_(sentence(this, "send-question")),
@@ -90,7 +91,7 @@ SendDialog::SendDialog(const SendOffer& offer, QWidget* parent)
     column->addStretch(1);
     column->addWidget(makeButtons());
     connect(archives_, &QComboBox::currentIndexChanged, this, &SendDialog::showQuestion);
-    for (QCheckBox* each : {picture_, view_, deidentified_})
+    for (QCheckBox* each : {picture_, view_, measurements_, deidentified_})
         connect(each, &QCheckBox::toggled, this, &SendDialog::showQuestion);
     setTabOrder(clear_, archives_);
     setTabOrder(archives_, send_);
@@ -103,9 +104,14 @@ void SendDialog::makeObjects(QFormLayout& form) {
     describe(*sizes_, "send-size", tr("Size of the picture"), tr("In pixels"));
     describe(*view_, "send-view", tr("View in 3D"),
              tr("Camera, colours, clip and shading; Macula draws the same picture of it"));
+    measurements_->setText(offer_.measurements > 0
+                               ? tr("&Measurements (%1, structured report)").arg(offer_.measurements)
+                               : tr("&Measurements (none)"));
+    describe(*measurements_, "send-measurements", tr("Measurements"),
+             tr("Lengths, angles, areas and values with their places in the images, unverified"));
     describe(*deidentified_, "send-without-patient", tr("Without patient and study"),
-             tr("Picture and view get a pseudonym and new UIDs. Files are sent as they are. A face can still "
-                "be seen."));
+             tr("What Macula makes gets a pseudonym and new UIDs. Files are sent as they are. A face can "
+                "still be seen."));
     const auto addSize = [&](const QString& title, QSize pixels) {
         sizes_->addItem(QStringLiteral("%1 (%2 × %3)").arg(title).arg(pixels.width()).arg(pixels.height()),
                         pixels);
@@ -121,18 +127,23 @@ void SendDialog::makeObjects(QFormLayout& form) {
     const bool canMake = offer_.whyNoObjects.isEmpty();
     picture_->setChecked(canMake);
     deidentified_->setChecked(offer_.isDeidentified && canMake);
-    for (QWidget* each : std::initializer_list<QWidget*>{picture_, sizes_, view_, deidentified_})
+    for (QWidget* each :
+         std::initializer_list<QWidget*>{picture_, sizes_, view_, measurements_, deidentified_})
         each->setEnabled(canMake);
-    if (!offer_.whyNoView.isEmpty()) {
-        view_->setEnabled(false);
-        view_->setToolTip(offer_.whyNoView);
-    }
+    const auto disable = [](QCheckBox& object, const QString& why) {
+        if (why.isEmpty()) return;
+        object.setEnabled(false);
+        object.setToolTip(why);
+    };
+    disable(*view_, offer_.whyNoView);
+    disable(*measurements_, offer_.whyNoMeasurements);
     connect(picture_, &QCheckBox::toggled, sizes_, &QWidget::setEnabled);
     auto* row = new QHBoxLayout;
     row->addWidget(picture_, 1);
     row->addWidget(sizes_);
     form.addRow(row);
     form.addRow(view_);
+    form.addRow(measurements_);
     form.addRow(deidentified_);
     if (canMake) return;
     auto* why = sentence(this, "send-why-not");
@@ -201,11 +212,12 @@ void SendDialog::showFiles(const Result<study::FilesToSend>& found) {
 
 void SendDialog::showQuestion() {
     std::vector<study::Identity> patients;
-    const bool makes = sendsPicture() || sendsView();
+    const int made = (sendsPicture() ? 1 : 0) + (sendsView() ? 1 : 0) + (sendsMeasurements() ? 1 : 0);
+    const bool makes = made > 0;
     if (makes && !isDeidentified()) patients.push_back(offer_.patient);
     for (const study::Identity& each : files_.patients)
         if (!isNamed(patients, each)) patients.push_back(each);
-    const int count = int(files_.files.size()) + (sendsPicture() ? 1 : 0) + (sendsView() ? 1 : 0);
+    const int count = int(files_.files.size()) + made;
     const bool canSend = count > 0 && !reading_.running() && archives_->count() > 0;
     send_->setEnabled(canSend);
     clear_->setEnabled(!paths_.empty());
@@ -236,6 +248,10 @@ bool SendDialog::sendsPicture() const {
 
 bool SendDialog::sendsView() const {
     return view_->isEnabled() && view_->isChecked();
+}
+
+bool SendDialog::sendsMeasurements() const {
+    return measurements_->isEnabled() && measurements_->isChecked();
 }
 
 bool SendDialog::isDeidentified() const {

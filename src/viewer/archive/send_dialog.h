@@ -27,9 +27,11 @@ struct SendOffer {
     QStringList archives;
     QString archive;          // chosen at first
     study::Identity patient;  // of the open study
-    QString whyNoObjects;     // of it; empty: picture and view can be made
+    QString whyNoObjects;     // of it; empty: objects can be made of it
     QString whyNoView;        // likewise, of the view alone
-    QSize screenPx;           // of the 3D view
+    int measurements = 0;
+    QString whyNoMeasurements;
+    QSize screenPx;  // of the 3D view
     bool is3dShown = true;
     bool isDeidentified = false;  // at first
 };
@@ -48,6 +50,7 @@ class SendDialog : public QDialog {
     QString archive() const;
     bool sendsPicture() const;
     bool sendsView() const;
+    bool sendsMeasurements() const;
     bool isDeidentified() const;
     QSize sizePx() const;
     const study::FilesToSend& files() const { return files_; }
@@ -71,6 +74,7 @@ class SendDialog : public QDialog {
     QCheckBox* picture_;
     QComboBox* sizes_;
     QCheckBox* view_;
+    QCheckBox* measurements_;
     QCheckBox* deidentified_;
     QLabel* filesTold_;
     QPushButton* clear_ = nullptr;

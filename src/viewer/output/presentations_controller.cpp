@@ -2,12 +2,8 @@
 
 #include "viewer/output/presentations_controller.h"
 
-#include <QDialogButtonBox>
-#include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
-#include <QPushButton>
-#include <QVBoxLayout>
 #include <exception>
 #include <new>
 #include <utility>
@@ -131,25 +127,13 @@ void PresentationFiles::cancelOpening() {
 }
 
 PresentationDialog::PresentationDialog(QWidget* parent)
-    : QDialog(parent), deidentified_(new QCheckBox(tr("&Without patient and study"), this)) {
-    setWindowTitle(tr("Save Presentation State"));
-    auto* text = new QLabel(
-        tr("A DICOM object without pixels, for the archive: camera, colours, clip and shading of the 3D "
-           "view. Macula draws the same picture of it; other programs draw what they can."),
-        this);
-    text->setWordWrap(true);
-    describe(*deidentified_, "without-patient", tr("Without patient and study"),
-             tr("Nothing of the patient is written, and all UIDs are other ones. It can be opened where the "
-                "series itself is."));
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("&Choose File…"));
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto* column = new QVBoxLayout(this);
-    column->addWidget(text);
-    column->addWidget(deidentified_);
-    column->addWidget(buttons);
-}
+    : SaveObjectDialog(
+          {tr("Save Presentation State"),
+           tr("A DICOM object without pixels, for the archive: camera, colours, clip and shading of the 3D "
+              "view. Macula draws the same picture of it; other programs draw what they can."),
+           tr("Nothing of the patient is written, and all UIDs are other ones. It can be opened where the "
+              "series itself is.")},
+          parent) {}
 
 PresentationsController::PresentationsController(const WindowContext& context, const Uses& uses)
     : QObject(&context.window), context_(context), uses_(uses), files_(new PresentationFiles(this)) {

@@ -1,8 +1,6 @@
 // Presentation states: the 3D view as a DICOM object, saved and opened again.
 #pragma once
 
-#include <QCheckBox>
-#include <QDialog>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -21,6 +19,7 @@
 #include "study/open/opened_study.h"
 #include "viewer/context/window_context.h"
 #include "viewer/jobs/background_job.h"
+#include "viewer/output/save_object_dialog.h"
 
 class QMenu;
 
@@ -68,16 +67,11 @@ class PresentationFiles : public QObject {
 };
 
 // Asks whether a presentation state is to be de-identified. Its value holds once it is accepted.
-class PresentationDialog : public QDialog {
+class PresentationDialog : public SaveObjectDialog {
     Q_OBJECT
 
   public:
     explicit PresentationDialog(QWidget* parent = nullptr);
-
-    bool isDeidentified() const { return deidentified_->isChecked(); }
-
-  private:
-    QCheckBox* deidentified_;
 };
 
 // Lives on the UI thread.

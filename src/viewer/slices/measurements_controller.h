@@ -1,9 +1,13 @@
-// Saves the measurements of the open study to a file, and removes them.
+// Saves the measurements of the open study to a file, as a table or as a DICOM report, and removes them.
 #pragma once
 
 #include <QObject>
+#include <QString>
+#include <vector>
 
+#include "scene/slices/reported_measurements.h"
 #include "viewer/context/window_context.h"
+#include "viewer/jobs/background_job.h"
 
 class QMenu;
 
@@ -19,10 +23,24 @@ class MeasurementsController : public QObject {
     void addFileActions(QMenu& file);
     void addEditActions(QMenu& edit);
 
+    // What a report of the measurements is made of, as they are now. Fails with usage where there are none,
+    // or no DICOM images are open.
+    Result<scene::ReportRequest> onScreen() const;
+
+    QString unfinished() const;  // a sentence; empty: nothing is being written
+    void cancel() { saving_.cancel(); }
+
+  Q_SIGNALS:
+    void written();
+
   private:
     void askWhereToSave();
+    void askHowToSaveReport();
+    void askWhereToSaveReport(scene::ReportRequest request);
 
     WindowContext context_;
+    QString path_;  // of the report that is being written
+    BackgroundJob<std::vector<Text>> saving_;
 };
 
 }  // namespace macula::viewer

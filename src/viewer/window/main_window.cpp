@@ -205,6 +205,7 @@ void MainWindow::makeOthers() {
                                                             .browser = browser_->browser(),
                                                             .slices = panes_->allSlices()});
     send_ = new SendController(context_, {.archives = *archive_,
+                                          .measurements = *measurements_,
                                           .opening = *opening_,
                                           .pictures = *pictures_,
                                           .presentations = *presentations_,
@@ -217,6 +218,7 @@ void MainWindow::makeOthers() {
     quit_->waitFor(*pictures_);
     quit_->waitFor(*movies_);
     quit_->waitFor(*models_);
+    quit_->waitFor(*measurements_);
     quit_->waitFor(*presentations_);
     quit_->waitFor(*send_);
 }
