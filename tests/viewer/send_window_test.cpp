@@ -12,16 +12,19 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "base/sha256.h"
 #include "net/connect.h"
 #include "net/servers.h"
 #include "net/sources/source_list.h"
 #include "study/outbox/outbox.h"
 #include "study/spool/spool.h"
 #include "synthetic.h"
+#include "synthetic_segmentation.h"
 #include "viewer/archive/queue_dialog.h"
 #include "viewer/archive/send_controller.h"
 #include "viewer/archive/send_dialog.h"
 #include "viewer/archive/waiting_bar.h"
+#include "viewer/segmentation/segmentations_controller.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -144,6 +147,40 @@ TEST_F(SendWindowTest, MeasurementsGoAsAReportThatTheArchiveFindsAgain) {
     ASSERT_TRUE(series);
     ASSERT_EQ(series->size(), 1u);
     EXPECT_EQ(series->at(0).modality, "SR");
+}
+
+TEST_F(SendWindowTest, SegmentsThatAreShownGoAsOneObject) {
+    dicom::test::SyntheticSegmentation drawn;
+    drawn.size = series_.size;
+    drawn.worldFromVoxel = series_.expectedAffine();
+    const glm::dvec3 middle = transformPoint(drawn.worldFromVoxel, 0.5 * glm::dvec3(series_.size));
+    drawn.parts = {
+        {.share = [=](const glm::dvec3& mm) { return glm::distance(mm, middle) < 6.0 ? 1.0 : 0.0; }}};
+    dicom::test::writeSegmentation(folder_.path() / "seg.dcm", drawn);
+    openStudy();
+    trigger("send-to-archive");
+    EXPECT_FALSE(in<QCheckBox>(dialog(), "send-segmentation").isEnabled()) << "it is not shown";
+    dialog().reject();
+    ASSERT_TRUE(waitUntil([&] { return window_->findChild<SendDialog*>() == nullptr; }));
+    window_->session().change(QStringLiteral("Shown"), [&](scene::StudyState& next) {
+        scene::choose(next.segmentations, {.digest = sha256Hex(drawn.sopInstanceUid), .isShown = true});
+    });
+    auto* segments = window_->findChild<SegmentationsController*>();
+    ASSERT_NE(segments, nullptr);
+    ASSERT_TRUE(waitUntil([&] { return segments->onScreen().ok(); }));
+    trigger("send-to-archive");
+    in<QCheckBox>(dialog(), "send-picture").setChecked(false);
+    auto& box = in<QCheckBox>(dialog(), "send-segmentation");
+    ASSERT_TRUE(box.isEnabled());
+    EXPECT_FALSE(box.isChecked()) << "sent unless somebody asks for it";
+    box.setChecked(true);
+    press(dialog(), "send-now");
+    ASSERT_TRUE(comes(QStringLiteral("1 object"))) << window_->message().toStdString();
+    Progress progress;
+    const auto series = (*net::archiveOf(source(), {}))->findSeries(series_.studyUid, progress);
+    ASSERT_TRUE(series);
+    ASSERT_EQ(series->size(), 1u);
+    EXPECT_EQ(series->at(0).modality, "SEG");
 }
 
 TEST_F(SendWindowTest, WithoutPatientNothingOfThePatientGoes) {

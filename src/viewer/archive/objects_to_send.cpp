@@ -47,6 +47,10 @@ Result<std::vector<fs::path>> makeObjects(ObjectsToSend& objects, const fs::path
                    scene::writeMeasurementReport(folder / "measurements.dcm", *objects.measurements));
         add(folder / "measurements.dcm", std::move(more));
     }
+    if (objects.segmentation) {
+        MACULA_TRY(auto more, scene::writeSegmentation(folder / "segmentation.dcm", *objects.segmentation));
+        add(folder / "segmentation.dcm", std::move(more));
+    }
     return made;
 }
 
@@ -54,7 +58,8 @@ Result<std::vector<fs::path>> makeObjects(ObjectsToSend& objects, const fs::path
 Result<void> checkPatient(const ObjectsToSend& objects, const study::FilesToSend& made) {
     const bool isDeidentified = (objects.picture && objects.picture->isDeidentified) ||
                                 (objects.view && objects.view->isDeidentified) ||
-                                (objects.measurements && objects.measurements->isDeidentified);
+                                (objects.measurements && objects.measurements->isDeidentified) ||
+                                (objects.segmentation && objects.segmentation->isDeidentified);
     for (const study::Identity& named : made.patients) {
         if (!isDeidentified && study::samePatient(objects.patient, named) == study::SamePatient::no)
             return ofSomebodyElse();

@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "pictures/view_picture.h"
 #include "scene/presentation/presentation_file.h"
+#include "scene/segments/segmentation_file.h"
 #include "scene/slices/reported_measurements.h"
 #include "study/archive/files_to_send.h"
 #include "study/outbox/queue_sending.h"
@@ -22,11 +23,13 @@ struct ObjectsToSend {
     std::optional<pictures::ViewPicture> picture;
     std::optional<scene::PresentationRequest> view;
     std::optional<scene::ReportRequest> measurements;
+    std::optional<scene::SegmentationRequest> segmentation;
     study::Identity patient;   // of these, as the question named it
     study::FilesToSend files;  // chosen from a disk; their patients were named, too
 
     std::size_t count() const {
-        return files.files.size() + (picture ? 1 : 0) + (view ? 1 : 0) + (measurements ? 1 : 0);
+        return files.files.size() + (picture ? 1 : 0) + (view ? 1 : 0) + (measurements ? 1 : 0) +
+               (segmentation ? 1 : 0);
     }
 };
 

@@ -24,6 +24,7 @@
 #include "viewer/menus/controls.h"
 #include "viewer/output/pictures_controller.h"
 #include "viewer/output/presentations_controller.h"
+#include "viewer/segmentation/segmentations_controller.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/settings/settings_controller.h"
 #include "viewer/slices/measurements_controller.h"
@@ -112,7 +113,7 @@ SendController::SendController(const WindowContext& context, const Uses& uses)
 void SendController::addActions(QMenu& file) {
     QAction* send = file.addAction(tr("Se&nd to an Archive…"), this, &SendController::askWhatToSend);
     describe(*send, "send-to-archive",
-             tr("Store the picture, the view, measurements or DICOM files in a PACS"));
+             tr("Store the picture, the view, measurements, segments or DICOM files in a PACS"));
     queueAction_ = file.addAction(tr("&Waiting for Archives…"), this, &SendController::showQueue);
     describe(*queueAction_, "waiting-for-archives", tr("What was sent and is not stored there yet"));
 }
@@ -171,6 +172,12 @@ void SendController::askWhatToSend() {
         } else {
             offer.whyNoMeasurements = inWindowsLanguage(measurements.error());
         }
+        if (const auto segmentation = uses_.segmentations.onScreen()) {
+            onScreen.segmentation = *segmentation;
+            offer.segments = int(segmentation->segments());
+        } else {
+            offer.whyNoSegments = inWindowsLanguage(segmentation.error());
+        }
     } else {
         offer.whyNoObjects =
             tr("No DICOM study is open, so there is no patient to whom a picture could belong.");
@@ -206,6 +213,8 @@ void SendController::send(const SendDialog& dialog, ObjectsToSend onScreen) {
     if (objects.view) objects.view->isDeidentified = dialog.isDeidentified();
     if (!dialog.sendsMeasurements()) objects.measurements.reset();
     if (objects.measurements) objects.measurements->isDeidentified = dialog.isDeidentified();
+    if (!dialog.sendsSegments()) objects.segmentation.reset();
+    if (objects.segmentation) objects.segmentation->isDeidentified = dialog.isDeidentified();
     if (!dialog.sendsPicture()) objects.picture.reset();
     if (objects.picture) {
         objects.picture->sizePx = {dialog.sizePx().width(), dialog.sizePx().height()};

@@ -26,6 +26,7 @@ class OpeningController;
 class PicturesController;
 class PresentationsController;
 class QueueDialog;
+class SegmentationsController;
 class SendDialog;
 class SettingsController;
 class WaitingBar;
@@ -44,6 +45,7 @@ class SendController : public QObject {
         OpeningController& opening;
         PicturesController& pictures;
         PresentationsController& presentations;
+        SegmentationsController& segmentations;
         SettingsController& settings;
     };
     SendController(const WindowContext& context, const Uses& uses);

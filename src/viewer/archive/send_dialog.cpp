@@ -63,6 +63,7 @@ SendDialog::SendDialog(const SendOffer& offer, QWidget* parent)
       sizes_(new QComboBox(this)),
       view_(new QCheckBox(tr("&View in 3D (presentation state, no pixels)"), this)),
       measurements_(new QCheckBox(this)),
+      segments_(new QCheckBox(this)),
       deidentified_(new QCheckBox(tr("&Without patient and study"), this)),
       filesTold_(sentence(this, "send-files-told")),
       question_(sentence(this, "send-question")),
@@ -91,7 +92,7 @@ SendDialog::SendDialog(const SendOffer& offer, QWidget* parent)
     column->addStretch(1);
     column->addWidget(makeButtons());
     connect(archives_, &QComboBox::currentIndexChanged, this, &SendDialog::showQuestion);
-    for (QCheckBox* each : {picture_, view_, measurements_, deidentified_})
+    for (QCheckBox* each : {picture_, view_, measurements_, segments_, deidentified_})
         connect(each, &QCheckBox::toggled, this, &SendDialog::showQuestion);
     setTabOrder(clear_, archives_);
     setTabOrder(archives_, send_);
@@ -109,6 +110,10 @@ void SendDialog::makeObjects(QFormLayout& form) {
                                : tr("&Measurements (none)"));
     describe(*measurements_, "send-measurements", tr("Measurements"),
              tr("Lengths, angles, areas and values with their places in the images, unverified"));
+    segments_->setText(offer_.segments > 0 ? tr("Segmen&tation (%n segments)", nullptr, offer_.segments)
+                                           : tr("Segmen&tation (none is shown)"));
+    describe(*segments_, "send-segmentation", tr("Segmentation"),
+             tr("The segments that are shown, with labels, colours and codes, in one object"));
     describe(*deidentified_, "send-without-patient", tr("Without patient and study"),
              tr("What Macula makes gets a pseudonym and new UIDs. Files are sent as they are. A face can "
                 "still be seen."));
@@ -128,7 +133,7 @@ void SendDialog::makeObjects(QFormLayout& form) {
     picture_->setChecked(canMake);
     deidentified_->setChecked(offer_.isDeidentified && canMake);
     for (QWidget* each :
-         std::initializer_list<QWidget*>{picture_, sizes_, view_, measurements_, deidentified_})
+         std::initializer_list<QWidget*>{picture_, sizes_, view_, measurements_, segments_, deidentified_})
         each->setEnabled(canMake);
     const auto disable = [](QCheckBox& object, const QString& why) {
         if (why.isEmpty()) return;
@@ -137,6 +142,7 @@ void SendDialog::makeObjects(QFormLayout& form) {
     };
     disable(*view_, offer_.whyNoView);
     disable(*measurements_, offer_.whyNoMeasurements);
+    disable(*segments_, offer_.whyNoSegments);
     connect(picture_, &QCheckBox::toggled, sizes_, &QWidget::setEnabled);
     auto* row = new QHBoxLayout;
     row->addWidget(picture_, 1);
@@ -144,6 +150,7 @@ void SendDialog::makeObjects(QFormLayout& form) {
     form.addRow(row);
     form.addRow(view_);
     form.addRow(measurements_);
+    form.addRow(segments_);
     form.addRow(deidentified_);
     if (canMake) return;
     auto* why = sentence(this, "send-why-not");
@@ -212,7 +219,8 @@ void SendDialog::showFiles(const Result<study::FilesToSend>& found) {
 
 void SendDialog::showQuestion() {
     std::vector<study::Identity> patients;
-    const int made = (sendsPicture() ? 1 : 0) + (sendsView() ? 1 : 0) + (sendsMeasurements() ? 1 : 0);
+    const int made = (sendsPicture() ? 1 : 0) + (sendsView() ? 1 : 0) + (sendsMeasurements() ? 1 : 0) +
+                     (sendsSegments() ? 1 : 0);
     const bool makes = made > 0;
     if (makes && !isDeidentified()) patients.push_back(offer_.patient);
     for (const study::Identity& each : files_.patients)
@@ -252,6 +260,10 @@ bool SendDialog::sendsView() const {
 
 bool SendDialog::sendsMeasurements() const {
     return measurements_->isEnabled() && measurements_->isChecked();
+}
+
+bool SendDialog::sendsSegments() const {
+    return segments_->isEnabled() && segments_->isChecked();
 }
 
 bool SendDialog::isDeidentified() const {

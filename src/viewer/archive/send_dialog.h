@@ -31,6 +31,8 @@ struct SendOffer {
     QString whyNoView;        // likewise, of the view alone
     int measurements = 0;
     QString whyNoMeasurements;
+    int segments = 0;
+    QString whyNoSegments;
     QSize screenPx;  // of the 3D view
     bool is3dShown = true;
     bool isDeidentified = false;  // at first
@@ -51,6 +53,7 @@ class SendDialog : public QDialog {
     bool sendsPicture() const;
     bool sendsView() const;
     bool sendsMeasurements() const;
+    bool sendsSegments() const;
     bool isDeidentified() const;
     QSize sizePx() const;
     const study::FilesToSend& files() const { return files_; }
@@ -75,6 +78,7 @@ class SendDialog : public QDialog {
     QComboBox* sizes_;
     QCheckBox* view_;
     QCheckBox* measurements_;
+    QCheckBox* segments_;
     QCheckBox* deidentified_;
     QLabel* filesTold_;
     QPushButton* clear_ = nullptr;

@@ -209,6 +209,7 @@ void MainWindow::makeOthers() {
                                           .opening = *opening_,
                                           .pictures = *pictures_,
                                           .presentations = *presentations_,
+                                          .segmentations = *segmentations_,
                                           .settings = *settings_});
     centralWidget()->layout()->addWidget(send_->waiting());
     look_ = new LookController(context_);
@@ -220,6 +221,7 @@ void MainWindow::makeOthers() {
     quit_->waitFor(*models_);
     quit_->waitFor(*measurements_);
     quit_->waitFor(*presentations_);
+    quit_->waitFor(*segmentations_);
     quit_->waitFor(*send_);
 }
 

@@ -69,6 +69,7 @@ void MainWindow::makeFileMenu() {
     file->addSeparator();
     pictures_->addActions(*file);
     measurements_->addFileActions(*file);
+    segmentations_->addFileAction(*file);
     movies_->addActions(*file);
     models_->addActions(*file);
     presets_->addFileAction(*file);
@@ -127,7 +128,7 @@ void MainWindow::makeToolBar() {
 
 void MainWindow::makeStatusBar() {
     for (WorkBar* bar : {opening_->bar(), archive_->bar(), links_->bar(), manifests_->bar(), table_->bar(),
-                         segmentations_->bar(), pictures_->bar(), send_->bar(), movies_->bar(),
+                         segmentations_->loadingBar(), pictures_->bar(), send_->bar(), movies_->bar(),
                          models_->bar(), quality_->bar(), clips_->bar()})
         statusBar()->addWidget(bar);
     status_->addTo(*statusBar());
