@@ -14,6 +14,8 @@ class FileLock {
     FileLock& operator=(FileLock&&) = delete;
     ~FileLock();
 
+    // Whether the file could be opened: otherwise nobody's lock is known of.
+    bool isThere() const { return descriptor_ >= 0; }
     // Takes the lock if nobody else has it. Whether it is ours now.
     bool isOurs() const;
     // Whether nobody else has it at this moment; takes nothing.

@@ -93,36 +93,22 @@ Result<std::vector<study::OutboxEntry>> entriesToSend(const study::Outbox& outbo
     return entries;
 }
 
-// To where their archives are now.
-Result<void> readdress(study::Outbox& outbox, std::vector<study::OutboxEntry>& entries) {
-    MACULA_TRY(const net::SourceList list, readSourceList());
-    for (const study::MovedEntry& moved : study::movedEntries(entries, list)) {
-        MACULA_TRY_VOID(outbox.readdress(moved.id, moved.address));
-        std::ranges::find(entries, moved.id, &study::OutboxEntry::id)->record.address = moved.address;
-    }
-    return {};
-}
-
-// What would be sent of an entry.
-std::size_t countToSend(const study::OutboxEntry& entry, const QueueOptions& options) {
-    if (entry.state == study::OutboxState::damaged) return 0;
-    return entry.record.files.size() - (options.refusedToo ? 0 : entry.record.refused());
-}
-
 Result<void> retry(const QueueOptions& options) {
     MACULA_TRY(study::Outbox outbox, study::Outbox::open());
     MACULA_TRY(std::vector<study::OutboxEntry> entries, entriesToSend(outbox, options));
-    std::erase_if(entries, [&](const auto& entry) { return countToSend(entry, options) == 0; });
-    if (options.moved) MACULA_TRY_VOID(readdress(outbox, entries));
+    const auto which = options.refusedToo ? study::Outbox::Which::refusedToo : study::Outbox::Which::waiting;
+    std::erase_if(entries, [&](const auto& entry) { return entry.toSend(which) == 0; });
+    if (options.moved) {
+        MACULA_TRY(const net::SourceList list, readSourceList());
+        MACULA_TRY_VOID(study::readdress(outbox, study::movedEntries(entries, list), entries));
+    }
     for (const study::OutboxEntry& entry : entries) {
         printPatients(stderr, "", entry);
-        fmt::print(stderr, "{} to {}.\n", objects(countToSend(entry, options)),
-                   printable(entry.record.archive));
+        fmt::print(stderr, "{} to {}.\n", objects(entry.toSend(which)), printable(entry.record.archive));
     }
     Progress progress(terminalProgressBar(), interruptToken());
-    const study::QueueSent sent = study::sendQueued(
-        outbox, entries, study::openArchiveOfUser, progress,
-        options.refusedToo ? study::Outbox::Which::refusedToo : study::Outbox::Which::waiting);
+    const study::QueueSent sent =
+        study::sendQueued(outbox, entries, study::openArchiveOfUser, progress, which);
     if (options.json)
         fmt::print("{}\n", jsonText(study::toJson(sent)));
     else if (entries.empty())

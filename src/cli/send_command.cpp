@@ -106,13 +106,6 @@ std::string queueRest(const study::FilesSent& sent, const study::FilesToSend& fi
     return {};
 }
 
-net::Sent inOneList(const study::FilesSent& sent) {
-    net::Sent all{.stored = sent.stored, .notSent = sent.refused};
-    for (const std::filesystem::path& file : sent.left)
-        all.notSent.push_back({file, sent.trouble->message, sent.trouble->hint});
-    return all;
-}
-
 void printForPeople(const study::FilesSent& sent, std::size_t all) {
     fmt::print("{} of {} stored.\n", sent.stored, all);
     for (const net::NotSent& each : sent.refused)
@@ -149,7 +142,7 @@ Result<void> send(const SendOptions& options) {
     if (asks)
         commitments = open.archive->commit(stored, std::chrono::seconds(options.commitSeconds), progress);
     if (options.json && !isSaidByError) {
-        nlohmann::ordered_json json = study::toJson(inOneList(sent));
+        nlohmann::ordered_json json = study::toJson(study::inOneList(sent));
         json["queued"] = queued.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(queued);
         if (asks && commitments) json["commitment"] = study::toJson(*commitments);
         fmt::print("{}\n", jsonText(json));

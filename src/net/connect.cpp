@@ -22,8 +22,12 @@ Result<std::unique_ptr<Archive>> archiveFor(const Source& source, const Secrets&
 }
 
 RenewTokens renewerIn(const SourceList& list, const Source& source) {
-    return [list, source](const Secrets& ours, const AskForTokens& ask) {
-        return list.renewTokens(source, ours, ask);
+    const auto kept = list.secretsOf(source);
+    return [list, source, read = kept ? kept->refreshToken : std::string()](
+               const Secrets& ours, const AskForTokens& ask, const CancelToken& cancel) mutable {
+        auto renewed = list.renewTokens(source, ours, read, ask, cancel);
+        if (const auto now = list.secretsOf(source)) read = now->refreshToken;
+        return renewed;
     };
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/atomic_file.h"
+#include "study/open/slice_images.h"
 #include "support.h"
 #include "synthetic.h"
 
@@ -310,6 +311,58 @@ TEST_F(ReportedMeasurementsTest, AsAFileWithAndWithoutPatient) {
     EXPECT_EQ(once->report.measurements[0].trackingUid, again->report.measurements[0].trackingUid);
     EXPECT_NE(say(request.measurements, true)->report.measurements[0].trackingUid,
               once->report.measurements[0].trackingUid);
+}
+
+// The report must not name an image of which nothing was shown.
+TEST_F(ReportedMeasurementsTest, AnImageThatCouldNotBeReadIsNotReferredTo) {
+    slices_ = dicom::test::slicesOf(series_);
+    dicom::test::writeFiles(folder_ / "study", series_, slices_);
+    auto scan = dicom::test::scan(folder_ / "study");
+    ASSERT_TRUE(scan);
+    found_ = std::make_shared<const study::FoundVolumes>(*std::move(scan));
+    ASSERT_EQ(found_->volumes().size(), 1u);
+    const dicom::Stack& stack = *of().stack;
+    const std::size_t count = stack.slices.size();
+    const auto cut = [&](std::size_t slice) {
+        const std::filesystem::path& file = stack.frames.at(stack.slices[slice].below).instance->file;
+        std::filesystem::resize_file(file, std::filesystem::file_size(file) - 40);
+    };
+    cut(0);  // the volume begins behind it
+    cut(5);  // interpolated
+    volume_ = dicom::test::load(*of().series, stack);
+    ASSERT_TRUE(volume_);
+    ASSERT_EQ(std::size_t(volume_->size().z), count - 1);
+
+    const std::vector<study::SliceImage> images = study::imagesOfSlices(*volume_, stack);
+    ASSERT_EQ(images.size(), count - 1);
+    const std::vector<glm::dvec3> positionsMm = dicom::slicePositionsMm(stack);
+    for (std::size_t k = 0; k < images.size(); ++k) {
+        EXPECT_LT(glm::length(images[k].positionMm - positionsMm[k + 1]), 1e-3) << k;
+        const bool isInterpolated = k + 1 == 5;
+        ASSERT_EQ(images[k].frame == nullptr, isInterpolated) << k;
+        if (!isInterpolated) {
+            EXPECT_EQ(images[k].frame, &stack.frames.at(stack.slices[k + 1].below)) << k;
+        }
+    }
+
+    const auto middleOnSlice = [&](std::size_t slice, double column, double row) {
+        const dicom::ImagePlane& plane = *stack.frames.at(stack.slices[slice].below).plane;
+        return plane.positionMm + column * plane.columnSpacingMm * plane.rowDirection +
+               row * plane.rowSpacingMm * plane.columnDirection;
+    };
+    const auto uidOf = [&](std::size_t slice) {
+        return stack.frames.at(stack.slices[slice].below).instance->sopInstanceUid;
+    };
+    const auto said = say({{.shape = Distance{{middleOnSlice(3, 1, 2), middleOnSlice(3, 4, 2)}}},
+                           {.shape = Distance{{middleOnSlice(5, 1, 2), middleOnSlice(5, 4, 2)}}}});
+    ASSERT_TRUE(said) << said.error().message.english();
+    ASSERT_EQ(said->report.measurements.size(), 2u);
+    expectPixels(said->report.measurements[0], {{1.5, 2.5}, {4.5, 2.5}});
+    EXPECT_TRUE(std::holds_alternative<PointsInSpace>(said->report.measurements[1].points));
+    ASSERT_EQ(said->report.series.images.size(), 3u);
+    EXPECT_EQ(said->report.series.images[0].sopInstanceUid, uidOf(3));
+    EXPECT_EQ(said->report.series.images[1].sopInstanceUid, uidOf(4));
+    EXPECT_EQ(said->report.series.images[2].sopInstanceUid, uidOf(6));
 }
 
 }  // namespace

@@ -197,10 +197,21 @@ TEST_F(ReceivedStudiesTest, AnInstanceThatComesWithOtherPixelsIsRefusedAndSaid) 
     std::ofstream(sent[0].file, std::ios::binary) << changed;
     EXPECT_EQ(*receive(*receiver, sent[0]), Verdict::refused);
 
+    // The same pixels in Implicit VR, as an archive may send them.
+    dicom::test::SyntheticSeries series;
+    series.studyUid = "2.25.1";
+    series.size.z = 3;
+    series.transferSyntaxUid = "1.2.840.10008.1.2";
+    auto slices = dicom::test::slicesOf(series);
+    slices.resize(1);
+    slices[0].sopInstanceUid = sent[0].sopInstanceUid;
+    const auto implicit = dicom::test::writeFiles(folder_ / "implicit", series, slices);
+    EXPECT_EQ(*receive(*receiver, {sent[0].sopInstanceUid, implicit.at(0)}), Verdict::hadAlready);
+
     const auto done = studies->finishAll();
     ASSERT_EQ(done.size(), 1u);
     EXPECT_EQ(done[0].kept, 1u);
-    EXPECT_EQ(done[0].hadAlready, 1u);
+    EXPECT_EQ(done[0].hadAlready, 2u);
     EXPECT_EQ(done[0].otherContents, 2u);
     ASSERT_EQ(done[0].messages.size(), 1u);
     EXPECT_EQ(done[0].messages[0].key, "came-with-other-contents");

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "base/sha256.h"
-#include "dicom/write/uid.h"
 
 namespace macula::dicom {
 
@@ -58,14 +57,6 @@ class Digested {
 };
 
 }  // namespace
-
-PresentedSeries withStandIns(PresentedSeries series, const InstallationKey& key) {
-    series.seriesInstanceUid = standInUid(key, series.seriesInstanceUid);
-    if (!series.frameOfReferenceUid.empty())
-        series.frameOfReferenceUid = standInUid(key, series.frameOfReferenceUid);
-    for (ReferencedImage& image : series.images) image.sopInstanceUid = standInUid(key, image.sopInstanceUid);
-    return series;
-}
 
 bool Cropping::operator==(const Cropping& b) const {
     if (planes != b.planes || boxes.size() != b.boxes.size()) return false;

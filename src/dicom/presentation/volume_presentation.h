@@ -9,30 +9,10 @@
 #include <vector>
 
 #include "base/frames.h"
-#include "base/installation_key.h"
 #include "base/volume.h"
+#include "dicom/write/referenced_series.h"
 
 namespace macula::dicom {
-
-struct ReferencedImage {
-    std::string sopClassUid;
-    std::string sopInstanceUid;
-    std::vector<int> frames = {};  // from 1; none: all of them
-
-    bool operator==(const ReferencedImage&) const = default;
-};
-
-// UIDs may name a patient: never logged.
-struct PresentedSeries {
-    std::string seriesInstanceUid;
-    std::string frameOfReferenceUid;
-    std::vector<ReferencedImage> images;
-
-    bool operator==(const PresentedSeries&) const = default;
-};
-
-// The series as deidentified objects refer to it: by standInUid.
-PresentedSeries withStandIns(PresentedSeries series, const InstallationKey& key);
 
 // Maps values to colour and opacity. Entry i of n belongs to the value low + i / (n - 1) * (high - low);
 // values beyond get the first or last entry. 0 is none, 65535 full.

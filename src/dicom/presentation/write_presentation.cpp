@@ -246,7 +246,7 @@ void writeCropping(ItemWriter to, const Cropping& cropping) {
             point(made, tags::kPlaneNormal, n);
         }
     }
-    to.words(tags::kGlobalCroppingIndex, EVR_US, numbers);
+    to.words(tags::kGlobalCroppingIndex, ItemWriter::WordVr::us, numbers);
 }
 
 // C.11.28: the side of the patient that the camera is on, or oblique. Codes of SNOMED CT.
@@ -315,8 +315,8 @@ void writeDisplay(ItemWriter to, const Palette& palette) {
     const auto table = [&](Tag descriptor, Tag data, const std::vector<std::uint16_t>& entries) {
         const std::array<std::uint16_t, 3> format{
             std::uint16_t(entries.size() == kMostEntries ? 0 : entries.size()), 0, 16};
-        component.words(descriptor, EVR_US, format);
-        component.words(data, EVR_OW, entries);
+        component.words(descriptor, ItemWriter::WordVr::us, format);
+        component.words(data, ItemWriter::WordVr::ow, entries);
     };
     component.text(tags::kRgbLutTransferFunction, palette.red.empty() ? "EQUAL_RGB" : "TABLE");
     if (!palette.red.empty()) {

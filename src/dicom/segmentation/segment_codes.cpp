@@ -28,18 +28,20 @@ std::optional<CodedName> codeOf(const Dataset& segment, Tag sequence) {
 
 }  // namespace
 
-Result<std::map<std::uint16_t, SegmentCodes>> readSegmentCodes(const std::filesystem::path& file) try {
+Result<CodesOfSegments> readSegmentCodes(const std::filesystem::path& file) try {
     const HeaderFile read = readHeader(file);
     if (!read.header)
         return Error{ErrorCode::inputNotUsable, Text("The segmentation cannot be read."), file.string(),
                      Text("Copy the file again from its source.")};
-    std::map<std::uint16_t, SegmentCodes> codes;
+    CodesOfSegments found;
+    found.sopInstanceUid = read.header->text(tag::kSopInstanceUid).value_or("");
     for (const Dataset& item : read.header->items(kSegments)) {
         const auto number = item.integer(kNumber);
         if (!number || *number < 0 || *number > 65535) continue;
-        codes.emplace(std::uint16_t(*number), SegmentCodes{codeOf(item, kCategory), codeOf(item, kType)});
+        found.codes.emplace(std::uint16_t(*number),
+                            SegmentCodes{codeOf(item, kCategory), codeOf(item, kType)});
     }
-    return codes;
+    return found;
 } catch (const std::exception& thrown) {
     return errorOf(thrown, Text("read a segmentation"), file.string());
 }

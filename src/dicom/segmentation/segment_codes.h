@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "base/coded_name.h"
 #include "base/result.h"
@@ -20,7 +21,12 @@ struct SegmentCodes {
     bool operator==(const SegmentCodes&) const = default;
 };
 
-// By the number of the segment. Fails with inputNotUsable when the file cannot be read.
-Result<std::map<std::uint16_t, SegmentCodes>> readSegmentCodes(const std::filesystem::path& file);
+struct CodesOfSegments {
+    std::string sopInstanceUid;                   // of the segmentation
+    std::map<std::uint16_t, SegmentCodes> codes;  // by the number of the segment
+};
+
+// Fails with inputNotUsable when the file cannot be read.
+Result<CodesOfSegments> readSegmentCodes(const std::filesystem::path& file);
 
 }  // namespace macula::dicom

@@ -1,5 +1,8 @@
 #include "dicom/write/content_item.h"
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

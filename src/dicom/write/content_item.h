@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "dicom/presentation/volume_presentation.h"
 #include "dicom/write/item_writer.h"
 #include "dicom/write/measurement_report.h"
+#include "dicom/write/referenced_series.h"
 
 namespace macula::dicom {
 

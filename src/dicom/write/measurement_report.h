@@ -12,7 +12,7 @@
 
 #include "base/coded_name.h"
 #include "base/result.h"
-#include "dicom/presentation/volume_presentation.h"
+#include "dicom/write/referenced_series.h"
 #include "dicom/write/secondary_capture.h"
 
 namespace macula::dicom {

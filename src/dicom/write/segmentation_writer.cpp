@@ -31,7 +31,7 @@ namespace {
 constexpr std::size_t kLongestDescription = 64;  // VR LO
 constexpr std::size_t kLongestLabel = 16;        // VR CS
 constexpr double kMostBytes = 4294967294.0;      // of Pixel Data, an even number below 2^32 - 1
-constexpr double kPerpendicular = 1e-6;
+constexpr double kPerpendicular = 1e-4;          // files often have 5 decimals, see stack/geometry.cpp
 
 Error refused(Text message, Text hint) {
     return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
@@ -182,7 +182,8 @@ void writeSegment(ItemWriter item, const WrittenSegment& written, std::uint16_t 
         item.text(DCM_SegmentAlgorithmName,
                   segment.algorithmName.empty() ? "unknown" : shortText(segment.algorithmName));
     if (segment.recommendedRgb)
-        item.words(DCM_RecommendedDisplayCIELabValue, EVR_US, cieLabOfRgb(*segment.recommendedRgb));
+        item.words(DCM_RecommendedDisplayCIELabValue, ItemWriter::WordVr::us,
+                   cieLabOfRgb(*segment.recommendedRgb));
     writeCode(item.item(DCM_SegmentedPropertyTypeCodeSequence, 0), coded(written.codes.type, tissue));
 }
 

@@ -11,8 +11,8 @@
 #include "base/label_map.h"
 #include "base/result.h"
 #include "base/voxel_set.h"
-#include "dicom/presentation/volume_presentation.h"
 #include "dicom/segmentation/segment_codes.h"
+#include "dicom/write/referenced_series.h"
 #include "dicom/write/secondary_capture.h"
 
 namespace macula::dicom {

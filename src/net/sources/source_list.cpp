@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
@@ -26,8 +25,15 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::milliseconds kLockIsTriedEvery{20};
-// Longer than a token service takes to answer; then whoever has the lock is stuck.
-constexpr int kTriesOfLock = 1500;
+// A service may take the time of an answer twice.
+constexpr std::chrono::minutes kPatienceWithRenewal{3};
+
+Error othersSignIn() {
+    return {ErrorCode::archiveNotUsable,
+            Text("Another program is renewing the sign-in at this archive, and does not end."),
+            {},
+            Text("Close other windows of Macula, then try again.")};
+}
 
 fs::path managedFile() {
     const char* folders = std::getenv("XDG_CONFIG_DIRS");
@@ -197,15 +203,20 @@ Result<void> SourceList::keep(const Source& source, const Secrets& secrets) {
 }
 
 Result<Secrets> SourceList::renewTokens(const Source& source, const Secrets& ours,
-                                        const AskForTokens& ask) const {
-    // One thread of this program after the other; the lock is for other programs.
-    static std::mutex mutex;
-    const std::lock_guard inTurn(mutex);
+                                        const std::string& readBefore, const AskForTokens& ask,
+                                        const CancelToken& cancel) const {
+    // A lock of another thread of this program keeps this one out too.
     const FileLock lock(fs::path(files_.secrets).concat(".lock"));
-    for (int i = 0; i < kTriesOfLock && !lock.isOurs(); ++i) std::this_thread::sleep_for(kLockIsTriedEvery);
+    const auto until = std::chrono::steady_clock::now() + kPatienceWithRenewal;
+    while (lock.isThere() && !lock.isOurs()) {
+        if (cancel.cancelled())
+            return Error{ErrorCode::cancelled, Text("The sign-in was cancelled."), {}, {}};
+        if (std::chrono::steady_clock::now() >= until) return othersSignIn();
+        std::this_thread::sleep_for(kLockIsTriedEvery);
+    }
     auto kept = secretsOf(source);
     const bool isRenewed = kept && !kept->token.empty() && !kept->refreshToken.empty() &&
-                           kept->refreshToken != ours.refreshToken;
+                           kept->refreshToken != readBefore && kept->refreshToken != ours.refreshToken;
     if (isRenewed) return kept;
     MACULA_TRY(Secrets renewed, ask(ours));
     // Where they cannot be kept, the caller still has them: the person signs in again another day.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/result.h"
 #include "net/archive/source.h"
 
@@ -43,7 +44,10 @@ class SourceList {
     Result<void> keep(const Source& source, const Secrets& secrets);
     // For RenewTokens of web/sign_in.h: one after another of all threads and programs that have this file.
     using AskForTokens = std::function<Result<Secrets>(const Secrets&)>;
-    Result<Secrets> renewTokens(const Source& source, const Secrets& ours, const AskForTokens& ask) const;
+    // `readBefore`: the refresh token that the file had when its secrets were read last; another one there is
+    // newer than ours. Fails with archiveNotUsable where another holds them for minutes; with cancelled.
+    Result<Secrets> renewTokens(const Source& source, const Secrets& ours, const std::string& readBefore,
+                                const AskForTokens& ask, const CancelToken& cancel) const;
 
   private:
     explicit SourceList(SourceFiles files) : files_(std::move(files)) {}

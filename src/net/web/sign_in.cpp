@@ -81,7 +81,7 @@ Result<void> WebSignIn::refresh(Progress& progress) {
         life = answer.life;
         return renewed;
     };
-    MACULA_TRY(secrets_, renew_ ? renew_(secrets_, ask) : ask(secrets_));
+    MACULA_TRY(secrets_, renew_ ? renew_(secrets_, ask, progress.token()) : ask(secrets_));
     use(secrets_.token, life);
     return {};
 }

@@ -17,7 +17,8 @@ using AskForTokens = std::function<Result<Secrets>(const Secrets&)>;
 // Renews the tokens of a sign-in that others may be using too, such as another window: one after another,
 // since a service may take a refresh token that comes twice for a stolen one. Asks, and keeps what came; or
 // returns what another has kept meanwhile. Called by any thread that makes requests.
-using RenewTokens = std::function<Result<Secrets>(const Secrets& ours, const AskForTokens& ask)>;
+using RenewTokens =
+    std::function<Result<Secrets>(const Secrets& ours, const AskForTokens& ask, const CancelToken& cancel)>;
 
 class WebSignIn final : public CredentialSource {
   public:

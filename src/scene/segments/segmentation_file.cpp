@@ -1,10 +1,15 @@
 #include "scene/segments/segmentation_file.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 
+#include "base/coded_name.h"
+#include "base/sha256.h"
 #include "dicom/segmentation/segment_codes.h"
 #include "dicom/write/segmentation_writer.h"
+#include "study/open/slice_images.h"
 
 namespace macula::scene {
 
@@ -16,41 +21,61 @@ dicom::WrittenSegmentation gridOf(const Volume& volume, const study::FoundVolume
     written.size = volume.size();
     written.series.seriesInstanceUid = of.series->seriesInstanceUid;
     written.series.frameOfReferenceUid = study::frameOfReferenceOf(*of.stack);
-    const std::vector<glm::dvec3> positionsMm = dicom::slicePositionsMm(*of.stack);
-    for (std::size_t k = 0; k < of.stack->slices.size() && k < positionsMm.size(); ++k) {
-        dicom::SegmentedSlice slice{.positionMm = positionsMm[k], .of = {}};
-        const dicom::SliceSource& source = of.stack->slices[k];
-        const dicom::Frame& frame = of.stack->frames.at(source.below);
-        if (!source.interpolated() && frame.instance) {
-            slice.of = dicom::ReferencedImage{frame.instance->sopClassUid, frame.instance->sopInstanceUid};
-            if (frame.instance->multiFrame) slice.of->frames = {frame.number + 1};
+    for (const study::SliceImage& image : study::imagesOfSlices(volume, *of.stack)) {
+        dicom::SegmentedSlice slice{.positionMm = image.positionMm, .of = {}};
+        if (image.frame != nullptr && image.frame->instance) {
+            const dicom::Instance& instance = *image.frame->instance;
+            slice.of = dicom::ReferencedImage{instance.sopClassUid, instance.sopInstanceUid};
+            if (instance.multiFrame) slice.of->frames = {image.frame->number + 1};
         }
         written.slices.push_back(std::move(slice));
     }
     return written;
 }
 
-// Labels, descriptions and names of programs may have been typed by a person.
-Segment withoutWords(Segment segment, const dicom::SegmentCodes& codes) {
-    segment.label = codes.type ? codes.type->meaning : std::string();
-    segment.description.clear();
-    segment.algorithmName.clear();
-    return segment;
+// Of vocabularies that everybody has; a person may have typed the words of any other code.
+std::optional<CodedName> withoutWords(const std::optional<CodedName>& code) {
+    constexpr std::array kPublic{"SCT", "SRT", "SNM3", "DCM", "FMA", "RADLEX", "NCIt", "UMLS"};
+    const bool isPublic = code && std::ranges::find(kPublic, code->scheme) != kPublic.end();
+    return isPublic ? code : std::nullopt;
 }
 
-Result<void> addPart(dicom::WrittenSegmentation& to, const SegmentationRequest::Part& part,
-                     bool isDeidentified) {
-    MACULA_TRY(const auto codes, dicom::readSegmentCodes(part.file));
+// Labels, descriptions and names of programs may have been typed by a person.
+void leaveWordsOut(dicom::WrittenSegment& written) {
+    written.codes = {withoutWords(written.codes.category), withoutWords(written.codes.type)};
+    written.segment.label = written.codes.type ? written.codes.type->meaning : std::string();
+    written.segment.description.clear();
+    written.segment.algorithmName.clear();
+}
+
+Error fileHasChanged(const std::filesystem::path& file) {
+    return {ErrorCode::inputNotUsable, Text("The file of this segmentation is another one by now."),
+            file.string(), Text("Open the study again.")};
+}
+
+// Returns how many segments have no voxel here.
+Result<std::size_t> addPart(dicom::WrittenSegmentation& to, const SegmentationRequest::Part& part,
+                            bool isDeidentified) {
+    MACULA_TRY(const auto read, dicom::readSegmentCodes(part.file));
+    if (!read.sopInstanceUid.empty() && sha256Hex(read.sopInstanceUid) != part.loaded->digest)
+        return fileHasChanged(part.file);
+    std::size_t empty = 0;
     for (const study::LoadedSegment& each : part.loaded->segments) {
+        if (std::ranges::find(part.numbers, each.segment.number) == part.numbers.end()) continue;
+        if (!each.voxels || each.voxels->isEmpty()) {
+            ++empty;
+            continue;
+        }
         dicom::WrittenSegment written{.segment = each.segment, .voxels = each.voxels};
-        if (const auto at = codes.find(each.segment.number); at != codes.end()) written.codes = at->second;
-        if (isDeidentified) written.segment = withoutWords(written.segment, written.codes);
+        if (const auto at = read.codes.find(each.segment.number); at != read.codes.end())
+            written.codes = at->second;
+        if (isDeidentified) leaveWordsOut(written);
         to.segments.push_back(std::move(written));
     }
-    return {};
+    return empty;
 }
 
-std::vector<Text> notesOn(const SegmentationRequest& request) {
+std::vector<Text> notesOn(const SegmentationRequest& request, std::size_t empty) {
     const auto any = [&](bool study::LoadedSegmentation::*is) {
         return std::ranges::any_of(
             request.parts, [is](const SegmentationRequest::Part& part) { return (*part.loaded).*is; });
@@ -62,6 +87,11 @@ std::vector<Text> notesOn(const SegmentationRequest& request) {
                  "were drawn on."));
     if (any(&study::LoadedSegmentation::hasFractions))
         notes.push_back(Text("The file has no fractions: what was half or more is the segment."));
+    // Such as voxels outside of this volume, which are not in the file.
+    for (const SegmentationRequest::Part& part : request.parts)
+        notes.insert(notes.end(), part.loaded->notes.begin(), part.loaded->notes.end());
+    if (empty > 0)
+        notes.push_back(Text("{} segments have no voxel in this volume, and are left out.", empty));
     if (request.isDeidentified)
         notes.push_back(
             Text("Without patient and study, the file calls each segment by its code, not by its label."));
@@ -72,7 +102,7 @@ std::vector<Text> notesOn(const SegmentationRequest& request) {
 
 std::size_t SegmentationRequest::segments() const {
     std::size_t count = 0;
-    for (const Part& part : parts) count += part.loaded->segments.size();
+    for (const Part& part : parts) count += part.numbers.size();
     return count;
 }
 
@@ -80,8 +110,11 @@ Result<std::vector<Text>> writeSegmentation(const std::filesystem::path& path,
                                             const SegmentationRequest& request) {
     const study::FoundVolume& of = request.found->volumes().at(request.volumeIndex);
     dicom::WrittenSegmentation written = gridOf(*request.volume, of);
-    for (const SegmentationRequest::Part& part : request.parts)
-        MACULA_TRY_VOID(addPart(written, part, request.isDeidentified));
+    std::size_t empty = 0;
+    for (const SegmentationRequest::Part& part : request.parts) {
+        MACULA_TRY(const std::size_t without, addPart(written, part, request.isDeidentified));
+        empty += without;
+    }
     dicom::SegmentationOwner owner{
         .image = {}, .isDeidentified = request.isDeidentified, .softwareVersion = MACULA_VERSION};
     if (!of.stack->frames.empty()) {
@@ -89,7 +122,7 @@ Result<std::vector<Text>> writeSegmentation(const std::filesystem::path& path,
         owner.image = dicom::SecondaryCapture::Source{middle.file, middle.sopInstanceUid};
     }
     MACULA_TRY_VOID(dicom::writeSegmentation(path, written, owner));
-    return notesOn(request);
+    return notesOn(request, empty);
 }
 
 }  // namespace macula::scene

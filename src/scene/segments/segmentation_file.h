@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -17,6 +18,7 @@ struct SegmentationRequest {
     struct Part {
         std::shared_ptr<const study::LoadedSegmentation> loaded;  // on the grid of the volume
         std::filesystem::path file;                               // gives the codes of its segments
+        std::vector<std::uint16_t> numbers;                       // of the segments that are shown
     };
     std::vector<Part> parts;
     std::shared_ptr<const Volume> volume;

@@ -10,14 +10,15 @@
 #include <utility>
 #include <variant>
 
+#include "base/coded_name.h"
 #include "base/utf8.h"
 #include "dicom/write/uid.h"
+#include "study/open/slice_images.h"
 
 namespace macula::scene {
 
 namespace {
 
-using dicom::CodedName;
 using dicom::ReportedMeasurement;
 using slices::Measurement;
 
@@ -26,7 +27,7 @@ const CodedName kDegree{"deg", "UCUM", "degree"};
 const CodedName kMm2{"mm2", "UCUM", "square millimeter"};
 constexpr std::size_t kLongestMeaning = 64;  // VR LO
 
-CodedName unitOf(const Volume& volume) {
+CodedName unitOf(const Volume& volume, bool isDeidentified) {
     const std::string name = volume.unitName();
     if (name == unitSymbol(volume.unit())) {
         switch (volume.unit()) {
@@ -42,7 +43,7 @@ CodedName unitOf(const Volume& volume) {
         }
     }
     // A word of the file, which need not be a code of UCUM.
-    std::string meaning(startOf(name, kLongestMeaning));
+    std::string meaning(isDeidentified ? "unit of the images" : startOf(name, kLongestMeaning));
     std::ranges::replace(meaning, '\\', '/');
     return {"UNIT-OF-IMAGES", "99MACULA", meaning};
 }
@@ -86,7 +87,8 @@ bool canBeSaid(const ReportedMeasurement& said, std::span<const glm::dvec3> poin
 }
 
 // Fills in shape, numbers and comment.
-void sayNumbers(ReportedMeasurement& said, const Measurement& measurement, const Volume& volume) {
+void sayNumbers(ReportedMeasurement& said, const Measurement& measurement, const Volume& volume,
+                bool isDeidentified) {
     if (const auto* distance = std::get_if<slices::Distance>(&measurement.shape))
         said.numbers = {{{"410668003", "SCT", "Length"}, kMm, slices::lengthMm(*distance)}};
     if (const auto* angle = std::get_if<slices::Angle>(&measurement.shape))
@@ -99,7 +101,7 @@ void sayNumbers(ReportedMeasurement& said, const Measurement& measurement, const
     said.numbers = {{{"42798000", "SCT", "Area"}, kMm2, slices::areaMm2(*ellipse)}};
     const auto values = slices::valuesIn(*ellipse, volume);
     if (!values) return;
-    const CodedName unit = unitOf(volume);
+    const CodedName unit = unitOf(volume, isDeidentified);
     const NamesOfValues names = namesOfValues(unit);
     said.numbers.push_back({names.mean, unit, values->mean});
     if (values->voxels > 1) said.numbers.push_back({names.deviation, unit, values->deviation});
@@ -117,7 +119,7 @@ class Places {
         : of_(of),
           voxelFromWorld_(glm::inverse(of.volume.worldFromVoxel())),
           frameOfReferenceUid_(study::frameOfReferenceOf(of.stack)),
-          hasImages_(of.stack.slices.size() == std::size_t(of.volume.size().z)) {}
+          slices_(study::imagesOfSlices(of.volume, of.stack)) {}
 
     const std::string& frameOfReferenceUid() const { return frameOfReferenceUid_; }
     std::vector<dicom::ReferencedImage> images() const { return images_; }
@@ -126,7 +128,6 @@ class Places {
     // Nothing where the report could not say where the points are.
     std::optional<std::variant<dicom::PointsOnImage, dicom::PointsInSpace>> placeOf(
         std::span<const glm::dvec3> pointsMm) {
-        if (!hasImages_) return {};
         if (const dicom::Frame* frame = frameHolding(pointsMm)) {
             dicom::PointsOnImage on;
             for (const glm::dvec3& mm : pointsMm) on.pointsPx.push_back(pixelOf(*frame->plane, mm));
@@ -151,10 +152,8 @@ class Places {
         const bool isPlane = std::ranges::all_of(pointsMm, [&](const glm::dvec3& mm) {
             return std::abs(transformPoint(voxelFromWorld_, mm).z - slice) <= kToleranceSlices;
         });
-        const dicom::SliceSource& source = of_.stack.slices[std::size_t(slice)];
-        if (!isPlane || source.interpolated()) return nullptr;
-        const dicom::Frame& frame = of_.stack.frames.at(source.below);
-        return frame.plane && frame.instance ? &frame : nullptr;
+        const dicom::Frame* frame = slices_[std::size_t(slice)].frame;
+        return isPlane && frame != nullptr && frame->plane && frame->instance ? frame : nullptr;
     }
 
     static glm::dvec2 pixelOf(const dicom::ImagePlane& plane, const glm::dvec3& mm) {
@@ -188,20 +187,19 @@ class Places {
             high = std::max(high, slice);
         }
         const double last = double(of_.volume.size().z) - 1.0;
-        const auto firstSlice = std::size_t(std::clamp(std::floor(low + kToleranceSlices), 0.0, last));
-        const auto lastSlice = std::size_t(std::clamp(std::ceil(high - kToleranceSlices), 0.0, last));
-        for (std::size_t slice = firstSlice; slice <= lastSlice; ++slice) {
-            const dicom::SliceSource& source = of_.stack.slices[slice];
-            for (const std::size_t each : {source.below, source.above})
-                if (const dicom::Frame& frame = of_.stack.frames.at(each); frame.instance)
-                    placeAmongImages(frame);
-        }
+        auto first = std::size_t(std::clamp(std::floor(low + kToleranceSlices), 0.0, last));
+        auto end = std::size_t(std::clamp(std::ceil(high - kToleranceSlices), 0.0, last));
+        while (first > 0 && slices_[first].frame == nullptr) --first;
+        while (end + 1 < slices_.size() && slices_[end].frame == nullptr) ++end;
+        for (std::size_t slice = first; slice <= end; ++slice)
+            if (const dicom::Frame* frame = slices_[slice].frame; frame != nullptr && frame->instance)
+                placeAmongImages(*frame);
     }
 
     const MeasuredImages& of_;
     glm::dmat4 voxelFromWorld_;
     std::string frameOfReferenceUid_;
-    bool hasImages_;
+    std::vector<study::SliceImage> slices_;
     std::vector<dicom::ReferencedImage> images_;
     std::map<std::string, std::size_t> placeByUid_;
     const dicom::Instance* first_ = nullptr;
@@ -253,7 +251,7 @@ Result<SaidMeasurements> saidMeasurements(std::span<const Measurement> measureme
     for (const Measurement& measurement : measurements) {
         ReportedMeasurement each;
         each.label = usualLabel(measurement, counts);
-        sayNumbers(each, measurement, of.volume);
+        sayNumbers(each, measurement, of.volume, isDeidentified);
         const std::vector<glm::dvec3> pointsMm = reportedPoints(measurement);
         if (!canBeSaid(each, pointsMm)) {
             ++undefined;
@@ -272,7 +270,7 @@ Result<SaidMeasurements> saidMeasurements(std::span<const Measurement> measureme
         said.report.measurements.push_back(std::move(each));
     }
     said.leftOut = sentencesOn(undefined, nowhere, hasLabels && isDeidentified, measurements.size());
-    if (said.report.measurements.empty())
+    if (said.report.measurements.empty() || places.first() == nullptr)
         return Error{ErrorCode::usage,
                      said.leftOut.empty() ? Text("There are no measurements to write.") : said.leftOut[0],
                      {},

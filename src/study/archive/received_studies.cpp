@@ -158,7 +158,8 @@ Result<Verdict> ReceivedStudies::take(const fs::path& file, const net::InstanceK
         if (verdict != Verdict::refused) arriving->note(found, sender);
         const std::lock_guard own(mutex_);
         if (verdict == Verdict::kept) ++arriving->came;
-        arriving->last = Clock::now();
+        // Who only repeats what is refused holds no study open.
+        if (verdict != Verdict::refused) arriving->last = Clock::now();
         return verdict;
     }
 }

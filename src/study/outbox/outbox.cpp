@@ -148,6 +148,11 @@ std::vector<OutboxFile> filesAfter(const OutboxRecord& record, const fs::path& f
 
 }  // namespace
 
+std::size_t OutboxEntry::toSend(SendWhich which) const {
+    if (state == OutboxState::damaged) return 0;
+    return record.files.size() - (which == SendWhich::refusedToo ? 0 : record.refused());
+}
+
 fs::path outboxFolder() {
     return userDataFolder() / "outbox";
 }

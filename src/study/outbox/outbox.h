@@ -36,11 +36,15 @@ enum class OutboxState {
     damaged,  // the notes cannot be read; it can only be removed
 };
 
+enum class SendWhich { waiting, refusedToo };
+
 struct OutboxEntry {
     std::string id;  // 16 hexadecimal digits
     std::filesystem::path folder;
     OutboxState state = OutboxState::waiting;
     OutboxRecord record;  // empty if damaged
+
+    std::size_t toSend(SendWhich which) const;  // how many of the files
 };
 
 // What is to wait for an archive.
@@ -86,7 +90,7 @@ class Outbox {
     // full; with cancelled. Then nothing is queued.
     Result<std::string> queue(const ToQueue& request, Progress& progress);
 
-    enum class Which { waiting, refusedToo };
+    using Which = SendWhich;
     // What is stored leaves the queue, and with its last file the entry. Fails with usage where there is no
     // such entry, or where somebody else is sending it; with inputNotUsable where it is damaged.
     Result<OutboxSent> send(const std::string& id, net::Archive& archive, Progress& progress,

@@ -1,5 +1,6 @@
 #include "study/outbox/queue_sending.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -60,6 +61,15 @@ std::vector<MovedEntry> movedEntries(std::span<const OutboxEntry> entries, const
                              .before = entry.record.address});
     }
     return found;
+}
+
+Result<void> readdress(Outbox& outbox, std::span<const MovedEntry> moved, std::span<OutboxEntry> entries) {
+    for (const MovedEntry& each : moved) {
+        MACULA_TRY_VOID(outbox.readdress(each.id, each.address));
+        const auto entry = std::ranges::find(entries, each.id, &OutboxEntry::id);
+        if (entry != entries.end()) entry->record.address = each.address;
+    }
+    return {};
 }
 
 QueueSent sendQueued(Outbox& outbox, std::span<const OutboxEntry> entries, const ArchiveOpener& open,

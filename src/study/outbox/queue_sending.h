@@ -31,6 +31,8 @@ struct MovedEntry {
     std::string before;   // when it was queued
 };
 std::vector<MovedEntry> movedEntries(std::span<const OutboxEntry> entries, const net::SourceList& list);
+// A person has said that they are the same archives: the entries wait for them where they are now.
+Result<void> readdress(Outbox& outbox, std::span<const MovedEntry> moved, std::span<OutboxEntry> entries);
 
 struct QueueSent {
     std::size_t stored = 0;

@@ -26,6 +26,13 @@ FilesSent sendFiles(net::Archive& archive, std::span<const fs::path> files, Prog
     return outcome;
 }
 
+net::Sent inOneList(const FilesSent& sent) {
+    net::Sent all{.stored = sent.stored, .notSent = sent.refused};
+    for (const fs::path& file : sent.left)
+        all.notSent.push_back({file, sent.trouble->message, sent.trouble->hint, false});
+    return all;
+}
+
 Reason reasonOf(const Error& error) {
     return {error.message, error.hint};
 }

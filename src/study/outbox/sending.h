@@ -24,6 +24,9 @@ struct FilesSent {
 // An archive that goes away in the middle refuses only what it refused before.
 FilesSent sendFiles(net::Archive& archive, std::span<const std::filesystem::path> files, Progress& progress);
 
+// All that is not stored, with the reasons.
+net::Sent inOneList(const FilesSent& sent);
+
 Reason reasonOf(const Error& error);
 
 }  // namespace macula::study

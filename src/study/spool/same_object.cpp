@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "dicom/read/outline.h"
@@ -21,6 +21,10 @@ struct Range {
     std::uint64_t from = 0;
     std::uint64_t bytes = 0;
 };
+
+bool isLittleEndian(const std::string& transferSyntaxUid) {
+    return transferSyntaxUid == "1.2.840.10008.1.2" || transferSyntaxUid == "1.2.840.10008.1.2.1";
+}
 
 Range comparedOf(const dicom::Outline& outline, std::uint64_t sizeOfFile) {
     const bool hasPlace = outline.pixels && outline.transferSyntaxUid != kDeflated;
@@ -59,8 +63,10 @@ bool isSameObject(const fs::path& a, const fs::path& b) {
     std::error_code failureB;
     const std::uint64_t sizeA = fs::file_size(a, failureA);
     const std::uint64_t sizeB = fs::file_size(b, failureB);
-    if (failureA || failureB || ofA.transferSyntaxUid != ofB.transferSyntaxUid) return false;
+    if (failureA || failureB || !ofA.headerWhole || !ofB.headerWhole) return false;
     if (ofA.pixels.has_value() != ofB.pixels.has_value()) return false;
+    const bool isPlain = isLittleEndian(ofA.transferSyntaxUid) && isLittleEndian(ofB.transferSyntaxUid);
+    if (ofA.transferSyntaxUid != ofB.transferSyntaxUid && !(isPlain && ofA.pixels)) return true;
     return haveSameBytes(a, comparedOf(ofA, sizeA), b, comparedOf(ofB, sizeB));
 }
 

@@ -96,7 +96,7 @@ Result<std::unique_ptr<SpooledStudy>> Spool::study(const std::string& studyInsta
     return SpooledStudy::open(folder, studyInstanceUid, key_, limits_, cancel);
 }
 
-Result<std::size_t> Spool::purge(std::uintmax_t mostBytes) {
+Result<std::size_t> Spool::purge(std::uintmax_t mostBytes, Purged which) {
     const std::vector<SpoolEntry> all = entries();
     std::uintmax_t kept = 0;
     std::size_t removed = 0;
@@ -106,6 +106,8 @@ Result<std::size_t> Spool::purge(std::uintmax_t mostBytes) {
         given = given_->folders;
     }
     for (const SpoolEntry& entry : all) {
+        // What somebody sent may be nowhere else.
+        if (which == Purged::fetched && entry.record.source.empty()) continue;
         kept += entry.bytes;
         if (kept <= mostBytes || given.contains(entry.folder)) continue;
         // The lock is held while its folder goes: nobody fetches into it.

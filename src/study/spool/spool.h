@@ -56,10 +56,13 @@ class Spool {
     std::filesystem::path folderOf(const std::string& studyInstanceUid) const;
 
     // Removes studies until `mostBytes` are kept, those used longest ago first, none that is being fetched,
-    // and none that this spool has given out. Returns how many.
-    Result<std::size_t> purge(std::uintmax_t mostBytes);
+    // and none that this spool has given out. Returns how many. `fetched`: counts and removes only those that
+    // came from an archive.
+    enum class Purged { fetched, all };
+    Result<std::size_t> purge(std::uintmax_t mostBytes, Purged which = Purged::all);
+    // By itself, to make room.
     Result<std::size_t> purge() {
-        return isChosen_ ? Result<std::size_t>(std::size_t(0)) : purge(limits_.mostBytes);
+        return isChosen_ ? Result<std::size_t>(std::size_t(0)) : purge(limits_.mostBytes, Purged::fetched);
     }
 
   private:

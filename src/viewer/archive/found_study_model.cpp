@@ -78,7 +78,9 @@ QVariant FoundStudyModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const study::ListedStudy& listed = studies_[std::size_t(index.row())];
     const net::FoundStudy& study = listed.study;
-    if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return text(listed, index.column()).simplified();
+    if (role == Qt::DisplayRole) return text(listed, index.column()).simplified();
+    // An archive may send anything, and a tip shows markup.
+    if (role == Qt::ToolTipRole) return text(listed, index.column()).simplified().toHtmlEscaped();
     if (role != sortRole) return {};
     // Later studies of a day stand behind earlier ones.
     if (index.column() == date) return QString::fromStdString(study.date + study.time);

@@ -53,19 +53,14 @@ bool answers(const study::OutboxRecord& waiting, Progress& progress) {
     return !steps.empty() && std::ranges::all_of(steps, &net::TestStep::passed);
 }
 
-// The archives, by their names, each with an entry that waits for it.
-std::map<std::string, study::OutboxRecord> archivesWaitedFor(const std::vector<study::OutboxEntry>& entries) {
-    std::map<std::string, study::OutboxRecord> archives;
+// The archives, by their names and addresses, each with an entry that waits for it.
+std::map<std::pair<std::string, std::string>, study::OutboxRecord> archivesWaitedFor(
+    const std::vector<study::OutboxEntry>& entries) {
+    std::map<std::pair<std::string, std::string>, study::OutboxRecord> archives;
     for (const study::OutboxEntry& entry : entries)
-        if (entry.state == study::OutboxState::waiting) archives[entry.record.archive] = entry.record;
+        if (entry.state == study::OutboxState::waiting)
+            archives[{entry.record.archive, entry.record.address}] = entry.record;
     return archives;
-}
-
-// Blocks, for as long as another program sends one of them.
-Result<void> readdress(const std::vector<study::MovedEntry>& moved) {
-    MACULA_TRY(study::Outbox outbox, study::Outbox::open());
-    for (const study::MovedEntry& each : moved) MACULA_TRY_VOID(outbox.readdress(each.id, each.address));
-    return {};
 }
 
 }  // namespace
@@ -344,12 +339,11 @@ void SendController::sendChosen(const std::vector<study::OutboxEntry>& entries) 
     box->setDefaultButton(QMessageBox::Cancel);
     auto* send = box->addButton(tr("&Send There"), QMessageBox::AcceptRole);
     connect(send, &QPushButton::clicked, this, [this, entries, moved] {
-        if (const auto done = readdress(moved); !done) return context_.notifications.showError(done.error());
         std::vector<study::OutboxEntry> now = entries;
-        for (study::OutboxEntry& entry : now) {
-            const auto found = std::ranges::find(moved, entry.id, &study::MovedEntry::id);
-            if (found != moved.end()) entry.record.address = found->address;
-        }
+        auto outbox = study::Outbox::open();
+        const Result<void> done =
+            outbox ? study::readdress(*outbox, moved, now) : Result<void>(outbox.error());
+        if (!done) return context_.notifications.showError(done.error());
         sendQueued(now, study::Outbox::Which::refusedToo);
     });
     box->open();
@@ -365,7 +359,9 @@ void SendController::remove(const std::vector<study::OutboxEntry>& entries) {
 }
 
 bool SendController::waitsFor(const QString& archive) const {
-    return archivesWaitedFor(entries_).contains(archive.toStdString());
+    return std::ranges::any_of(entries_, [name = archive.toStdString()](const study::OutboxEntry& entry) {
+        return entry.state == study::OutboxState::waiting && entry.record.archive == name;
+    });
 }
 
 void SendController::askArchives() {
@@ -374,8 +370,8 @@ void SendController::askArchives() {
     if (archives.empty()) return;
     asking_.start([archives](Progress& progress) -> Result<std::vector<std::string>> {
         std::vector<std::string> found;
-        for (const auto& [name, waiting] : archives)
-            if (!progress.cancelled() && answers(waiting, progress)) found.push_back(name);
+        for (const auto& [place, waiting] : archives)
+            if (!progress.cancelled() && answers(waiting, progress)) found.push_back(place.first);
         return found;
     });
 }

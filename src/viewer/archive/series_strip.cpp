@@ -16,6 +16,11 @@ constexpr int kLines = 3;
 constexpr int kPaddingPx = 8;
 constexpr int kItemWidthPx = 104;
 
+// An archive may send anything, and a tip shows markup.
+QString toolTipOf(const QString& text) {
+    return text.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>"));
+}
+
 }  // namespace
 
 SeriesStrip::SeriesStrip(QWidget* parent) : QWidget(parent), list_(new QListWidget(this)) {
@@ -45,7 +50,7 @@ void SeriesStrip::setSeries(std::vector<net::FoundSeries> series) {
     list_->clear();
     for (const net::FoundSeries& each : series_) {
         auto* item = new QListWidgetItem(textOf(each), list_);
-        item->setToolTip(textOf(each));
+        item->setToolTip(toolTipOf(textOf(each)));
         item->setSizeHint(itemSize());
         item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
     }
@@ -68,7 +73,7 @@ void SeriesStrip::showNames(bool shown) {
     for (std::size_t i = 0; i < series_.size(); ++i) {
         const QString text = textOf(series_[i]);
         list_->item(int(i))->setText(text);
-        list_->item(int(i))->setToolTip(text);
+        list_->item(int(i))->setToolTip(toolTipOf(text));
     }
 }
 

@@ -12,9 +12,11 @@
 #include <QStackedWidget>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "net/connect.h"
+#include "net/sources/source_json.h"
 #include "viewer/jobs/newest_posted.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
@@ -287,9 +289,10 @@ bool SourceDialog::save() {
 
 void SourceDialog::test() {
     const net::Source changed = source();
-    const auto* web = std::get_if<net::WebPeer>(&changed.peer);
-    const bool mayRenew = web != nullptr && web->signIn == net::SignIn::device && changed.name == shown_.name;
-    auto archive = mayRenew ? net::archiveOf(sources_, changed) : net::archiveOf(changed, secrets());
+    // Of what is kept as it is here, new tokens are kept too.
+    const bool isKept = changed.name == shown_.name && net::toJson(changed) == net::toJson(shown_) &&
+                        secrets().password == kept_.password;
+    auto archive = isKept ? net::archiveOf(sources_, changed) : net::archiveOf(changed, secrets());
     if (!archive) return remark_->setText(inWindowsLanguage(archive.error()));
     remark_->setText(tr("Trying…"));
     test_->setEnabled(false);

@@ -19,7 +19,7 @@
 #include "study/open/opened_study.h"
 #include "viewer/context/window_context.h"
 #include "viewer/jobs/background_job.h"
-#include "viewer/output/save_object_dialog.h"
+#include "viewer/settings/save_object_dialog.h"
 
 class QMenu;
 

@@ -11,10 +11,10 @@
 #include "viewer/editor/study_editor.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
-#include "viewer/output/save_object_dialog.h"
 #include "viewer/segmentation/segmentation_keeper.h"
 #include "viewer/segmentation/segmentation_panel.h"
 #include "viewer/settings/file_dialogs.h"
+#include "viewer/settings/save_object_dialog.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status/notifications.h"
 #include "viewer/status/status_widgets.h"
@@ -71,9 +71,16 @@ Result<scene::SegmentationRequest> SegmentationsController::onScreen() const {
     scene::SegmentationRequest request{
         .parts = {}, .volume = study.volume, .found = study.found, .volumeIndex = study.volumeIndex};
     for (const study::FoundSegmentation& found : keeper_.found()) {
-        if (!scene::choiceOf(context_.session.state().segmentations, found.digest).isShown) continue;
-        for (const auto& loaded : keeper_.allLoaded())
-            if (loaded->digest == found.digest) request.parts.push_back({loaded, found.header.file});
+        const auto choice = scene::choiceOf(context_.session.state().segmentations, found.digest);
+        if (!choice.isShown) continue;
+        for (const auto& loaded : keeper_.allLoaded()) {
+            if (loaded->digest != found.digest) continue;
+            scene::SegmentationRequest::Part part{loaded, found.header.file, {}};
+            for (const study::LoadedSegment& each : loaded->segments)
+                if (scene::choiceOf(choice, each.segment.number).isVisible)
+                    part.numbers.push_back(each.segment.number);
+            if (!part.numbers.empty()) request.parts.push_back(std::move(part));
+        }
     }
     if (!study.volume || !study.found || request.parts.empty())
         return refused(tr("No segmentation is shown."),

@@ -13,8 +13,8 @@
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
-#include "viewer/output/save_object_dialog.h"
 #include "viewer/settings/file_dialogs.h"
+#include "viewer/settings/save_object_dialog.h"
 #include "viewer/status/notifications.h"
 
 namespace macula::viewer {

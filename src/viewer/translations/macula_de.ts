@@ -10890,14 +10890,6 @@
         <translation>Verlassen Sie sich auf keine der beiden Angaben. Suchen Sie noch einmal, und melden Sie es der Verwaltung des Archivs.</translation>
     </message>
     <message>
-        <source>More than {} studies were sent.</source>
-        <translation>Es wurden mehr als {} Studien gesendet.</translation>
-    </message>
-    <message>
-        <source>Start the program again to take more, and look at what was sent.</source>
-        <translation>Starten Sie das Programm neu, um mehr anzunehmen, und sehen Sie nach, was gesendet wurde.</translation>
-    </message>
-    <message>
         <source>{} objects came that name another patient than the rest of this study. They were not kept.</source>
         <translation>Objekte, die gekommen sind und einen anderen Patienten nennen als der Rest dieser Studie: {}. Sie wurden nicht behalten.</translation>
     </message>
@@ -11249,6 +11241,174 @@
         <source>make the objects to send</source>
         <translation>die Objekte zu erstellen, die gesendet werden sollen</translation>
     </message>
+    <message>
+        <source>There are no measurements to write.</source>
+        <translation>Es gibt keine Messungen zu speichern.</translation>
+    </message>
+    <message>
+        <source>Measure something on a slice first.</source>
+        <translation>Messen Sie zuerst etwas auf einer Schicht.</translation>
+    </message>
+    <message>
+        <source>A report of measurements refers to DICOM images with identifiers, and this volume has none.</source>
+        <translation>Ein Messbericht bezieht sich auf DICOM-Bilder mit Kennungen, und dieses Volumen hat keine.</translation>
+    </message>
+    <message>
+        <source>Save the measurements as a table.</source>
+        <translation>Speichern Sie die Messungen als Tabelle.</translation>
+    </message>
+    <message>
+        <source>A measurement has a point or a number that a report cannot hold.</source>
+        <translation>Eine Messung hat einen Punkt oder eine Zahl, die ein Messbericht nicht fassen kann.</translation>
+    </message>
+    <message>
+        <source>Remove the measurement, or save the measurements as a table.</source>
+        <translation>Entfernen Sie die Messung, oder speichern Sie die Messungen als Tabelle.</translation>
+    </message>
+    <message>
+        <source>Write the measurements without patient and study.</source>
+        <translation>Speichern Sie die Messungen ohne Patient und Studie.</translation>
+    </message>
+    <message>
+        <source>A segmentation cannot be written for a volume of that kind.</source>
+        <translation>Für ein Volumen dieser Art kann keine Segmentierung gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>A segment lies outside of the volume.</source>
+        <translation>Ein Segment liegt außerhalb des Volumens.</translation>
+    </message>
+    <message>
+        <source>No voxel of this volume belongs to a segment.</source>
+        <translation>Kein Voxel dieses Volumens gehört zu einem Segment.</translation>
+    </message>
+    <message>
+        <source>A segmentation refers to DICOM images with identifiers and a frame of reference, and this series has none.</source>
+        <translation>Eine Segmentierung bezieht sich auf DICOM-Bilder mit Kennungen und einem Koordinatensystem, und diese Serie hat keine.</translation>
+    </message>
+    <message>
+        <source>Write the segmentation without patient and study.</source>
+        <translation>Speichern Sie die Segmentierung ohne Patient und Studie.</translation>
+    </message>
+    <message>
+        <source>These segments need more frames than one DICOM file can hold.</source>
+        <translation>Diese Segmente brauchen mehr Einzelbilder, als eine DICOM-Datei fassen kann.</translation>
+    </message>
+    <message>
+        <source>Choose fewer segments.</source>
+        <translation>Wählen Sie weniger Segmente.</translation>
+    </message>
+    <message>
+        <source>The archive lists more than {} images of one study.</source>
+        <translation>Das Archiv nennt mehr als {} Bilder einer Studie.</translation>
+    </message>
+    <message>
+        <source>Ask for its series one by one.</source>
+        <translation>Fragen Sie die Serien der Studie einzeln ab.</translation>
+    </message>
+    <message>
+        <source>Who may send is written as TITLE, TITLE@ADDRESS or *@ADDRESS.</source>
+        <translation>Wer senden darf, wird als TITEL, TITEL@ADRESSE oder *@ADRESSE geschrieben.</translation>
+    </message>
+    <message>
+        <source>For example CT1@10.1.2.3, or *@10.1.0.0/16.</source>
+        <translation>Zum Beispiel CT1@10.1.2.3 oder *@10.1.0.0/16.</translation>
+    </message>
+    <message>
+        <source>The file has the segments on the voxels of this volume, not on those that they were drawn on.</source>
+        <translation>Die Datei enthält die Segmente auf den Voxeln dieses Volumens, nicht auf denen, auf denen sie gezeichnet wurden.</translation>
+    </message>
+    <message>
+        <source>The file has no fractions: what was half or more is the segment.</source>
+        <translation>Die Datei enthält keine Anteile: was die Hälfte oder mehr war, ist das Segment.</translation>
+    </message>
+    <message>
+        <source>Without patient and study, the file calls each segment by its code, not by its label.</source>
+        <translation>Ohne Patient und Studie nennt die Datei jedes Segment nach seinem Code, nicht nach seinem Label.</translation>
+    </message>
+    <message>
+        <source>A report holds no measurement whose value is not defined, or whose points are too far away: of {} measurements, it leaves out {}.</source>
+        <translation>Ein Messbericht enthält keine Messung, deren Wert nicht definiert ist oder deren Punkte zu weit entfernt sind: von {} Messungen lässt er {} weg.</translation>
+    </message>
+    <message>
+        <source>These images name no frame of reference, so a report cannot say where a measurement lies that is in no plane of theirs: of {} measurements, it leaves out {}.</source>
+        <translation>Diese Bilder nennen kein Koordinatensystem, deshalb kann ein Messbericht nicht angeben, wo sich eine Messung befindet, die in keiner ihrer Ebenen liegt: von {} Messungen lässt er {} weg.</translation>
+    </message>
+    <message>
+        <source>Without patient and study, the report leaves out the labels.</source>
+        <translation>Ohne Patient und Studie lässt der Messbericht die Beschriftungen weg.</translation>
+    </message>
+    <message>
+        <source>More than {} new studies were sent within {} hours.</source>
+        <translation>Es wurden mehr als {} neue Studien innerhalb von {} Stunden gesendet.</translation>
+    </message>
+    <message>
+        <source>Look at what was sent. Macula takes more later, or when it begins to receive again.</source>
+        <translation>Sehen Sie nach, was gesendet wurde. Macula nimmt später wieder mehr an, oder wenn der Empfang neu begonnen wird.</translation>
+    </message>
+    <message>
+        <source>{} objects came again with other contents. Those that came first were kept.</source>
+        <translation>Objekte, die mit anderem Inhalt noch einmal gekommen sind: {}. Behalten wurde, was zuerst kam.</translation>
+    </message>
+    <message>
+        <source>Another window of Macula, or the command macula receive, already receives at port {}.</source>
+        <translation>Ein anderes Fenster von Macula oder der Befehl macula receive empfängt schon am Port {}.</translation>
+    </message>
+    <message>
+        <source>Stop receiving there, or choose another port here and where the images come from.</source>
+        <translation>Beenden Sie dort den Empfang, oder wählen Sie einen anderen Port, hier und dort, woher die Bilder kommen.</translation>
+    </message>
+    <message>
+        <source>{} references of the manifest have no valid UID, and were left out.</source>
+        <translation>Verweise des Manifests, die keine gültige UID haben: {}. Sie wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Ask whoever made the manifest for a new one.</source>
+        <translation>Bitten Sie dort um ein neues, wo das Manifest erstellt wurde.</translation>
+    </message>
+    <message>
+        <source>The archive {} had another address when these objects were sent to it.</source>
+        <translation>Das Archiv {} hatte eine andere Adresse, als diese Objekte dorthin gesendet wurden.</translation>
+    </message>
+    <message>
+        <source>Check its address. If it is the same archive, select the objects under Waiting for Archives and send them, or use macula pacs retry --moved.</source>
+        <translation>Prüfen Sie seine Adresse. Wenn es dasselbe Archiv ist, wählen Sie die Objekte unter „Warteschlange für Archive“ aus und senden Sie sie, oder verwenden Sie macula pacs retry --moved.</translation>
+    </message>
+    <message>
+        <source>Not all that was sent was kept. Its sender knows it.</source>
+        <translation>Nicht alles, was gesendet wurde, wurde behalten. Dem Absender wurde das gemeldet.</translation>
+    </message>
+    <message>
+        <source>Make room, or allow more in Settings, Receiving; then have it sent again.</source>
+        <translation>Schaffen Sie Platz, oder erlauben Sie mehr unter Einstellungen, „Empfang“; lassen Sie es dann noch einmal senden.</translation>
+    </message>
+    <message>
+        <source>write the segmentation</source>
+        <translation>die Segmentierung zu speichern</translation>
+    </message>
+    <message>
+        <source>write the measurements</source>
+        <translation>die Messungen zu speichern</translation>
+    </message>
+    <message>
+        <source>Another program is renewing the sign-in at this archive, and does not end.</source>
+        <translation>Ein anderes Programm erneuert die Anmeldung bei diesem Archiv und wird nicht fertig.</translation>
+    </message>
+    <message>
+        <source>Close other windows of Macula, then try again.</source>
+        <translation>Schließen Sie andere Fenster von Macula, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The sign-in was cancelled.</source>
+        <translation>Die Anmeldung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The file of this segmentation is another one by now.</source>
+        <translation>Die Datei dieser Segmentierung ist inzwischen eine andere.</translation>
+    </message>
+    <message>
+        <source>{} segments have no voxel in this volume, and are left out.</source>
+        <translation>Ohne Voxel in diesem Volumen, und deshalb ausgelassen: {} Segmente.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -11491,6 +11651,13 @@
         <translation>
             <numerusform> %n weitere ist angekommen.</numerusform>
             <numerusform> %n weitere sind angekommen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A new study was sent by %1: %2, %n images</source>
+        <translation>
+            <numerusform>Eine neue Studie wurde von %1 gesendet: %2, %n Bild</numerusform>
+            <numerusform>Eine neue Studie wurde von %1 gesendet: %2, %n Bilder</numerusform>
         </translation>
     </message>
 </context>
@@ -12728,6 +12895,42 @@
         <source>The measurements are written to %1.</source>
         <translation>Die Messungen sind in %1 gespeichert.</translation>
     </message>
+    <message>
+        <source>Save Measurements as D&amp;ICOM…</source>
+        <translation>Messungen als DICOM-Ob&amp;jekt speichern…</translation>
+    </message>
+    <message>
+        <source>As a structured report, which archives keep and other programs show over the images</source>
+        <translation>Als Structured Report, den Archive aufbewahren und andere Programme über den Bildern zeigen</translation>
+    </message>
+    <message>
+        <source>A report of measurements refers to DICOM images, and none are open.</source>
+        <translation>Ein Messbericht bezieht sich auf DICOM-Bilder, und keine sind offen.</translation>
+    </message>
+    <message>
+        <source>Save the measurements as a table.</source>
+        <translation>Speichern Sie die Messungen als Tabelle.</translation>
+    </message>
+    <message>
+        <source>Measurements are still being written.</source>
+        <translation>Messungen werden noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>Save Measurements as DICOM</source>
+        <translation>Messungen als DICOM-Objekt speichern</translation>
+    </message>
+    <message>
+        <source>A structured report for the archive: lengths, angles, areas and values with their places in the images. It says that nobody has verified it, and not who measured.</source>
+        <translation>Ein Structured Report für das Archiv: Längen, Winkel, Flächen und Werte mit ihrer Lage in den Bildern. Darin steht, dass ihn niemand verifiziert hat; wer gemessen hat, steht nicht darin.</translation>
+    </message>
+    <message>
+        <source>Nothing of the patient is written, no label, and all UIDs are other ones.</source>
+        <translation>Vom Patienten wird nichts geschrieben, auch keine Beschriftung, und alle UIDs sind andere.</translation>
+    </message>
+    <message>
+        <source>DICOM files (*.dcm)</source>
+        <translation>DICOM-Dateien (*.dcm)</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::MessageBar</name>
@@ -13494,10 +13697,6 @@
 <context>
     <name>macula::viewer::PresentationDialog</name>
     <message>
-        <source>&amp;Without patient and study</source>
-        <translation>&amp;Ohne Patient und Studie</translation>
-    </message>
-    <message>
         <source>Save Presentation State</source>
         <translation>Presentation State speichern</translation>
     </message>
@@ -13506,16 +13705,8 @@
         <translation>Ein DICOM-Objekt ohne Pixel, für das Archiv: Kamera, Farben, Beschnitt und Schattierung der 3D-Ansicht. Macula zeichnet daraus dasselbe Bild; andere Programme zeichnen, was sie können.</translation>
     </message>
     <message>
-        <source>Without patient and study</source>
-        <translation>Ohne Patient und Studie</translation>
-    </message>
-    <message>
         <source>Nothing of the patient is written, and all UIDs are other ones. It can be opened where the series itself is.</source>
         <translation>Vom Patienten wird nichts geschrieben, und alle UIDs sind andere. Es kann geöffnet werden, wo die Serie selbst ist.</translation>
-    </message>
-    <message>
-        <source>&amp;Choose File…</source>
-        <translation>&amp;Datei wählen…</translation>
     </message>
 </context>
 <context>
@@ -14225,6 +14416,201 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::ReceiveController</name>
+    <message>
+        <source>&amp;Receive Studies</source>
+        <translation>Studien empfan&amp;gen</translation>
+    </message>
+    <message>
+        <source>Take studies that others send to this machine, until it is switched off or the window closes; Settings, Receiving says who may send</source>
+        <translation>Studien annehmen, die andere an diesen Rechner senden, bis das ausgeschaltet oder das Fenster geschlossen wird; wer senden darf, steht unter Einstellungen, „Empfang“</translation>
+    </message>
+    <message>
+        <source>Macula now receives studies. What other machines send is not encrypted; a certificate in Settings, Receiving encrypts it.</source>
+        <translation>Macula empfängt jetzt Studien. Was andere Rechner senden, ist nicht verschlüsselt; mit einem Zertifikat unter Einstellungen, „Empfang“ wird es verschlüsselt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n images are arriving at port %1</source>
+        <translation>
+            <numerusform>%n Bild kommt am Port %1 an</numerusform>
+            <numerusform>%n Bilder kommen am Port %1 an</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Receives as %1 at port %2</source>
+        <translation>Empfängt als %1 am Port %2</translation>
+    </message>
+    <message>
+        <source>Macula listens for studies that others send. File, Receive Studies ends it.</source>
+        <translation>Macula lauscht auf Studien, die andere senden. Datei, „Studien empfangen“ beendet das.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n connections were turned away. The last: %1</source>
+        <translation>
+            <numerusform>%n Verbindung wurde abgewiesen: %1</numerusform>
+            <numerusform>%n Verbindungen wurden abgewiesen. Die letzte: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects were refused, and their sender was told so.</source>
+        <translation>
+            <numerusform>%n Objekt wurde abgelehnt, und das wurde dem Absender gemeldet.</numerusform>
+            <numerusform>%n Objekte wurden abgelehnt, und das wurde dem Absender gemeldet.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ReceivePage</name>
+    <message>
+        <source>&amp;Receive from the start of each window</source>
+        <translation>Ab dem Start jedes Fensters e&amp;mpfangen</translation>
+    </message>
+    <message>
+        <source>AE title of Macula</source>
+        <translation>AE-Titel von Macula</translation>
+    </message>
+    <message>
+        <source>The name that senders call; 1 to 16 letters, digits and signs</source>
+        <translation>Der Name, den Absender ansprechen; 1 bis 16 Buchstaben, Ziffern und Zeichen</translation>
+    </message>
+    <message>
+        <source>&amp;AE title</source>
+        <translation>&amp;AE-Titel</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Where senders reach Macula, 1 to 65535; usually 11112</source>
+        <translation>Wo Absender Macula erreichen, 1 bis 65535; meist 11112</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>Reached &amp;at</source>
+        <translation>E&amp;rreichbar</translation>
+    </message>
+    <message>
+        <source>&amp;Certificate</source>
+        <translation>&amp;Zertifikat</translation>
+    </message>
+    <message>
+        <source>PEM file of a certificate of this machine: connections are encrypted then</source>
+        <translation>PEM-Datei eines Zertifikats dieses Rechners: Verbindungen sind dann verschlüsselt</translation>
+    </message>
+    <message>
+        <source>Its &amp;key</source>
+        <translation>Sein &amp;Schlüssel</translation>
+    </message>
+    <message>
+        <source>PEM file of the key of the certificate</source>
+        <translation>PEM-Datei des Schlüssels zum Zertifikat</translation>
+    </message>
+    <message>
+        <source>A&amp;uthorities</source>
+        <translation>Zerti&amp;fizierungsstellen</translation>
+    </message>
+    <message>
+        <source>PEM file of who may sign the certificates that senders then must show</source>
+        <translation>PEM-Datei der Stellen, von denen die Zertifikate signiert sein müssen, die Absender dann zeigen müssen</translation>
+    </message>
+    <message>
+        <source>How much to take in all, in GB</source>
+        <translation>Wie viel insgesamt angenommen wird, in GB</translation>
+    </message>
+    <message>
+        <source>While one window is open, 0 to %1 GB; 0 is no limit</source>
+        <translation>Solange ein Fenster offen ist, 0 bis %1 GB; 0 heißt keine Grenze</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source> GB</source>
+        <translation> GB</translation>
+    </message>
+    <message>
+        <source>&amp;Limit</source>
+        <translation>&amp;Grenze</translation>
+    </message>
+    <message>
+        <source>Receive from the start of each window</source>
+        <translation>Ab dem Start jedes Fensters empfangen</translation>
+    </message>
+    <message>
+        <source>Otherwise nothing listens until File, Receive Studies is chosen</source>
+        <translation>Sonst lauscht nichts, bis Datei, „Studien empfangen“ gewählt wird</translation>
+    </message>
+    <message>
+        <source>Who reaches Macula</source>
+        <translation>Wer Macula erreicht</translation>
+    </message>
+    <message>
+        <source>Programs of this machine alone, or other machines too</source>
+        <translation>Nur Programme dieses Rechners oder auch andere Rechner</translation>
+    </message>
+    <message>
+        <source>This machine alone</source>
+        <translation>Nur von diesem Rechner aus</translation>
+    </message>
+    <message>
+        <source>All addresses of this machine</source>
+        <translation>Unter allen Adressen dieses Rechners</translation>
+    </message>
+    <message>
+        <source>One address of this machine</source>
+        <translation>Unter einer Adresse dieses Rechners</translation>
+    </message>
+    <message>
+        <source>Address of this machine</source>
+        <translation>Adresse dieses Rechners</translation>
+    </message>
+    <message>
+        <source>An IP address of this machine, at which senders reach Macula</source>
+        <translation>Eine IP-Adresse dieses Rechners, unter der Absender Macula erreichen</translation>
+    </message>
+    <message>
+        <source>&amp;Who may send</source>
+        <translation>&amp;Wer senden darf</translation>
+    </message>
+    <message>
+        <source>TITLE, TITLE@ADDRESS or *@ADDRESS, several with commas between; an address may be a range, as *@10.1.0.0/16. AE titles alone prove nothing.</source>
+        <translation>TITEL, TITEL@ADRESSE oder *@ADRESSE, mehrere durch Kommas getrennt; eine Adresse kann ein Bereich sein, wie *@10.1.0.0/16. AE-Titel allein beweisen nichts.</translation>
+    </message>
+    <message>
+        <source>for example %1</source>
+        <translation>zum Beispiel %1</translation>
+    </message>
+    <message>
+        <source>&amp;Everybody who reaches this machine</source>
+        <translation>A&amp;lle, die diesen Rechner erreichen</translation>
+    </message>
+    <message>
+        <source>Everybody who reaches this machine may send</source>
+        <translation>Alle, die diesen Rechner erreichen, dürfen senden</translation>
+    </message>
+    <message>
+        <source>Whoever reaches the port may send, whatever stands above</source>
+        <translation>Wer den Port erreicht, darf senden, was auch immer darüber steht</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the file of: %1</source>
+        <translation>Datei wählen: %1</translation>
+    </message>
+    <message>
+        <source>File, Receive Studies begins and ends it. Macula says what arrived, and opens nothing by itself.</source>
+        <translation>Datei, „Studien empfangen“ beginnt und beendet den Empfang. Macula meldet, was angekommen ist, und öffnet nichts von selbst.</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::RecentMenu</name>
     <message>
         <source>Open &amp;Recent</source>
@@ -14237,6 +14623,21 @@
     <message>
         <source>&amp;Forget All</source>
         <translation>Alle &amp;vergessen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SaveObjectDialog</name>
+    <message>
+        <source>&amp;Without patient and study</source>
+        <translation>&amp;Ohne Patient und Studie</translation>
+    </message>
+    <message>
+        <source>Without patient and study</source>
+        <translation>Ohne Patient und Studie</translation>
+    </message>
+    <message>
+        <source>&amp;Choose File…</source>
+        <translation>&amp;Datei wählen…</translation>
     </message>
 </context>
 <context>
@@ -14675,13 +15076,56 @@
         <source>Loading a segmentation</source>
         <translation>Eine Segmentierung wird geladen</translation>
     </message>
+    <message>
+        <source>The segmentation is written to %1.</source>
+        <translation>Die Segmentierung ist in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save Se&amp;gmentation as DICOM…</source>
+        <translation>Segmentier&amp;ung als DICOM-Objekt speichern…</translation>
+    </message>
+    <message>
+        <source>The segments that are shown, as an object for the archive and other programs</source>
+        <translation>Die gezeigten Segmente als Objekt für das Archiv und andere Programme</translation>
+    </message>
+    <message>
+        <source>No segmentation is shown.</source>
+        <translation>Es wird keine Segmentierung gezeigt.</translation>
+    </message>
+    <message>
+        <source>Show one in the panel Segmentations, F11, and wait until it is loaded.</source>
+        <translation>Zeigen Sie eine im Bereich Segmentierungen, F11, und warten Sie, bis sie geladen ist.</translation>
+    </message>
+    <message>
+        <source>A segmentation is still being written.</source>
+        <translation>Eine Segmentierung wird noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>Save Segmentation as DICOM</source>
+        <translation>Segmentierung als DICOM-Objekt speichern</translation>
+    </message>
+    <message numerus="yes">
+        <source>A segmentation object for the archive: the %n segments of what is shown, on the voxels of this series, with labels, colours and codes.</source>
+        <translation>
+            <numerusform>Ein Segmentierungsobjekt für das Archiv: das gezeigte Segment, auf den Voxeln dieser Serie, mit Label, Farbe und Code.</numerusform>
+            <numerusform>Ein Segmentierungsobjekt für das Archiv: die %n gezeigten Segmente, auf den Voxeln dieser Serie, mit Labels, Farben und Codes.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing of the patient is written, no label, and all UIDs are other ones.</source>
+        <translation>Vom Patienten wird nichts geschrieben, auch keine Beschriftung, und alle UIDs sind andere.</translation>
+    </message>
+    <message>
+        <source>Save the segmentation</source>
+        <translation>Segmentierung speichern</translation>
+    </message>
+    <message>
+        <source>DICOM files (*.dcm)</source>
+        <translation>DICOM-Dateien (*.dcm)</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::SendController</name>
-    <message>
-        <source>Store the picture, the view or DICOM files in a PACS</source>
-        <translation>Das Bild, die Ansicht oder DICOM-Dateien in einem PACS speichern</translation>
-    </message>
     <message>
         <source>&amp;Waiting for Archives…</source>
         <translation>&amp;Warteschlange für Archive…</translation>
@@ -14758,6 +15202,26 @@
         <source>Se&amp;nd to an Archive…</source>
         <translation>An ein Arc&amp;hiv senden…</translation>
     </message>
+    <message>
+        <source>Store the picture, the view, measurements, segments or DICOM files in a PACS</source>
+        <translation>Das Bild, die Ansicht, Messungen, Segmente oder DICOM-Dateien in einem PACS speichern</translation>
+    </message>
+    <message>
+        <source>%1 is at %2 now. When objects were sent to it, it was at %3.</source>
+        <translation>Das Archiv %1 hat jetzt die Adresse %2. Als Objekte an das Archiv gesendet wurden, hatte es die Adresse %3.</translation>
+    </message>
+    <message>
+        <source>Send to Another Address</source>
+        <translation>An eine andere Adresse senden</translation>
+    </message>
+    <message>
+        <source>Send only if it is the same archive.</source>
+        <translation>Senden Sie nur, wenn es dasselbe Archiv ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Send There</source>
+        <translation>&amp;Dorthin senden</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::SendDialog</name>
@@ -14820,10 +15284,6 @@
     <message>
         <source>Without patient and study</source>
         <translation>Ohne Patient und Studie</translation>
-    </message>
-    <message>
-        <source>Picture and view get a pseudonym and new UIDs. Files are sent as they are. A face can still be seen.</source>
-        <translation>Bild und Ansicht erhalten ein Pseudonym und neue UIDs. Dateien werden gesendet, wie sie sind. Ein Gesicht ist trotzdem zu erkennen.</translation>
     </message>
     <message>
         <source>As on screen</source>
@@ -14929,6 +15389,63 @@
     <message>
         <source>No date of birth</source>
         <translation>Kein Geburtsdatum</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements (%1, structured report)</source>
+        <translation>&amp;Messungen (%1, Structured Report)</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements (none)</source>
+        <translation>&amp;Messungen (keine)</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Lengths, angles, areas and values with their places in the images, unverified</source>
+        <translation>Längen, Winkel, Flächen und Werte mit ihrer Lage in den Bildern, nicht verifiziert</translation>
+    </message>
+    <message numerus="yes">
+        <source>Segmen&amp;tation (%n segments)</source>
+        <translation>
+            <numerusform>Segmen&amp;tierung (%n Segment)</numerusform>
+            <numerusform>Segmen&amp;tierung (%n Segmente)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Segmen&amp;tation (none is shown)</source>
+        <translation>Segmen&amp;tierung (keine wird gezeigt)</translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentierung</translation>
+    </message>
+    <message>
+        <source>The segments that are shown, with labels, colours and codes, in one object</source>
+        <translation>Die gezeigten Segmente, mit Labels, Farben und Codes, in einem Objekt</translation>
+    </message>
+    <message>
+        <source>What Macula makes gets a pseudonym and new UIDs. Files are sent as they are. A face can still be seen.</source>
+        <translation>Was Macula erstellt, erhält ein Pseudonym und neue UIDs. Dateien werden gesendet, wie sie sind. Ein Gesicht ist trotzdem zu erkennen.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SeriesStrip</name>
+    <message>
+        <source>Series of the selected study</source>
+        <translation>Serien der gewählten Studie</translation>
+    </message>
+    <message>
+        <source>What the archive has of the selected study, before it is fetched</source>
+        <translation>Was das Archiv von der gewählten Studie hat, bevor sie abgerufen wird</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n images</source>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15170,6 +15687,10 @@
     <message>
         <source>Macula fetches earlier studies of the last five years that hold the same kind of images. The panel Archive is where archives are set up.</source>
         <translation>Macula ruft frühere Studien der letzten fünf Jahre ab, die Bilder derselben Art enthalten. Archive werden im Bereich Archiv eingerichtet.</translation>
+    </message>
+    <message>
+        <source>Receiving</source>
+        <translation>Empfang</translation>
     </message>
 </context>
 <context>

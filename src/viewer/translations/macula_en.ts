@@ -133,6 +133,13 @@
             <numerusform> %n more arrived.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>A new study was sent by %1: %2, %n images</source>
+        <translation>
+            <numerusform>A new study was sent by %1: %2, %n image</numerusform>
+            <numerusform>A new study was sent by %1: %2, %n images</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ConvergeNow</name>
@@ -256,12 +263,46 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::ReceiveController</name>
+    <message numerus="yes">
+        <source>%n images are arriving at port %1</source>
+        <translation>
+            <numerusform>%n image is arriving at port %1</numerusform>
+            <numerusform>%n images are arriving at port %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n connections were turned away. The last: %1</source>
+        <translation>
+            <numerusform>%n connection was turned away: %1</numerusform>
+            <numerusform>%n connections were turned away. The last: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects were refused, and their sender was told so.</source>
+        <translation>
+            <numerusform>%n object was refused, and its sender was told so.</numerusform>
+            <numerusform>%n objects were refused, and their sender was told so.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SegmentationKeeper</name>
     <message numerus="yes">
         <source>There are %n segmentations of this volume: F11.</source>
         <translation>
             <numerusform>There is a segmentation of this volume: F11.</numerusform>
             <numerusform>There are %n segmentations of this volume: F11.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SegmentationsController</name>
+    <message numerus="yes">
+        <source>A segmentation object for the archive: the %n segments of what is shown, on the voxels of this series, with labels, colours and codes.</source>
+        <translation>
+            <numerusform>A segmentation object for the archive: the segment that is shown, on the voxels of this series, with label, colour and code.</numerusform>
+            <numerusform>A segmentation object for the archive: the %n segments of what is shown, on the voxels of this series, with labels, colours and codes.</numerusform>
         </translation>
     </message>
 </context>
@@ -317,6 +358,23 @@
         <translation>
             <numerusform>and %n more</numerusform>
             <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Segmen&amp;tation (%n segments)</source>
+        <translation>
+            <numerusform>Segmen&amp;tation (%n segment)</numerusform>
+            <numerusform>Segmen&amp;tation (%n segments)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SeriesStrip</name>
+    <message numerus="yes">
+        <source>%n images</source>
+        <translation>
+            <numerusform>%n image</numerusform>
+            <numerusform>%n images</numerusform>
         </translation>
     </message>
 </context>

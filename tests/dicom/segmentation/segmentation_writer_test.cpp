@@ -114,11 +114,12 @@ class SegmentationWriterTest : public testing::Test {
 TEST_F(SegmentationWriterTest, IsReadAsItWasWritten) {
     write();
     expectSame();
-    const auto codes = readSegmentCodes(path_);
-    ASSERT_TRUE(codes);
-    ASSERT_EQ(codes->size(), 2u);
-    EXPECT_EQ(codes->at(1), written_.segments[0].codes);
-    EXPECT_EQ(codes->at(2).type->meaning, "Tissue") << "a code must be there";
+    const auto read = readSegmentCodes(path_);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->sopInstanceUid, textOf(dataset(), DCM_SOPInstanceUID));
+    ASSERT_EQ(read->codes.size(), 2u);
+    EXPECT_EQ(read->codes.at(1), written_.segments[0].codes);
+    EXPECT_EQ(read->codes.at(2).type->meaning, "Tissue") << "a code must be there";
     EXPECT_EQ(textOf(dataset(), DCM_NumberOfFrames), "4") << "three slices of one, one of the other";
     EXPECT_EQ(textOf(dataset(), DCM_SegmentsOverlap), "NO");
     EXPECT_EQ(textOf(dataset(), DCM_PatientID), series_.patientId);

@@ -1,4 +1,4 @@
-#include "viewer/output/save_object_dialog.h"
+#include "viewer/settings/save_object_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
