@@ -134,7 +134,7 @@ Result<void> Sending::sendBatch(std::vector<Outgoing>& batch) {
                                     association->refusesTransferSyntax(outgoing.meta.sopClassUid);
             note(outgoing, knowsClass ? otherTransferSyntax() : serviceNotOffered(Service::store));
         } else {
-            const Result<void> sent = sendFile(*association, *context, outgoing);
+            Result<void> sent = sendFile(*association, *context, outgoing);
             if (!sent && sent.error().code == ErrorCode::inputNotUsable) {
                 // The archive waits for the rest of the file: only a new association helps the others.
                 note(outgoing, sent.error());
