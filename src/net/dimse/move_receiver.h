@@ -18,8 +18,8 @@ namespace macula::net {
 
 class MoveReceiver {
   public:
-    // Waits until no other fetch of this process listens at the port. Accepts only who calls it by its AE
-    // title, eight associations at most, and only instances in these encodings.
+    // Waits until no other fetch of this process listens at the port. The receiver accepts eight associations
+    // at most, only from peers that call it by its AE title, and only the transfer syntaxes of `encodings`.
     static Result<std::unique_ptr<MoveReceiver>> start(const Connector& connector, Incoming& incoming,
                                                        std::shared_ptr<Heartbeat> heartbeat,
                                                        Encodings encodings, const CancelToken& cancel);

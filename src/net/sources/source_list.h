@@ -42,7 +42,8 @@ class SourceList {
     // None that were kept are empty. Fails with inputNotUsable where others can read the file.
     Result<Secrets> secretsOf(const Source& source) const;
     Result<void> keep(const Source& source, const Secrets& secrets);
-    // For RenewTokens of web/sign_in.h: one after another of all threads and programs that have this file.
+    // Renews the tokens of a sign-in (RenewTokens of web/sign_in.h). Threads and programs that share this
+    // file take turns, by a lock beside it.
     using AskForTokens = std::function<Result<Secrets>(const Secrets&)>;
     // `readBefore`: the refresh token that the file had when its secrets were read last; another one there is
     // newer than ours. Fails with archiveNotUsable where another holds them for minutes; with cancelled.

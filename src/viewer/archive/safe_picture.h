@@ -1,4 +1,5 @@
-// Decodes pictures of others, which may be made to do harm.
+// Decodes pictures that an archive sends. They may be crafted to attack the decoder, so their format and size
+// are bounded first.
 #pragma once
 
 #include <QImage>
