@@ -111,7 +111,7 @@ class MeasurementReportTest : public testing::Test {
     fs::path source_;
     DcmFileFormat original_;
     MeasurementReport report_;
-    ReportOwner owner_;
+    NewObject owner_;
     DcmFileFormat file_;
 };
 
@@ -249,7 +249,7 @@ TEST_F(MeasurementReportTest, WithoutFrameOfReferenceThoseOnImagesAreWritten) {
 }
 
 TEST_F(MeasurementReportTest, WhatDoesNotFitIsRefusedAndWritesNothing) {
-    const auto refused = [&](const MeasurementReport& report, const ReportOwner& owner, ErrorCode code) {
+    const auto refused = [&](const MeasurementReport& report, const NewObject& owner, ErrorCode code) {
         const Result<void> done = writeMeasurementReport(path_, report, owner);
         ASSERT_FALSE(done.ok());
         EXPECT_EQ(done.error().code, code);
@@ -284,14 +284,14 @@ TEST_F(MeasurementReportTest, WhatDoesNotFitIsRefusedAndWritesNothing) {
     });
     refusedReport([](MeasurementReport& r) { std::get<PointsOnImage>(r.measurements[0].points).image = 1; });
     refusedReport([](MeasurementReport& r) { r.measurements[0].shape = ReportedShape::ellipse; });
-    ReportOwner wrong = owner_;
+    NewObject wrong = owner_;
     wrong.image.reset();
     refused(report_, wrong, ErrorCode::usage);
     wrong = owner_;
     wrong.image->sopInstanceUid += "1";
     refused(report_, wrong, ErrorCode::inputNotUsable);
     wrong = owner_;
-    wrong.seriesDescription = "one\\two";
+    wrong.softwareVersion = "one\\two";
     refused(report_, wrong, ErrorCode::usage);
     const Result<void> nowhere = writeMeasurementReport(folder_ / "gone" / "a.dcm", report_, owner_);
     ASSERT_FALSE(nowhere.ok());

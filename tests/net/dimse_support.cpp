@@ -91,6 +91,9 @@ std::map<std::string, fs::path> writeStudy(const fs::path& folder, const SmallSt
         series.patientName = study.patientName;
         series.patientId = study.patientId;
         series.size = {16, 16, study.slices};
+        series.rawInstead = [](const dicom::test::Slice& slice, int x, int y) {
+            return x + 16 * y + slice.place;
+        };
         series.transferSyntaxUid = study.transferSyntaxUid;
         series.edits.push_back([&](DcmItem& item) {
             dicom::test::put(item, DCM_StudyDate, study.date);

@@ -49,7 +49,8 @@ void fill(Orthanc& archive, int images) {
     }
 }
 
-void expectAllDespiteBreaks(Archive& archive, CuttingFront& front, const Extent& extent) {
+// `again`: images that a person sees first, which come once more with their series.
+void expectAllDespiteBreaks(Archive& archive, CuttingFront& front, const Extent& extent, int again = 0) {
     const dicom::test::TemporaryFolder folder;
     WebReceiver receiver(folder.path());
     const auto images = static_cast<std::size_t>(extent.images);
@@ -66,7 +67,7 @@ void expectAllDespiteBreaks(Archive& archive, CuttingFront& front, const Extent&
     }
     EXPECT_LT(fetches, kMostFetches);
     EXPECT_EQ(receiver.kept.size(), images);
-    EXPECT_EQ(receiver.taken, extent.images) << "some came twice";
+    EXPECT_LE(receiver.taken, extent.images + again) << "some came twice";
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), extent.images) << "parts stayed";
     testing::Test::RecordProperty("breaks", front.cuts());
 }
@@ -94,7 +95,7 @@ TEST(FetchBreaks, LoseNoImageByDicomWeb) {
     source.peer = peer;
     const auto archive = archiveOf(source, {});
     ASSERT_TRUE(archive);
-    expectAllDespiteBreaks(**archive, front, much);
+    expectAllDespiteBreaks(**archive, front, much, 16);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,22 +10,9 @@
 #include "base/message.h"
 #include "base/result.h"
 #include "dicom/presentation/volume_presentation.h"
-#include "dicom/write/secondary_capture.h"
+#include "dicom/write/new_object.h"
 
 namespace macula::dicom {
-
-struct PresentationOwner {
-    // An image of the series shown, which gives patient and study. Its file must still hold that instance. If
-    // deidentified it is optional, and only shows which objects belong to one patient (object_owner.h).
-    std::optional<SecondaryCapture::Source> image;
-    // Copies nothing of patient and study, and replaces the UIDs of series, frame of reference and images by
-    // those of standInUid: only with the series and this installation's key, made if there is none, can one
-    // tell which series it is (isSeries).
-    bool isDeidentified = false;
-    std::string seriesDescription = "3D views";  // at most 64 characters, ASCII; no patient data
-    std::string softwareVersion = "0";           // likewise; not empty
-    int seriesNumber = 9100;                     // after those of scanners
-};
 
 // Explicit VR little endian. Each call makes a new series and instance. The file is written whole or not at
 // all, in place of one that is there. Reading it gives the same presentation, to the last bit, if the centre
@@ -35,7 +21,7 @@ struct PresentationOwner {
 // text that is too long, and a missing image unless deidentified; with inputNotUsable when the image cannot
 // be read or is another one; with outputNotWritable.
 Result<void> writePresentationState(const std::filesystem::path& path, const VolumePresentation& presentation,
-                                    const PresentationOwner& owner);
+                                    const NewObject& object);
 
 struct PresentationState {
     VolumePresentation presentation;

@@ -10,19 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "base/atomic_file.h"
-#include "base/check.h"
 #include "base/parsing.h"
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/srgb_profile.h"
 #include "dicom/read/presentation_tags.h"
 #include "dicom/read/sop_class.h"
-#include "dicom/stack/examination.h"
 #include "dicom/write/decimal_string.h"
 #include "dicom/write/item_writer.h"
+#include "dicom/write/object_file.h"
 #include "dicom/write/object_owner.h"
 #include "dicom/write/uid.h"
-#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom {
 
@@ -31,21 +28,10 @@ namespace tags = presentation_tag;
 
 namespace {
 
-constexpr std::size_t kLongestLabel = 16;         // VR CS
-constexpr std::size_t kLongestDescription = 64;   // VR LO
 constexpr std::size_t kLongestOwnState = 200000;  // readers accept at most 256 KiB
 constexpr std::size_t kMostEntries = 65536;
 constexpr double kUnitLength = 1e-6;
 constexpr double kFarthestMm = 1e9;
-
-Error refused(Text message, Text hint) {
-    return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
-}
-
-bool isPlain(const std::string& text, std::size_t longest) {
-    return text.size() <= longest &&
-           std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
-}
 
 bool isPoint(const glm::dvec3& p) {
     return std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm && std::abs(p.z) <= kFarthestMm;
@@ -57,23 +43,15 @@ bool isPart(double part) {
     return part >= 0.0 && part <= 1.0;
 }
 
-Result<void> checkTexts(const VolumePresentation& p, const PresentationOwner& owner) {
-    const bool isLabel =
-        !p.label.empty() && p.label.size() <= kLongestLabel && std::ranges::all_of(p.label, [](char c) {
-            return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '_';
-        });
-    if (!isLabel)
-        return refused(Text("The label of the presentation state is not usable."),
-                       Text("Take 1 to 16 capital letters, digits, blanks and underscores."));
-    if (!isPlain(p.description, kLongestDescription) ||
-        !isPlain(owner.seriesDescription, kLongestDescription) || owner.softwareVersion.empty() ||
-        !isPlain(owner.softwareVersion, kLongestDescription))
-        return refused(Text("The description is too long, or has characters that it may not have."),
-                       Text("Take at most 64 letters, digits and signs, without a backslash."));
+Result<void> checkTexts(const VolumePresentation& p) {
+    if (!isCodeString(p.label))
+        return refusedObject(Text("The label of the presentation state is not usable."),
+                             Text("Take 1 to 16 capital letters, digits, blanks and underscores."));
+    if (!isPlain(p.description)) return textRefused();
     if (p.ownState.size() > kLongestOwnState ||
         !std::ranges::all_of(p.ownState, [](char c) { return (c >= ' ' && c <= '~') || c == '\n'; }))
-        return refused(Text("The view is too large for a presentation state."),
-                       Text("Save it as a view, or remove measurements and large presets from it."));
+        return refusedObject(Text("The view is too large for a presentation state."),
+                             Text("Save it as a view, or remove measurements and large presets from it."));
     return {};
 }
 
@@ -89,8 +67,8 @@ Result<void> checkPalette(const Palette& palette) {
                          std::abs(palette.values.high) <= kFarthestMm &&
                          palette.values.low < palette.values.high;
     if (isTable && isRange) return {};
-    return refused(Text("The colours of the presentation state are not usable."),
-                   Text("Choose another preset, or a window above 0."));
+    return refusedObject(Text("The colours of the presentation state are not usable."),
+                         Text("Choose another preset, or a window above 0."));
 }
 
 Result<void> checkGeometry(const VolumePresentation& p) {
@@ -102,49 +80,42 @@ Result<void> checkGeometry(const VolumePresentation& p) {
     const bool looks = isPoint(view.positionMm) && isPoint(view.lookAtMm) && isPoint(view.up) &&
                        view.positionMm != view.lookAtMm && view.up != glm::dvec3(0.0);
     if (!isField || !looks)
-        return refused(Text("The camera of the presentation state is not usable."),
-                       Text("Choose another view."));
+        return refusedObject(Text("The camera of the presentation state is not usable."),
+                             Text("Choose another view."));
     for (const Box& box : p.cropping.boxes) {
         if (!isPoint(box.low) || !isPoint(box.high))
-            return refused(Text("The clip of the presentation state is not usable."),
-                           Text("Choose another clip."));
+            return refusedObject(Text("The clip of the presentation state is not usable."),
+                                 Text("Choose another clip."));
     }
     for (const CroppingPlane& plane : p.cropping.planes) {
         if (!isUnitVector(plane.outward) || !(std::abs(plane.offsetMm) <= kFarthestMm))
-            return refused(Text("The clip of the presentation state is not usable."),
-                           Text("Choose another clip."));
+            return refusedObject(Text("The clip of the presentation state is not usable."),
+                                 Text("Choose another clip."));
     }
     if (p.samplingStepMm && !(*p.samplingStepMm > 0.0 && *p.samplingStepMm <= kFarthestMm))
-        return refused(Text("The opacities of the presentation state are not usable."),
-                       Text("Choose another preset."));
+        return refusedObject(Text("The opacities of the presentation state are not usable."),
+                             Text("Choose another preset."));
     if (!p.shading) return {};
     const PresentedShading& s = *p.shading;
     if (isPart(s.ambient) && isPart(s.diffuse) && isPart(s.specular) && isPart(s.shininess.value_or(0.0)) &&
         isUnitVector(s.lightDirection))
         return {};
-    return refused(Text("The shading of the presentation state is not usable."),
-                   Text("Choose another preset."));
+    return refusedObject(Text("The shading of the presentation state is not usable."),
+                         Text("Choose another preset."));
 }
 
-Result<void> check(const VolumePresentation& p, const PresentationOwner& owner) {
-    MACULA_TRY_VOID(checkTexts(p, owner));
+Result<void> check(const VolumePresentation& p, const NewObject& object) {
+    MACULA_TRY_VOID(checkTexts(p));
     MACULA_TRY_VOID(checkPalette(p.palette));
     MACULA_TRY_VOID(checkGeometry(p));
-    const auto isUid = [](const std::string& uid) {
-        return !uid.empty() && uid.size() <= 64 && uid.find_first_not_of("0123456789.") == std::string::npos;
-    };
     const PresentedSeries& series = p.series;
     if (series.images.empty() || !isUid(series.seriesInstanceUid) || !isUid(series.frameOfReferenceUid) ||
-        !std::ranges::all_of(series.images, [&](const ReferencedImage& image) {
-            return isUid(image.sopClassUid) && isUid(image.sopInstanceUid);
-        }))
-        return refused(Text("A presentation state refers to DICOM images with a frame of reference, and this "
-                            "volume has none."),
-                       Text("Save it as a view."));
-    if (!owner.image && !owner.isDeidentified)
-        return refused(Text("The files of this study do not say which patient and which study it is."),
-                       Text("Write the presentation state without patient and study."));
-    return {};
+        !areUids(series.images))
+        return refusedObject(
+            Text("A presentation state refers to DICOM images with a frame of reference, and this "
+                 "volume has none."),
+            Text("Save it as a view."));
+    return checkOwner(object, Text("Write the presentation state without patient and study."));
 }
 
 void point(ItemWriter to, Tag tag, const glm::dvec3& p) {
@@ -160,26 +131,10 @@ void writeOwnBlock(ItemWriter to, const std::string& state, const std::string& d
     to.note(to.dcmtk().putAndInsertString(tagOf(tags::kOwnStateDigest), digest.c_str()));
 }
 
-void writeSeries(ItemWriter to, const VolumePresentation& p, const PresentationOwner& owner) {
-    to.text(DCM_Modality, "PR");
-    to.text(DCM_SeriesInstanceUID, newUid());
-    to.text(DCM_SeriesNumber, std::to_string(owner.seriesNumber));
-    to.text(DCM_SeriesDescription, owner.seriesDescription);
-    to.text(DCM_FrameOfReferenceUID, p.series.frameOfReferenceUid);
-    to.text(DCM_PositionReferenceIndicator, "");
-    to.text(DCM_Manufacturer, "Macula");
-    to.text(DCM_ManufacturerModelName, "Macula");
-    to.text(DCM_DeviceSerialNumber, "0");  // a program has none
-    to.text(DCM_SoftwareVersions, owner.softwareVersion);
-}
-
 void writeIdentification(ItemWriter to, const VolumePresentation& p) {
     const Now now;
-    to.text(DCM_SOPClassUID, std::string(sop_class::kVolumePresentationState));
-    to.text(DCM_SOPInstanceUID, newUid());
-    to.text(DCM_InstanceCreationDate, now.date);
-    to.text(DCM_InstanceCreationTime, now.time);
-    to.text(DCM_InstanceNumber, "1");
+    to.text(DCM_FrameOfReferenceUID, p.series.frameOfReferenceUid);
+    to.text(DCM_PositionReferenceIndicator, "");
     to.text(tags::kContentLabel, p.label);
     to.text(tags::kContentDescription, p.description);
     to.text(tags::kContentCreatorName, "");
@@ -341,46 +296,25 @@ ValueRange asWritten(const ValueRange& values) {
 }  // namespace
 
 Result<void> writePresentationState(const fs::path& path, const VolumePresentation& presentation,
-                                    const PresentationOwner& owner) try {
-    MACULA_TRY_VOID(check(presentation, owner));
-    const QuietToolkit quiet;
-    const Error failed{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."),
-                       path.string(), Text("Check free space and permissions.")};
-    DcmFileFormat format;
-    DcmDataset& dataset = *format.getDataset();
-    VolumePresentation written = presentation;
-    written.palette.values = asWritten(presentation.palette.values);
-    bool ok = true;
-    if (owner.isDeidentified) {
-        MACULA_TRY(const InstallationKey key, InstallationKey::ofUser());
-        ok = writePseudonym(dataset, owner.image).has_value();
-        written.series = withStandIns(std::move(written.series), key);
-    } else {
-        if (const Result<Origin> origin = copyOwner(dataset, *owner.image); !origin) return origin.error();
-    }
-    ItemWriter to(dataset, ok);
-    writeSeries(to, written, owner);
-    writeIdentification(to, written);
-    writeRelationship(to, written);
-    writeCropping(to, written.cropping);
-    writeViewDescription(to, written.view);
-    writeRendering(to, written);
-    writeDisplay(to, written.palette);
-    if (!written.ownState.empty()) {
-        writeOwnBlock(to, written.ownState, digestOf(written));
-    }
-    if (!ok) return failed;
-    return writeAtomically(path, [&](const fs::path& draft) -> Result<void> {
-        if (format.saveFile(draft.c_str(), EXS_LittleEndianExplicit).bad()) return failed;
-        // DCMTK does not report that the last bytes are missing when the disk is full.
-        if (examine(draft).state != FileState::complete) return failed;
-        return {};
+                                    const NewObject& object) {
+    MACULA_TRY_VOID(check(presentation, object));
+    const ObjectKind kind{.modality = "PR",
+                          .sopClassUid = sop_class::kVolumePresentationState,
+                          .seriesNumber = 9100,
+                          .seriesDescription = "3D views",
+                          .needsUtf8 = false};
+    return writeObject(path, object, kind, [&](ItemWriter to, const InstallationKey* standIns) {
+        VolumePresentation written = presentation;
+        written.palette.values = asWritten(presentation.palette.values);
+        if (standIns != nullptr) written.series = withStandIns(std::move(written.series), *standIns);
+        writeIdentification(to, written);
+        writeRelationship(to, written);
+        writeCropping(to, written.cropping);
+        writeViewDescription(to, written.view);
+        writeRendering(to, written);
+        writeDisplay(to, written.palette);
+        if (!written.ownState.empty()) writeOwnBlock(to, written.ownState, digestOf(written));
     });
-} catch (const CheckFailure&) {
-    throw;  // a bug in Macula, not a fault of the file
-} catch (...) {
-    return Error{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."), path.string(),
-                 Text("Check free space and memory.")};
 }
 
 }  // namespace macula::dicom

@@ -5,15 +5,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <glm/glm.hpp>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "base/coded_name.h"
 #include "base/result.h"
+#include "dicom/write/new_object.h"
 #include "dicom/write/referenced_series.h"
-#include "dicom/write/secondary_capture.h"
 
 namespace macula::dicom {
 
@@ -57,24 +56,15 @@ struct MeasurementReport {
     std::vector<ReportedMeasurement> measurements;
 };
 
-struct ReportOwner {
-    // An image of the series, which gives patient and study. Its file must still hold that instance. If
-    // deidentified it is optional, and only shows which objects belong to one patient (object_owner.h).
-    std::optional<SecondaryCapture::Source> image;
-    // As PresentationOwner::isDeidentified. The caller leaves out labels that a person typed.
-    bool isDeidentified = false;
-    std::string seriesDescription = "Measurements";  // at most 64 characters, ASCII; no patient data
-    std::string softwareVersion = "0";               // likewise; not empty
-    int seriesNumber = 9200;                         // after those of scanners
-};
-
 // Explicit VR little endian; complete, and not verified by anybody. The observer is the program: it does not
 // know the person. Texts and names are in the character set of the image, or in UTF-8 if a label needs it.
-// Each call makes a new series and instance. The file is written whole or not at all, in place of one that is
-// there. Fails with usage for no measurements, numbers that are not finite or beyond float32, points in space
-// without a frame of reference, images without UIDs, and a missing image unless deidentified; with
-// inputNotUsable when the image cannot be read or is another one; with outputNotWritable.
+// If deidentified, the
+// caller leaves out labels that a person typed. Each call makes a new series and instance. The file is
+// written whole or not at all, in place of one that is there. Fails with usage for no measurements, numbers
+// that are not finite or beyond float32, points in space without a frame of reference, images without UIDs,
+// and a missing image unless deidentified; with inputNotUsable when the image cannot be read or is another
+// one; with outputNotWritable.
 Result<void> writeMeasurementReport(const std::filesystem::path& path, const MeasurementReport& report,
-                                    const ReportOwner& owner);
+                                    const NewObject& object);
 
 }  // namespace macula::dicom

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "base/installation_key.h"
+#include "base/result.h"
+#include "dicom/stack/series.h"
 
 namespace macula::dicom {
 
@@ -24,6 +26,10 @@ struct PresentedSeries {
 
     bool operator==(const PresentedSeries&) const = default;
 };
+
+// Fails with usage for images that were joined into one series although each has one of its own, which a
+// reference would not name.
+Result<void> checkReferable(const Series& series);
 
 // The series as deidentified objects refer to it: by standInUid.
 PresentedSeries withStandIns(PresentedSeries series, const InstallationKey& key);

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/atomic_file.h"
 #include "base/check.h"
 #include "dicom/stack/examination.h"
+#include "dicom/write/object_file.h"
 #include "dicom/write/object_owner.h"
 #include "dicom/write/uid.h"
 #include "toolkit/quiet_toolkit.h"
@@ -23,7 +23,7 @@ constexpr int kLongestSide = 65535;               // Rows and Columns, VR US
 constexpr std::size_t kLongestDescription = 64;   // VR LO
 constexpr std::size_t kLongestDerivation = 1024;  // VR ST
 
-bool isAscii(const std::string& text) {
+bool isPrintable(const std::string& text) {
     return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
 }
 
@@ -39,8 +39,8 @@ Result<void> check(const SecondaryCapture& capture) {
         return refuse(Text("The pixels do not fit the size of the picture."),
                       Text("Draw the picture again."));
     if (capture.seriesDescription.size() > kLongestDescription ||
-        capture.derivation.size() > kLongestDerivation || !isAscii(capture.seriesDescription) ||
-        !isAscii(capture.derivation) || !isAscii(capture.softwareVersion))
+        capture.derivation.size() > kLongestDerivation || !isPrintable(capture.seriesDescription) ||
+        !isPrintable(capture.derivation) || !isPrintable(capture.softwareVersion))
         return refuse(
             Text("The description is too long, or has characters that it may not have."),
             Text("Take at most {} letters, digits and signs, without a backslash.", kLongestDescription));
@@ -149,12 +149,7 @@ Result<void> writeSecondaryCapture(const fs::path& path, const SecondaryCapture&
     fillSeriesAndEquipment(write, capture, origin);
     fillImage(write, capture, origin, Now());
     if (!write.ok() || !refer(dataset, origin)) return failed;
-    return writeAtomically(path, [&](const fs::path& draft) -> Result<void> {
-        if (format.saveFile(draft.c_str(), EXS_LittleEndianExplicit).bad()) return failed;
-        // DCMTK does not report that the last bytes are missing when the disk is full.
-        if (examine(draft).state != FileState::complete) return failed;
-        return {};
-    });
+    return saveObject(path, format);
 } catch (const CheckFailure&) {
     throw;  // a bug in Macula, not a fault of the file
 } catch (...) {

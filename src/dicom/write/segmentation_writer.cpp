@@ -8,8 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/check.h"
-#include "base/installation_key.h"
 #include "base/utf8.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/write/cie_lab.h"
@@ -20,7 +18,6 @@
 #include "dicom/write/segment_frames.h"
 #include "dicom/write/uid.h"
 #include "toolkit/character_set.h"
-#include "toolkit/quiet_toolkit.h"
 
 namespace macula::dicom {
 
@@ -28,29 +25,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kLongestDescription = 64;  // VR LO
-constexpr std::size_t kLongestLabel = 16;        // VR CS
-constexpr double kMostBytes = 4294967294.0;      // of Pixel Data, an even number below 2^32 - 1
-constexpr double kPerpendicular = 1e-4;          // files often have 5 decimals, see stack/geometry.cpp
-
-Error refused(Text message, Text hint) {
-    return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
-}
-
-bool isPlain(const std::string& text) {
-    return text.size() <= kLongestDescription &&
-           std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
-}
-
-bool isCodeString(const std::string& text) {
-    return !text.empty() && text.size() <= kLongestLabel && std::ranges::all_of(text, [](char c) {
-        return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '_';
-    });
-}
-
-bool isUid(const std::string& uid) {
-    return !uid.empty() && uid.size() <= 64 && uid.find_first_not_of("0123456789.") == std::string::npos;
-}
+constexpr double kMostBytes = 4294967294.0;  // of Pixel Data, an even number below 2^32 - 1
+constexpr double kPerpendicular = 1e-4;      // files often have 5 decimals, see stack/geometry.cpp
 
 bool isInGrid(const VoxelSet& voxels, const glm::ivec3& size) {
     bool isIn = true;
@@ -66,44 +42,39 @@ Result<void> checkGrid(const WrittenSegmentation& s) {
                         s.size.y <= kMostRows && s.slices.size() == std::size_t(s.size.z) &&
                         isInvertibleAffine(s.worldFromVoxel);
     if (!isGrid)
-        return refused(Text("A segmentation cannot be written for a volume of that kind."),
-                       Text("Choose another series."));
+        return refusedObject(Text("A segmentation cannot be written for a volume of that kind."),
+                             Text("Choose another series."));
     const glm::dvec3 row = glm::normalize(glm::dvec3(s.worldFromVoxel[0]));
     const glm::dvec3 column = glm::normalize(glm::dvec3(s.worldFromVoxel[1]));
     if (std::abs(glm::dot(row, column)) > kPerpendicular)
-        return refused(
+        return refusedObject(
             Text("The rows and columns of this volume are not perpendicular, which DICOM cannot express."),
             Text("Choose another series."));
     if (!std::ranges::all_of(s.segments, [&](const WrittenSegment& each) {
             return each.voxels && isInGrid(*each.voxels, s.size);
         }))
-        return refused(Text("A segment lies outside of the volume."), Text("Choose another segmentation."));
+        return refusedObject(Text("A segment lies outside of the volume."),
+                             Text("Choose another segmentation."));
     return {};
 }
 
-Result<void> check(const WrittenSegmentation& s, const SegmentationOwner& owner) {
-    if (!isPlain(owner.seriesDescription) || !isPlain(owner.softwareVersion) ||
-        owner.softwareVersion.empty() || !isCodeString(s.label))
-        return refused(Text("The description is too long, or has characters that it may not have."),
-                       Text("Take at most 64 letters, digits and signs, without a backslash."));
+Result<void> check(const WrittenSegmentation& s, const NewObject& object) {
+    if (!isCodeString(s.label)) return textRefused();
     MACULA_TRY_VOID(checkGrid(s));
     constexpr std::size_t kMostSegments = 65535;  // Segment Number, VR US
     if (s.segments.size() > kMostSegments ||
         std::ranges::all_of(s.segments, [](const WrittenSegment& each) { return each.voxels->isEmpty(); }))
-        return refused(Text("No voxel of this volume belongs to a segment."),
-                       Text("Choose another segmentation."));
+        return refusedObject(Text("No voxel of this volume belongs to a segment."),
+                             Text("Choose another segmentation."));
     const auto isNamed = [](const SegmentedSlice& slice) {
         return !slice.of || (isUid(slice.of->sopClassUid) && isUid(slice.of->sopInstanceUid));
     };
     if (!isUid(s.series.seriesInstanceUid) || !isUid(s.series.frameOfReferenceUid) ||
         !std::ranges::all_of(s.slices, isNamed))
-        return refused(Text("A segmentation refers to DICOM images with identifiers and a frame of "
-                            "reference, and this series has none."),
-                       Text("Choose another series."));
-    if (!owner.image && !owner.isDeidentified)
-        return refused(Text("The files of this study do not say which patient and which study it is."),
-                       Text("Write the segmentation without patient and study."));
-    return {};
+        return refusedObject(Text("A segmentation refers to DICOM images with identifiers and a frame of "
+                                  "reference, and this series has none."),
+                             Text("Choose another series."));
+    return checkOwner(object, Text("Write the segmentation without patient and study."));
 }
 
 std::string decimals(std::initializer_list<double> values) {
@@ -117,7 +88,7 @@ std::string shortText(const std::string& text) {
     const std::string valid = decodeText(text, "ISO_IR 192", Delimiters::none).utf8;
     std::string made;
     std::string_view rest = valid;
-    for (std::size_t n = 0; n < kLongestDescription && !rest.empty(); ++n) {
+    for (std::size_t n = 0; n < kLongestText && !rest.empty(); ++n) {
         const std::size_t bytes = std::max<std::size_t>(1, firstCharacterBytes(rest));
         made += rest.substr(0, bytes);
         rest.remove_prefix(bytes);
@@ -126,25 +97,10 @@ std::string shortText(const std::string& text) {
     return made;
 }
 
-void writeSeriesAndImage(ItemWriter to, const WrittenSegmentation& s, const SegmentationOwner& owner) {
+void writeImage(ItemWriter to, const WrittenSegmentation& s) {
     const Now now;
-    to.text(DCM_Modality, "SEG");
-    to.text(DCM_SeriesInstanceUID, newUid());
-    to.text(DCM_SeriesNumber, std::to_string(owner.seriesNumber));
-    to.text(DCM_SeriesDescription, owner.seriesDescription);
-    to.text(DCM_SeriesDate, now.date);
-    to.text(DCM_SeriesTime, now.time);
     to.text(DCM_FrameOfReferenceUID, s.series.frameOfReferenceUid);
     to.text(DCM_PositionReferenceIndicator, "");
-    to.text(DCM_Manufacturer, "Macula");
-    to.text(DCM_ManufacturerModelName, "Macula");
-    to.text(DCM_DeviceSerialNumber, "0");  // a program has none
-    to.text(DCM_SoftwareVersions, owner.softwareVersion);
-    to.text(DCM_SOPClassUID, std::string(sop_class::kSegmentation));
-    to.text(DCM_SOPInstanceUID, newUid());
-    to.text(DCM_InstanceCreationDate, now.date);
-    to.text(DCM_InstanceCreationTime, now.time);
-    to.text(DCM_InstanceNumber, "1");
     to.text(DCM_ContentDate, now.date);
     to.text(DCM_ContentTime, now.time);
     to.text(DCM_ContentLabel, s.label);
@@ -265,48 +221,36 @@ bool needsUtf8(const WrittenSegmentation& s) {
 }  // namespace
 
 Result<void> writeSegmentation(const fs::path& path, const WrittenSegmentation& segmentation,
-                               const SegmentationOwner& owner) try {
-    MACULA_TRY_VOID(check(segmentation, owner));
+                               const NewObject& object) {
+    MACULA_TRY_VOID(check(segmentation, object));
     const SegmentFrames frames(segmentation);
     if (frames.bytesOfCells() > kMostBytes)
-        return refused(Text("These segments need more frames than one DICOM file can hold."),
-                       Text("Choose fewer segments."));
-    const QuietToolkit quiet;
-    const Error failed{ErrorCode::outputNotWritable, Text("The DICOM file could not be made."), path.string(),
-                       Text("Check memory.")};
-    DcmFileFormat format;
-    DcmDataset& dataset = *format.getDataset();
-    WrittenSegmentation written = segmentation;
-    bool ok = true;
-    if (owner.isDeidentified) {
-        MACULA_TRY(const InstallationKey key, InstallationKey::ofUser());
-        ok = writePseudonym(dataset, owner.image).has_value();
-        written.series = withStandIns(std::move(written.series), key);
-        for (SegmentedSlice& slice : written.slices)
-            if (slice.of) slice.of->sopInstanceUid = standInUid(key, slice.of->sopInstanceUid);
-    } else if (const Result<Origin> origin = copyOwner(dataset, *owner.image); !origin) {
-        return origin.error();
-    }
-    if (needsUtf8(written)) ok = ok && convertToUtf8(dataset);
-    ItemWriter to(dataset, ok);
-    writeSeriesAndImage(to, written, owner);
-    to.text(DCM_NumberOfFrames, std::to_string(frames.frames().size()));
-    to.text(DCM_SegmentsOverlap, frames.doOverlap() ? "YES" : "NO");
-    for (std::size_t n = 0; n < written.segments.size(); ++n)
-        writeSegment(to.nextItem(DCM_SegmentSequence), written.segments[n], std::uint16_t(n + 1));
-    writeDimensions(to);
-    writeSharedGroups(to, written);
-    for (const SegmentFrames::Frame& frame : frames.frames())
-        writeFrame(to.nextItem(DCM_PerFrameFunctionalGroupsSequence), written, frame);
-    writeReferences(to, written, frames);
-    to.bytes(DCM_PixelData, frames.cells());
-    if (!ok) return failed;
-    return saveObject(path, format);
-} catch (const CheckFailure&) {
-    throw;  // a bug in Macula, not a fault of the file
-} catch (...) {
-    return Error{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."), path.string(),
-                 Text("Check free space and memory.")};
+        return refusedObject(Text("These segments need more frames than one DICOM file can hold."),
+                             Text("Choose fewer segments."));
+    const ObjectKind kind{.modality = "SEG",
+                          .sopClassUid = sop_class::kSegmentation,
+                          .seriesNumber = 9300,
+                          .seriesDescription = "Segmentation",
+                          .needsUtf8 = needsUtf8(segmentation)};
+    return writeObject(path, object, kind, [&](ItemWriter to, const InstallationKey* standIns) {
+        WrittenSegmentation written = segmentation;
+        if (standIns != nullptr) {
+            written.series = withStandIns(std::move(written.series), *standIns);
+            for (SegmentedSlice& slice : written.slices)
+                if (slice.of) slice.of->sopInstanceUid = standInUid(*standIns, slice.of->sopInstanceUid);
+        }
+        writeImage(to, written);
+        to.text(DCM_NumberOfFrames, std::to_string(frames.frames().size()));
+        to.text(DCM_SegmentsOverlap, frames.doOverlap() ? "YES" : "NO");
+        for (std::size_t n = 0; n < written.segments.size(); ++n)
+            writeSegment(to.nextItem(DCM_SegmentSequence), written.segments[n], std::uint16_t(n + 1));
+        writeDimensions(to);
+        writeSharedGroups(to, written);
+        for (const SegmentFrames::Frame& frame : frames.frames())
+            writeFrame(to.nextItem(DCM_PerFrameFunctionalGroupsSequence), written, frame);
+        writeReferences(to, written, frames);
+        to.bytes(DCM_PixelData, frames.cells());
+    });
 }
 
 }  // namespace macula::dicom

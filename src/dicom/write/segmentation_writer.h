@@ -12,8 +12,8 @@
 #include "base/result.h"
 #include "base/voxel_set.h"
 #include "dicom/segmentation/segment_codes.h"
+#include "dicom/write/new_object.h"
 #include "dicom/write/referenced_series.h"
-#include "dicom/write/secondary_capture.h"
 
 namespace macula::dicom {
 
@@ -39,27 +39,16 @@ struct WrittenSegmentation {
     std::vector<WrittenSegment> segments;
 };
 
-struct SegmentationOwner {
-    // An image of the series, which gives patient and study. Its file must still hold that instance. If
-    // deidentified it is optional, and only shows which objects belong to one patient (object_owner.h).
-    std::optional<SecondaryCapture::Source> image;
-    // As PresentationOwner::isDeidentified. The caller leaves out labels that a person typed.
-    bool isDeidentified = false;
-    std::string seriesDescription = "Segmentation";  // at most 64 characters, ASCII; no patient data
-    std::string softwareVersion = "0";               // likewise; not empty
-    int seriesNumber = 9300;                         // after those of scanners
-};
-
 // BINARY, explicit VR little endian: a frame for each slice in which a segment has a voxel. Reading it gives
 // the same voxels, labels, codes and colours; a segment without a label is "Segment n", one without codes is
 // "Tissue", and one that does not say how it was made is SEMIAUTOMATIC. Longer labels are cut to 64
-// characters. Texts and names are in the character set of the image, or in UTF-8 if a label needs it. Each
-// call makes a new series and instance. The file is written whole or not at all, in place of one that is
-// there. Fails with usage for segments without any voxel, or with voxels beyond the grid, for a grid whose
-// rows and columns are not perpendicular, for more than 4 GB of frames, images without UIDs, and a missing
-// image unless deidentified; with inputNotUsable when the image cannot be read or is another one; with
-// outputNotWritable.
+// characters. Texts and names are in the character set of the image, or in UTF-8 if a label needs it. If
+// deidentified, the caller leaves out labels that a person typed. Each call makes a new series and instance.
+// The file is written whole or not at all, in place of one that is there. Fails with usage for segments
+// without any voxel, or with voxels beyond the grid, for a grid whose rows and columns are not perpendicular,
+// for more than 4 GB of frames, images without UIDs, and a missing image unless deidentified; with
+// inputNotUsable when the image cannot be read or is another one; with outputNotWritable.
 Result<void> writeSegmentation(const std::filesystem::path& path, const WrittenSegmentation& segmentation,
-                               const SegmentationOwner& owner);
+                               const NewObject& object);
 
 }  // namespace macula::dicom

@@ -4,6 +4,7 @@
 #include <thread>
 #include <utility>
 
+#include "net/archive/first_images.h"
 #include "net/dimse/contexts.h"
 #include "net/dimse/messages.h"
 #include "net/dimse/move_receiver.h"
@@ -152,39 +153,40 @@ std::size_t Fetch::countMissing() const {
         std::ranges::count_if(promised_, [&](const auto& each) { return isMissing(each.first); }));
 }
 
+Keys Fetch::keysAt(const char* level, const std::string& series, const std::string& instances) const {
+    Keys keys = keysOf(study_, connector_.peer().patientRoot);
+    keys[Key::level] = level;
+    if (!series.empty()) keys[Key::seriesInstanceUid] = series;
+    if (!instances.empty()) keys[Key::sopInstanceUid] = instances;
+    return keys;
+}
+
 std::vector<Keys> Fetch::requests() const {
-    const Keys study = keysOf(study_, connector_.peer().patientRoot);
-    const auto ofLevel = [&](const char* level, const std::string& series, const std::string& instances) {
-        Keys keys = study;
-        keys[Key::level] = level;
-        if (!series.empty()) keys[Key::seriesInstanceUid] = series;
-        if (!instances.empty()) keys[Key::sopInstanceUid] = instances;
-        return keys;
-    };
+    const bool isAll = !sendsImages_ || countMissing() == promised_.size();
+    if (isAll && wanted_.seriesInstanceUids.empty()) return {keysAt("STUDY", {}, {})};
+    if (isPromised_) return keysOfMissing();
     std::vector<Keys> requests;
-    const std::size_t missing = countMissing();
-    const bool isAll = missing == promised_.size();
-    if (isAll && wanted_.seriesInstanceUids.empty()) return {ofLevel("STUDY", {}, {})};
-    if (!isPromised_) {
-        for (const std::string& each : wanted_.seriesInstanceUids)
-            requests.push_back(ofLevel("SERIES", each, {}));
-        return requests;
-    }
+    for (const std::string& each : wanted_.seriesInstanceUids) requests.push_back(keysAt("SERIES", each, {}));
+    return requests;
+}
+
+std::vector<Keys> Fetch::keysOfMissing() const {
     std::map<std::string, std::pair<std::size_t, std::vector<std::string>>> bySeries;  // all, and missing
     for (const auto& [uid, instance] : promised_) {
         auto& series = bySeries[instance.seriesInstanceUid];
         ++series.first;
         if (isMissing(uid)) series.second.push_back(uid);
     }
+    std::vector<Keys> requests;
     for (const auto& [series, instances] : bySeries) {
         const std::vector<std::string>& uids = instances.second;
         if (uids.empty()) continue;
-        if (uids.size() == instances.first) {
-            requests.push_back(ofLevel("SERIES", series, {}));
+        if (!sendsImages_ || uids.size() == instances.first) {
+            requests.push_back(keysAt("SERIES", series, {}));
             continue;
         }
         for (std::size_t i = 0; i < uids.size(); i += kInstancesOfRequest)
-            requests.push_back(ofLevel("IMAGE", series, joinedUids(uids, i, kInstancesOfRequest)));
+            requests.push_back(keysAt("IMAGE", series, joinedUids(uids, i, kInstancesOfRequest)));
     }
     return requests;
 }
@@ -241,6 +243,8 @@ Result<void> Fetch::attempt() {
         association->wire().setHeartbeat(heartbeat_);
         sentByMove_ = failedByMove_ = 0;
     }
+    // By C-MOVE, images that are still under way would be asked for again.
+    if (*way == Way::get) MACULA_TRY_VOID(requestFirst(*association, context));
     for (const Keys& keys : requests()) MACULA_TRY_VOID(request(*association, context, keys, *way));
     if (receiver && !refusal_) awaitStragglers(*receiver, before + sentByMove_);
     association->release();
@@ -274,6 +278,24 @@ void Fetch::awaitStragglers(const MoveReceiver& receiver, std::size_t sent) {
         if (Heartbeat::Clock::now() > std::max(begin, heartbeat_->last()) + patience) return;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
+}
+
+Result<void> Fetch::requestFirst(Association& association, const AcceptedContext& context) {
+    // From an incomplete list, only the study as a whole brings what is not in it.
+    if (!isPromised_ || !isListWhole_ || countMissing() < promised_.size()) return {};
+    std::vector<FoundInstance> wanted;
+    for (const auto& [uid, instance] : promised_) wanted.push_back(instance);
+    std::vector<std::string> uids;
+    for (const FoundInstance& each : firstImagesOf(wanted)) uids.push_back(each.sopInstanceUid);
+    if (uids.empty()) return {};
+    const std::string series = promised_.at(uids.front()).seriesInstanceUid;
+    MACULA_TRY_VOID(
+        request(association, context, keysAt("IMAGE", series, joinedUids(uids, 0, uids.size())), Way::get));
+    sendsImages_ = std::ranges::none_of(uids, [this](const std::string& uid) { return isMissing(uid); });
+    // What did not come is asked for again.
+    refusal_.reset();
+    failed_ = 0;
+    return {};
 }
 
 Result<void> Fetch::request(Association& association, const AcceptedContext& context, const Keys& keys,

@@ -38,12 +38,16 @@ class Fetch {
     std::size_t countMissing() const;
     // What to ask for to get what is missing.
     std::vector<Keys> requests() const;
+    Keys keysAt(const char* level, const std::string& series, const std::string& instances) const;
+    std::vector<Keys> keysOfMissing() const;
     std::vector<ProposedContext> contexts() const;
     // Over one association.
     Result<void> attempt();
     // An archive may choose one encoding for all that it sends, and then fail with what it has in another.
     void askInOtherEncodings();
     Result<Way> wayOver(const Association& association) const;
+    // Those that a person sees first.
+    Result<void> requestFirst(Association& association, const AcceptedContext& context);
     Result<void> request(Association& association, const AcceptedContext& context, const Keys& keys, Way way);
     Result<void> receiveResponses(Association& association, const AcceptedContext& context,
                                   std::uint16_t messageId, Way way);
@@ -66,6 +70,7 @@ class Fetch {
     std::size_t failedByMove_ = 0;  // as the archive counts
     std::optional<Error> refusal_;  // why the archive sent less than it has
     bool getFailed_ = false;        // C-GET brought nothing
+    bool sendsImages_ = true;       // of a series also some: not all archives do
     std::size_t failed_ = 0;        // over the last association, as the archive counts
     Way way_ = Way::get;            // over the last association
     Encodings encodings_ = Encodings::any;

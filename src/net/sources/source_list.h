@@ -8,7 +8,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "net/archive/source.h"
+#include "net/archive/token_renewal.h"
 
 namespace macula::net {
 
@@ -42,9 +42,7 @@ class SourceList {
     // None that were kept are empty. Fails with inputNotUsable where others can read the file.
     Result<Secrets> secretsOf(const Source& source) const;
     Result<void> keep(const Source& source, const Secrets& secrets);
-    // Renews the tokens of a sign-in (RenewTokens of web/sign_in.h). Threads and programs that share this
-    // file take turns, by a lock beside it.
-    using AskForTokens = std::function<Result<Secrets>(const Secrets&)>;
+    // As RenewTokens: threads and programs that share this file take turns, by a lock beside it.
     // `readBefore`: the refresh token that the file had when its secrets were read last; another one there is
     // newer than ours. Fails with archiveNotUsable where another holds them for minutes; with cancelled.
     Result<Secrets> renewTokens(const Source& source, const Secrets& ours, const std::string& readBefore,

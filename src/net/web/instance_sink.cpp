@@ -132,13 +132,16 @@ Result<void> InstanceSink::endPart() {
     const auto meta = readFileMeta(file_);
     auto verdict = tally_.receiver.take(std::exchange(file_, {}), promised_);
     if (!verdict) return receivers(verdict.error());
-    if (meta.ok() && !meta->sopInstanceUid.empty()) tally_.came.insert(meta->sopInstanceUid);
+    // Images that were asked for first come again with their series.
+    const bool isKnown = meta.ok() && !meta->sopInstanceUid.empty();
+    const bool comesAgain = isKnown && !tally_.came.insert(meta->sopInstanceUid).second;
     switch (*verdict) {
         case Receiver::Verdict::kept:
             ++tally_.fetched.kept;
             break;
         case Receiver::Verdict::hadAlready:
-            if (!meta.ok() || tally_.had.insert(meta->sopInstanceUid).second) ++tally_.fetched.hadAlready;
+            if (comesAgain) return {};
+            if (!isKnown || tally_.had.insert(meta->sopInstanceUid).second) ++tally_.fetched.hadAlready;
             break;
         case Receiver::Verdict::refused:
             ++tally_.fetched.refused;

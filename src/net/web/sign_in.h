@@ -2,23 +2,14 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <mutex>
 #include <string>
 
-#include "net/archive/source.h"
+#include "net/archive/token_renewal.h"
 #include "net/web/http_exchange.h"
 #include "net/web/token_service.h"
 
 namespace macula::net {
-
-// Asks the token service with the refresh token of these secrets, and returns them with new tokens.
-using AskForTokens = std::function<Result<Secrets>(const Secrets&)>;
-// Renews the tokens of a sign-in that others may be using too, such as another window: one after another,
-// since a service may take a refresh token that comes twice for a stolen one. Asks, and keeps what came; or
-// returns what another has kept meanwhile. Called by any thread that makes requests.
-using RenewTokens =
-    std::function<Result<Secrets>(const Secrets& ours, const AskForTokens& ask, const CancelToken& cancel)>;
 
 class WebSignIn final : public CredentialSource {
   public:

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <thread>
 
+#include "net/archive/first_images.h"
 #include "net/archive/query_check.h"
 #include "net/web/qido_search.h"
 
@@ -146,6 +148,11 @@ bool WebFetch::isMissing(const FoundInstance& instance) const {
            !tally_.came.contains(instance.sopInstanceUid) && !givenUp_.contains(instance.sopInstanceUid);
 }
 
+bool WebFetch::isMissing(const SeriesToCome& series) const {
+    return std::ranges::all_of(series.instances,
+                               [this](const FoundInstance& instance) { return isMissing(instance); });
+}
+
 std::size_t WebFetch::missing() const {
     std::size_t count = 0;
     for (const SeriesToCome& series : series_) {
@@ -167,6 +174,13 @@ std::deque<WebFetch::Pull> WebFetch::pullsOfRound() {
         pull.request.accept = kInstancesAsStored;
         pull.request.sink = &pull.sink;
     };
+    // They come once more with their series, which the archive sends as a whole.
+    std::vector<FoundInstance> ofWholeSeries;
+    for (const SeriesToCome& series : series_)
+        if (isMissing(series)) std::ranges::copy(series.instances, std::back_inserter(ofWholeSeries));
+    for (const FoundInstance& one : firstImagesOf(ofWholeSeries))
+        add(*std::ranges::find(series_, one.seriesInstanceUid, &SeriesToCome::uid), one.sopClassUid,
+            one.sopInstanceUid, 1);
     for (SeriesToCome& series : series_) {
         if (!series.isListed) {
             if (!series.hasCome) add(series, {}, {}, kMostInstancesOfStudy);
@@ -175,7 +189,7 @@ std::deque<WebFetch::Pull> WebFetch::pullsOfRound() {
         std::vector<const FoundInstance*> toCome;
         for (const FoundInstance& instance : series.instances)
             if (isMissing(instance)) toCome.push_back(&instance);
-        if (toCome.size() > 1 && toCome.size() == series.instances.size()) {
+        if (toCome.size() > 1 && isMissing(series)) {
             add(series, {}, {}, toCome.size() + kSpareInstances);
         } else {
             for (const FoundInstance* one : toCome) add(series, one->sopClassUid, one->sopInstanceUid, 1);

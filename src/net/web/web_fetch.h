@@ -44,6 +44,7 @@ class WebFetch {
     Result<void> askBySeries();
     void countPromised();
     bool isMissing(const FoundInstance& instance) const;
+    bool isMissing(const SeriesToCome& series) const;  // all of it
     std::size_t missing() const;
     std::deque<Pull> pullsOfRound();
     Result<void> round();

@@ -11,6 +11,7 @@
 namespace macula::scene {
 
 Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom::Stack& stack) {
+    MACULA_TRY_VOID(dicom::checkReferable(series));
     PresentedImages images;
     images.series.seriesInstanceUid = series.seriesInstanceUid;
     std::map<std::string, std::vector<int>> framesOf;
@@ -58,12 +59,12 @@ Result<std::vector<Text>> writePresentation(const std::filesystem::path& path,
         values = {values.low / *request.images.suvFactor, values.high / *request.images.suvFactor};
     }
     said.presentation.series = request.images.series;
-    const dicom::PresentationOwner owner{
+    const dicom::NewObject object{
         .image =
             dicom::SecondaryCapture::Source{request.images.middleFile, request.images.middleSopInstanceUid},
         .isDeidentified = request.isDeidentified,
         .softwareVersion = MACULA_VERSION};
-    MACULA_TRY_VOID(dicom::writePresentationState(path, said.presentation, owner));
+    MACULA_TRY_VOID(dicom::writePresentationState(path, said.presentation, object));
     return std::move(said.leftOut);
 }
 

@@ -109,19 +109,20 @@ std::size_t SegmentationRequest::segments() const {
 Result<std::vector<Text>> writeSegmentation(const std::filesystem::path& path,
                                             const SegmentationRequest& request) {
     const study::FoundVolume& of = request.found->volumes().at(request.volumeIndex);
+    MACULA_TRY_VOID(dicom::checkReferable(*of.series));
     dicom::WrittenSegmentation written = gridOf(*request.volume, of);
     std::size_t empty = 0;
     for (const SegmentationRequest::Part& part : request.parts) {
         MACULA_TRY(const std::size_t without, addPart(written, part, request.isDeidentified));
         empty += without;
     }
-    dicom::SegmentationOwner owner{
+    dicom::NewObject object{
         .image = {}, .isDeidentified = request.isDeidentified, .softwareVersion = MACULA_VERSION};
     if (!of.stack->frames.empty()) {
         const dicom::Instance& middle = *of.stack->frames[of.stack->frames.size() / 2].instance;
-        owner.image = dicom::SecondaryCapture::Source{middle.file, middle.sopInstanceUid};
+        object.image = dicom::SecondaryCapture::Source{middle.file, middle.sopInstanceUid};
     }
-    MACULA_TRY_VOID(dicom::writeSegmentation(path, written, owner));
+    MACULA_TRY_VOID(dicom::writeSegmentation(path, written, object));
     return notesOn(request, empty);
 }
 

@@ -242,6 +242,7 @@ std::vector<Text> sentencesOn(std::size_t undefined, std::size_t nowhere, bool l
 
 Result<SaidMeasurements> saidMeasurements(std::span<const Measurement> measurements, const MeasuredImages& of,
                                           bool isDeidentified) {
+    MACULA_TRY_VOID(dicom::checkReferable(of.series));
     Places places(of);
     SaidMeasurements said;
     std::map<std::string, int> counts;
@@ -290,9 +291,9 @@ Result<std::vector<Text>> writeMeasurementReport(const std::filesystem::path& pa
     MACULA_TRY(SaidMeasurements said,
                saidMeasurements(request.measurements, {*request.volume, *of.series, *of.stack},
                                 request.isDeidentified));
-    const dicom::ReportOwner owner{
+    const dicom::NewObject object{
         .image = said.image, .isDeidentified = request.isDeidentified, .softwareVersion = MACULA_VERSION};
-    MACULA_TRY_VOID(dicom::writeMeasurementReport(path, said.report, owner));
+    MACULA_TRY_VOID(dicom::writeMeasurementReport(path, said.report, object));
     return std::move(said.leftOut);
 }
 

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "base/printable.h"
+#include "support.h"
 #include "synthetic_manifest.h"
 
 namespace macula::dicom {

@@ -129,7 +129,7 @@ class PresentationStateTest : public testing::Test {
     const fs::path path_ = folder_ / "presentation.dcm";
     fs::path source_;
     VolumePresentation said_;
-    PresentationOwner owner_;
+    NewObject owner_;
 };
 
 TEST_F(PresentationStateTest, IsReadToTheLastBit) {
@@ -343,7 +343,7 @@ TEST_F(PresentationStateTest, TheProfileIsWhole) {
 
 TEST_F(PresentationStateTest, WhatDoesNotFitIsRefusedAndWritesNothing) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const std::vector<std::function<void(VolumePresentation&, PresentationOwner&)>> wrongs{
+    const std::vector<std::function<void(VolumePresentation&, NewObject&)>> wrongs{
         [](auto& p, auto&) { p.label = "lower case"; },
         [](auto& p, auto&) { p.label = ""; },
         [](auto& p, auto&) { p.description = std::string(65, 'a'); },
@@ -371,14 +371,14 @@ TEST_F(PresentationStateTest, WhatDoesNotFitIsRefusedAndWritesNothing) {
     };
     for (std::size_t i = 0; i < wrongs.size(); ++i) {
         VolumePresentation said = said_;
-        PresentationOwner owner = owner_;
+        NewObject owner = owner_;
         wrongs[i](said, owner);
         const Result<void> done = writePresentationState(path_, said, owner);
         ASSERT_FALSE(done.ok()) << i;
         EXPECT_EQ(done.error().code, ErrorCode::usage) << i;
         EXPECT_FALSE(fs::exists(path_)) << i;
     }
-    PresentationOwner another = owner_;
+    NewObject another = owner_;
     another.image->sopInstanceUid += "1";
     EXPECT_EQ(writePresentationState(path_, said_, another).error().code, ErrorCode::inputNotUsable);
     EXPECT_EQ(writePresentationState(folder_ / "gone" / "a.dcm", said_, owner_).error().code,

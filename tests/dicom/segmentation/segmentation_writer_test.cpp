@@ -107,7 +107,7 @@ class SegmentationWriterTest : public testing::Test {
     std::vector<Slice> slices_;
     std::vector<fs::path> files_;
     WrittenSegmentation written_;
-    SegmentationOwner owner_;
+    NewObject owner_;
     DcmFileFormat file_;
 };
 
@@ -233,10 +233,10 @@ TEST_F(SegmentationWriterTest, OfNobodyNothingIsLeftOfThePatient) {
 }
 
 TEST_F(SegmentationWriterTest, WhatDoesNotFitIsRefusedAndWritesNothing) {
-    const auto refused = [&](const std::function<void(WrittenSegmentation&, SegmentationOwner&)>& change,
+    const auto refused = [&](const std::function<void(WrittenSegmentation&, NewObject&)>& change,
                              ErrorCode code = ErrorCode::usage) {
         WrittenSegmentation segmentation = written_;
-        SegmentationOwner owner = owner_;
+        NewObject owner = owner_;
         change(segmentation, owner);
         const Result<void> done = writeSegmentation(path_, segmentation, owner);
         ASSERT_FALSE(done.ok());
@@ -245,7 +245,7 @@ TEST_F(SegmentationWriterTest, WhatDoesNotFitIsRefusedAndWritesNothing) {
         EXPECT_FALSE(fs::exists(path_));
     };
     using S = WrittenSegmentation;
-    using O = SegmentationOwner;
+    using O = NewObject;
     refused([](S& s, O&) { s.segments.clear(); });
     refused([](S& s, O&) {
         for (WrittenSegment& each : s.segments) each.voxels = std::make_shared<const VoxelSet>();

@@ -4,6 +4,7 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+#include "dicom/write/referenced_series.h"
 #include "hostile_studies.h"
 #include "pitfalls/opened.h"
 
@@ -58,6 +59,15 @@ TEST_F(Join, MakesOneSeriesWhenAskedTo) {
         expectVolumeOf(*volume, series);
         EXPECT_FALSE(volume->provenance().assumptions.empty());
     }
+}
+
+TEST_F(Join, ObjectsForTheArchiveReferToNoJoinedSeries) {
+    write("series-uid-per-slice");
+    const Result<void> refused = checkReferable(scanIt(true).studies.at(0).series.at(0));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::usage);
+    for (const Study& study : scanIt(false).studies)
+        for (const Series& one : study.series) EXPECT_TRUE(checkReferable(one));
 }
 
 // Three images that continue each other, of two patients: no identifier for each, and none for all.
