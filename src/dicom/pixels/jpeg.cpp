@@ -70,17 +70,19 @@ std::optional<FrameHeader> readFrameHeader(std::span<const std::byte> stream) {
 }
 
 // Decodes the stream as a data element of its own, with the few attributes that DCMTK's decoders need.
+// `photometric` becomes that of the samples.
 bool decodeWithToolkit(const std::string& transferSyntaxUid, std::span<const std::byte> stream,
-                       const FrameHeader& header, std::span<std::byte> target) {
+                       const FrameHeader& header, std::string& photometric, std::span<std::byte> target) {
     DcmItem attributes;
     const auto put = [&](const DcmTagKey& key, int value) {
         return attributes.putAndInsertUint16(key, static_cast<Uint16>(value)).good();
     };
     const bool isSet =
-        put(DCM_Rows, header.rows) && put(DCM_Columns, header.columns) && put(DCM_SamplesPerPixel, 1) &&
+        put(DCM_Rows, header.rows) && put(DCM_Columns, header.columns) &&
+        put(DCM_SamplesPerPixel, header.components) && put(DCM_PlanarConfiguration, 0) &&
         put(DCM_BitsAllocated, header.precision <= 8 ? 8 : 16) && put(DCM_BitsStored, header.precision) &&
         put(DCM_HighBit, header.precision - 1) && put(DCM_PixelRepresentation, 0) &&
-        attributes.putAndInsertString(DCM_PhotometricInterpretation, "MONOCHROME2").good();
+        attributes.putAndInsertString(DCM_PhotometricInterpretation, photometric.c_str()).good();
     if (!isSet) return false;
 
     // Elements are of even length (PS3.5 A.4).
@@ -109,32 +111,49 @@ bool decodeWithToolkit(const std::string& transferSyntaxUid, std::span<const std
     const bool noMemory =
         decoded == EC_MemoryExhausted || (decoded.bad() && std::strstr(decoded.text(), "memory"));
     if (noMemory) throw std::bad_alloc();
+    if (!colourModel.empty()) photometric = colourModel.c_str();
     return decoded.good();
+}
+
+// Into samples of 16 bits, of one or three components.
+Result<std::string> decode(const std::string& transferSyntaxUid, std::span<const std::byte> stream,
+                           std::string photometric, int columns, int rows, int components,
+                           std::span<std::uint16_t> samples) {
+    const QuietToolkit quiet;
+    registerDecoders();
+    const auto header = readFrameHeader(stream);
+    const std::size_t pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    if (!header || header->precision < 2 || header->precision > 16 || header->components != components ||
+        header->columns != columns || header->rows != rows ||
+        samples.size() != pixels * static_cast<std::size_t>(components) ||
+        samples.size_bytes() > std::numeric_limits<Uint32>::max() - 2) {
+        return broken();
+    }
+    if (header->precision > 8) {
+        if (!decodeWithToolkit(transferSyntaxUid, stream, *header, photometric,
+                               std::as_writable_bytes(samples)))
+            return broken();
+        return photometric;
+    }
+    // Samples of up to 8 bits are decoded to one byte each, whatever BitsAllocated says.
+    std::vector<std::byte> narrow(samples.size() + samples.size() % 2);
+    if (!decodeWithToolkit(transferSyntaxUid, stream, *header, photometric, narrow)) return broken();
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::to_integer<std::uint16_t>(narrow[i]);
+    return photometric;
 }
 
 }  // namespace
 
 Result<void> decodeJpeg(const std::string& transferSyntaxUid, std::span<const std::byte> stream, int columns,
                         int rows, std::span<std::uint16_t> cells) {
-    const QuietToolkit quiet;
-    registerDecoders();
-    const auto header = readFrameHeader(stream);
-    if (!header || header->precision < 2 || header->precision > 16 || header->components != 1 ||
-        header->columns != columns || header->rows != rows ||
-        cells.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) ||
-        cells.size_bytes() > std::numeric_limits<Uint32>::max() - 2) {
-        return broken();
-    }
-    if (header->precision > 8) {
-        if (!decodeWithToolkit(transferSyntaxUid, stream, *header, std::as_writable_bytes(cells)))
-            return broken();
-        return {};
-    }
-    // Samples of up to 8 bits are decoded to one byte each, whatever BitsAllocated says.
-    std::vector<std::byte> narrow(cells.size() + cells.size() % 2);
-    if (!decodeWithToolkit(transferSyntaxUid, stream, *header, narrow)) return broken();
-    for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = std::to_integer<std::uint16_t>(narrow[i]);
+    MACULA_TRY_VOID(decode(transferSyntaxUid, stream, "MONOCHROME2", columns, rows, 1, cells));
     return {};
+}
+
+Result<std::string> decodeJpegColours(const std::string& transferSyntaxUid, std::span<const std::byte> stream,
+                                      const std::string& photometricInterpretation, int columns, int rows,
+                                      std::span<std::uint16_t> samples) {
+    return decode(transferSyntaxUid, stream, photometricInterpretation, columns, rows, 3, samples);
 }
 
 }  // namespace macula::dicom

@@ -74,12 +74,18 @@ std::optional<StreamHeader> readHeader(std::span<const std::byte> bytes) {
         return value;
     };
     constexpr std::size_t kSizBytes = 45;  // size of SOC and SIZ with one component
+    constexpr std::size_t kBytesOfComponent = 3;
     if (stream.size() < kSizBytes) return {};
     header.columns = number(8, 4) - number(16, 4);
     header.rows = number(12, 4) - number(20, 4);
     header.components = number(40, 2);
     header.precision = (number(42, 1) & 0x7F) + 1;
-    if (number(43, 2) != 0x0101) return {};  // subsampled
+    for (std::size_t c = 0; c < std::min(header.components, 3u); ++c) {
+        const std::size_t at = 42 + c * kBytesOfComponent;
+        if (at + kBytesOfComponent > stream.size()) return {};
+        const bool isOther = (number(at, 1) & 0x7F) + 1 != header.precision;
+        if (isOther || number(at + 1, 2) != 0x0101) return {};  // subsampled
+    }
 
     const auto tilesAlong = [&](std::size_t size, std::size_t tileSize, std::size_t tileOrigin) {
         const std::uint64_t end = number(size, 4);
@@ -168,9 +174,10 @@ struct DestroyImage {
 Result<void> decodeJpeg2000(std::span<const std::byte> codeStream, int columns, int rows,
                             std::span<std::uint16_t> cells) {
     const std::optional<StreamHeader> header = readHeader(codeStream);
-    if (!header || header->components != 1 || header->precision > 16 ||
+    const std::size_t pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    if (!header || (header->components != 1 && header->components != 3) || header->precision > 16 ||
         header->columns != static_cast<unsigned>(columns) || header->rows != static_cast<unsigned>(rows) ||
-        cells.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {
+        cells.size() != header->components * pixels) {
         return broken();
     }
 
@@ -200,13 +207,15 @@ Result<void> decodeJpeg2000(std::span<const std::byte> codeStream, int columns, 
         return broken();
     };
     if (!hasHeader || opj_decode(codec.get(), stream.get(), image.get()) != OPJ_TRUE) return failed();
-    const opj_image_comp_t& component = image->comps[0];
-    if (image->numcomps != 1 || component.data == nullptr || component.w != header->columns ||
-        component.h != header->rows) {
-        return broken();
+    const std::size_t components = header->components;
+    if (image->numcomps != components) return broken();
+    for (std::size_t c = 0; c < components; ++c) {
+        const opj_image_comp_t& component = image->comps[c];
+        if (component.data == nullptr || component.w != header->columns || component.h != header->rows)
+            return broken();
+        for (std::size_t i = 0; i < pixels; ++i)
+            cells[i * components + c] = static_cast<std::uint16_t>(component.data[i]);
     }
-    std::transform(component.data, component.data + cells.size(), cells.begin(),
-                   [](OPJ_INT32 value) { return static_cast<std::uint16_t>(value); });
     return {};
 }
 

@@ -87,6 +87,7 @@ struct PixelReader::Impl {
     PixelDataOutline pixels;
     FrameIndex index;  // frames of encapsulated pixel data
     bool bigEndian = false;
+    bool isSubsampled = false;              // native: two pixels share their colour differences
     bool bytesInWords = false;              // big endian, and OW: bytes are swapped too (PS3.5 7.3)
     std::uint64_t datasetOffset = 0;        // where deflated data begin
     std::unique_ptr<ByteSource> inflating;  // a deflated file that is being read, somewhere in its pixels
@@ -105,7 +106,8 @@ struct PixelReader::Impl {
         return static_cast<std::size_t>(layout.rows) * static_cast<std::size_t>(layout.columns);
     }
     std::uint64_t frameBits() const {
-        return std::uint64_t{cellCount()} * static_cast<unsigned>(layout.format.bitsAllocated);
+        return std::uint64_t{cellCount()} * static_cast<unsigned>(layout.format.bitsAllocated) *
+               static_cast<unsigned>(isSubsampled ? 2 : layout.samplesPerPixel);
     }
     std::size_t bytesPerCell() const { return static_cast<std::size_t>(layout.format.bitsAllocated) / 8; }
 
@@ -117,6 +119,8 @@ struct PixelReader::Impl {
     Result<void> readBits(int frame, std::span<std::uint16_t> cells);
     Result<void> readCells(int frame, std::span<std::uint16_t> cells);
     Result<void> readNumbers(int frame, std::span<double> numbers);
+    Result<void> readNativeColours(int frame, std::span<std::uint16_t> samples);
+    Result<std::string> readColours(int frame, std::span<std::uint16_t> samples);
 };
 
 Result<void> PixelReader::Impl::open() {
@@ -150,6 +154,11 @@ Result<void> PixelReader::Impl::open() {
         if (pixels.offset < 12 || !file.read(pixels.offset - 8, vr)) return damaged();
         bytesInWords = vr == std::array{std::byte{'O'}, std::byte{'W'}};
     }
+    const bool isNamedSubsampled = layout.samplesPerPixel == 3 && layout.format.bitsAllocated == 8 &&
+                                   layout.photometricInterpretation.ends_with("_422");
+    // Some writers say so, and give each pixel all three samples.
+    isSubsampled = isNamedSubsampled && !pixels.encapsulated && layout.columns % 2 == 0 &&
+                   pixels.claimed * 8 < frameBits() * static_cast<unsigned>(layout.frames);
     if (!pixels.encapsulated) {
         // The pixels may be compressed in name only: some archives change the transfer syntax and not the
         // pixels.
@@ -291,6 +300,57 @@ Result<void> PixelReader::Impl::readNumbers(int frame, std::span<double> numbers
     return {};
 }
 
+// Native, or run-length encoded.
+Result<void> PixelReader::Impl::readNativeColours(int frame, std::span<std::uint16_t> samples) {
+    const std::size_t cell = bytesPerCell();
+    std::vector<std::byte> bytes(static_cast<std::size_t>(frameBits() / 8));
+    if (codec == Codec::rle) {
+        // The three samples make one cell, with the first in its highest bytes.
+        if (!gather(static_cast<std::size_t>(frame)) || !decodeRle(scratch, 3 * cell, bytes))
+            return damaged();
+    } else {
+        MACULA_TRY_VOID(readBytes(frame, bytes));
+    }
+    const auto sampleAt = [&](std::size_t place) {
+        const unsigned low = std::to_integer<unsigned>(bytes[place * cell]);
+        const unsigned high = cell == 2 ? std::to_integer<unsigned>(bytes[place * cell + 1]) : 0;
+        return static_cast<std::uint16_t>(low | high << 8);
+    };
+    const std::size_t count = cellCount();
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::size_t place = 3 * i + c;
+            if (codec == Codec::rle) place = 3 * i + 2 - c;
+            // Two luminances, and the differences of both (PS3.3 C.7.6.3.1.2).
+            else if (isSubsampled)
+                place = c == 0 ? i / 2 * 4 + i % 2 : i / 2 * 4 + 1 + c;
+            else if (layout.isByPlane)
+                place = c * count + i;
+            samples[3 * i + c] = sampleAt(place);
+        }
+    }
+    return {};
+}
+
+Result<std::string> PixelReader::Impl::readColours(int frame, std::span<std::uint16_t> samples) {
+    if (isCutOff(frame)) return cutOff();
+    const std::string& said = layout.photometricInterpretation;
+    if (codec == Codec::native || codec == Codec::rle) {
+        MACULA_TRY_VOID(readNativeColours(frame, samples));
+        return said;
+    }
+    if (!gather(static_cast<std::size_t>(frame))) return cutOff();
+    if (codec == Codec::jpeg2000) {
+        if (auto decoded = decodeJpeg2000(scratch, layout.columns, layout.rows, samples); !decoded)
+            return fail(decoded.error().message, decoded.error().hint);
+        return said == "YBR_FULL" ? said : "RGB";
+    }
+    auto decoded =
+        decodeJpegColours(layout.transferSyntaxUid, scratch, said, layout.columns, layout.rows, samples);
+    if (!decoded) return fail(decoded.error().message, decoded.error().hint);
+    return *std::move(decoded);
+}
+
 PixelReader::PixelReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 PixelReader::PixelReader(PixelReader&&) noexcept = default;
 PixelReader& PixelReader::operator=(PixelReader&&) noexcept = default;
@@ -334,6 +394,7 @@ bool PixelReader::isCutOff(int frame) const {
 
 Result<void> PixelReader::read(int frame, std::span<std::uint16_t> cells) {
     MACULA_CHECK(isNarrow(impl_->layout.format) && frame >= 0 && frame < impl_->layout.frames);
+    MACULA_CHECK_EQ(impl_->layout.samplesPerPixel, 1);
     MACULA_CHECK_EQ(cells.size(), impl_->cellCount());
     return guarded(impl_->path, [&] { return impl_->readCells(frame, cells); });
 }
@@ -342,6 +403,15 @@ Result<void> PixelReader::readNumbers(int frame, std::span<double> numbers) {
     MACULA_CHECK(frame >= 0 && frame < impl_->layout.frames);
     MACULA_CHECK_EQ(numbers.size(), impl_->cellCount());
     return guarded(impl_->path, [&] { return impl_->readNumbers(frame, numbers); });
+}
+
+Result<std::string> PixelReader::readColours(int frame, std::span<std::uint16_t> samples) {
+    const PixelLayout& layout = impl_->layout;
+    const int bits = layout.format.bitsAllocated;
+    MACULA_CHECK(layout.samplesPerPixel == 3 && (bits == 8 || bits == 16));
+    MACULA_CHECK(frame >= 0 && frame < layout.frames);
+    MACULA_CHECK_EQ(samples.size(), 3 * impl_->cellCount());
+    return guarded(impl_->path, [&] { return impl_->readColours(frame, samples); });
 }
 
 }  // namespace macula::dicom

@@ -13,13 +13,16 @@
 
 namespace macula::dicom {
 
-// The pixel description of the header. One sample per pixel.
+// The pixel description of the header.
 struct PixelLayout {
     std::string transferSyntaxUid;
     int columns = 0;
     int rows = 0;
     int frames = 1;
-    CellFormat format;
+    CellFormat format;                      // of a sample
+    int samplesPerPixel = 1;                // or 3
+    std::string photometricInterpretation;  // of three samples
+    bool isByPlane = false;                 // Planar Configuration 1, of three samples
 };
 
 // An open file, whose frames can be read in any order; deflated files are fastest in ascending order. Takes
@@ -39,12 +42,17 @@ class PixelReader {
     // Whether the file ends before this frame does: read() will fail.
     bool isCutOff(int frame) const;
 
-    // Frame `frame`, from 0, into `cells` (rows * columns, row by row), as the file has them: see unpackCells
-    // for what follows. Only for isNarrow formats. Fails also when the frame is cut off, or damaged.
+    // One sample per pixel: frame `frame`, from 0, into `cells` (rows * columns, row by row), as the file has
+    // them: see unpackCells for what follows. Only for isNarrow formats. Fails also when the frame is cut
+    // off, or damaged.
     Result<void> read(int frame, std::span<std::uint16_t> cells);
 
     // The same for all formats, as raw values: masked and with their sign.
     Result<void> readNumbers(int frame, std::span<double> numbers);
+
+    // Three samples per pixel, of 8 or 16 bits allocated: pixel by pixel into `samples` (3 * rows * columns).
+    // Returns their photometric interpretation: each pixel has its own colour, also after YBR_FULL_422.
+    Result<std::string> readColours(int frame, std::span<std::uint16_t> samples);
 
   private:
     struct Impl;

@@ -29,16 +29,25 @@ constexpr std::array kTable = std::to_array<Row>({
     {"1.2.840.10008.1.2.4.81", {Codec::jpegLs, "JPEG-LS Near-lossless"}},
     {"1.2.840.10008.1.2.4.90", {Codec::jpeg2000, "JPEG 2000 Lossless"}},
     {"1.2.840.10008.1.2.4.91", {Codec::jpeg2000, "JPEG 2000"}},
+    {"1.2.840.10008.1.2.4.201", {Codec::jpeg2000, "High-Throughput JPEG 2000 Lossless"}},
+    {"1.2.840.10008.1.2.4.202", {Codec::jpeg2000, "High-Throughput JPEG 2000 RPCL Lossless"}},
+    {"1.2.840.10008.1.2.4.203", {Codec::jpeg2000, "High-Throughput JPEG 2000"}},
     // These are known by name only, so that messages say more than a number.
     {"1.2.840.10008.1.2.4.92", {Codec::unsupported, "JPEG 2000 Multi-component Lossless"}},
     {"1.2.840.10008.1.2.4.93", {Codec::unsupported, "JPEG 2000 Multi-component"}},
     {"1.2.840.10008.1.2.4.100", {Codec::unsupported, "MPEG-2 video"}},
+    {"1.2.840.10008.1.2.4.101", {Codec::unsupported, "MPEG-2 video"}},
     {"1.2.840.10008.1.2.4.102", {Codec::unsupported, "MPEG-4 video"}},
+    {"1.2.840.10008.1.2.4.103", {Codec::unsupported, "MPEG-4 video"}},
+    {"1.2.840.10008.1.2.4.104", {Codec::unsupported, "MPEG-4 video"}},
+    {"1.2.840.10008.1.2.4.105", {Codec::unsupported, "MPEG-4 video"}},
+    {"1.2.840.10008.1.2.4.106", {Codec::unsupported, "MPEG-4 video"}},
+    {"1.2.840.10008.1.2.4.107", {Codec::unsupported, "HEVC video"}},
+    {"1.2.840.10008.1.2.4.108", {Codec::unsupported, "HEVC video"}},
     {"1.2.840.10008.1.2.4.110", {Codec::unsupported, "JPEG XL Lossless"}},
+    {"1.2.840.10008.1.2.4.111", {Codec::unsupported, "JPEG XL of a JPEG"}},
     {"1.2.840.10008.1.2.4.112", {Codec::unsupported, "JPEG XL"}},
-    {"1.2.840.10008.1.2.4.201", {Codec::unsupported, "High-Throughput JPEG 2000 Lossless"}},
-    {"1.2.840.10008.1.2.4.202", {Codec::unsupported, "High-Throughput JPEG 2000 RPCL Lossless"}},
-    {"1.2.840.10008.1.2.4.203", {Codec::unsupported, "High-Throughput JPEG 2000"}},
+    {"1.2.840.10008.1.2.8.1", {Codec::unsupported, "Deflated Image Frame"}},
 });
 
 constexpr std::string_view kJpegLossless = "1.2.840.10008.1.2.4.57";

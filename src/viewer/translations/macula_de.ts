@@ -11409,6 +11409,14 @@
         <source>{} segments have no voxel in this volume, and are left out.</source>
         <translation>Ohne Voxel in diesem Volumen, und deshalb ausgelassen: {} Segmente.</translation>
     </message>
+    <message>
+        <source>Each image of this volume says that it is a series of its own, so an object for the archive would refer to the wrong one.</source>
+        <translation>Jedes Bild dieses Volumens gibt sich als eigene Serie aus; ein Objekt für das Archiv verwiese deshalb auf die falsche.</translation>
+    </message>
+    <message>
+        <source>Save a view or a table instead, or ask for images with the right identifiers.</source>
+        <translation>Speichern Sie stattdessen eine Ansicht oder eine Tabelle, oder bitten Sie um Bilder mit den richtigen Kennungen.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>

@@ -1,0 +1,186 @@
+#include "dicom/planar/planar_header.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dicom/read/dataset.h"
+#include "dicom/read/tags.h"
+
+namespace macula::dicom {
+
+namespace {
+
+constexpr Tag kRecommendedRate{0x0008, 0x2144};
+constexpr Tag kPlaybackSequencing{0x0018, 0x1244};
+constexpr Tag kViewPosition{0x0018, 0x5101};
+constexpr Tag kRegions{0x0018, 0x6011};
+constexpr Tag kRegionLeft{0x0018, 0x6018};
+constexpr Tag kRegionTop{0x0018, 0x601A};
+constexpr Tag kRegionRight{0x0018, 0x601C};
+constexpr Tag kRegionBottom{0x0018, 0x601E};
+constexpr Tag kRegionUnitX{0x0018, 0x6024};
+constexpr Tag kRegionUnitY{0x0018, 0x6026};
+constexpr Tag kRegionPerColumn{0x0018, 0x602C};
+constexpr Tag kRegionPerRow{0x0018, 0x602E};
+constexpr Tag kLaterality{0x0020, 0x0060};
+constexpr Tag kImageLaterality{0x0020, 0x0062};
+constexpr Tag kPixelAspectRatio{0x0028, 0x0034};
+constexpr Tag kLutExplanation{0x0028, 0x3003};
+constexpr Tag kPresentationLutShape{0x2050, 0x0020};
+
+constexpr double kMostMs = 600'000.0;
+constexpr std::size_t kMostRegions = 64;
+
+bool isAbove0(double value) {
+    return std::isfinite(value) && value > 0.0;
+}
+
+// The number of that attribute where it is above 0.
+std::optional<double> positive(const Dataset& header, Tag tag) {
+    const std::optional<double> value = header.number(tag);
+    return value && *value > 0.0 ? value : std::nullopt;
+}
+
+bool isLowBright(const Dataset& header) {
+    const std::string shape = header.text(kPresentationLutShape).value_or("");
+    if (shape == "INVERSE") return true;
+    return shape != "IDENTITY" && header.text(tag::kPhotometricInterpretation) == "MONOCHROME1";
+}
+
+std::vector<VoiTable> tablesOf(const Dataset& header) {
+    const bool isSigned = header.integer(tag::kPixelRepresentation).value_or(0) == 1 ||
+                          header.number(tag::kRescaleIntercept).value_or(0.0) < 0.0;
+    std::vector<VoiTable> tables;
+    for (const Dataset& item : header.items(tag::kVoiLutSequence)) {
+        const std::vector<std::uint16_t> descriptor = item.words(tag::kLutDescriptor);
+        if (descriptor.size() != 3 || descriptor[2] < 1 || descriptor[2] > 16) continue;
+        auto table = readModalityLut({descriptor[0], descriptor[1], descriptor[2]}, item.words(tag::kLutData),
+                                     isSigned);
+        if (!table) continue;
+        tables.push_back(
+            {std::move(table), int(descriptor[2]), item.text(kLutExplanation).value_or(std::string())});
+    }
+    return tables;
+}
+
+std::optional<std::pair<double, double>> spacing(const Dataset& header, Tag tag) {
+    const auto rowsAndColumns = header.numbers(tag, 2);
+    if (!rowsAndColumns || !isAbove0((*rowsAndColumns)[0]) || !isAbove0((*rowsAndColumns)[1])) return {};
+    return std::pair((*rowsAndColumns)[0], (*rowsAndColumns)[1]);
+}
+
+// Pixel Spacing of a projection is calibrated only if it says so, or differs from that of the detector.
+std::optional<PixelSize> pixelSizeOf(const Dataset& header) {
+    const auto inPatient = spacing(header, tag::kPixelSpacing);
+    auto atDetector = spacing(header, tag::kImagerPixelSpacing);
+    if (!atDetector) atDetector = spacing(header, tag::kNominalScannedPixelSpacing);
+    const bool saysHow = !header.text({0x0028, 0x0A02}).value_or("").empty();
+    if (inPatient && (!atDetector || saysHow || *inPatient != *atDetector))
+        return PixelSize{.columnMm = inPatient->second, .rowMm = inPatient->first};
+    if (!atDetector) return {};
+    PixelSize size{.of = PixelSize::Of::detector, .columnMm = atDetector->second, .rowMm = atDetector->first};
+    const std::optional<double> magnification = positive(header, tag::kEstimatedMagnification);
+    if (!magnification) return size;
+    size.of = PixelSize::Of::estimate;
+    size.magnification = *magnification;
+    size.columnMm /= *magnification;
+    size.rowMm /= *magnification;
+    return size;
+}
+
+// PS3.3 C.8.5.5.1.15: 3 is cm, 4 is seconds.
+std::pair<UltrasoundRegion::Unit, double> unitOf(int code) {
+    using Unit = UltrasoundRegion::Unit;
+    constexpr double kMmOfCm = 10.0;
+    if (code == 3) return {Unit::millimetres, kMmOfCm};
+    if (code == 4) return {Unit::seconds, 1.0};
+    return {code == 0 ? Unit::none : Unit::other, 1.0};
+}
+
+std::vector<UltrasoundRegion> regionsOf(const Dataset& header) {
+    std::vector<UltrasoundRegion> regions;
+    for (const Dataset& item : header.items(kRegions)) {
+        if (regions.size() == kMostRegions) break;
+        const auto left = item.integer(kRegionLeft);
+        const auto top = item.integer(kRegionTop);
+        const auto right = item.integer(kRegionRight);
+        const auto bottom = item.integer(kRegionBottom);
+        if (!left || !top || !right || !bottom || *right < *left || *bottom < *top) continue;
+        const auto [unitX, scaleX] = unitOf(item.integer(kRegionUnitX).value_or(0));
+        const auto [unitY, scaleY] = unitOf(item.integer(kRegionUnitY).value_or(0));
+        regions.push_back({.left = *left,
+                           .top = *top,
+                           .right = *right,
+                           .bottom = *bottom,
+                           .unitX = unitX,
+                           .unitY = unitY,
+                           .perColumn = item.number(kRegionPerColumn).value_or(0.0) * scaleX,
+                           .perRow = item.number(kRegionPerRow).value_or(0.0) * scaleY});
+    }
+    return regions;
+}
+
+double heightOverWidth(const Dataset& header, const std::optional<PixelSize>& size) {
+    if (size) return size->rowMm / size->columnMm;
+    const auto ratio = header.numbers(kPixelAspectRatio, 2);  // vertical, horizontal
+    if (!ratio || !isAbove0((*ratio)[0]) || !isAbove0((*ratio)[1])) return 1.0;
+    return (*ratio)[0] / (*ratio)[1];
+}
+
+// Increments from each frame to the next; that of the first is 0 and means nothing. The last frame is shown
+// as long as the one before.
+std::vector<double> shownMs(const std::vector<double>& increments) {
+    std::vector<double> shown(increments.begin() + 1, increments.end());
+    shown.push_back(shown.back());
+    const bool isUsable = std::ranges::all_of(shown, [](double ms) { return isAbove0(ms) && ms <= kMostMs; });
+    return isUsable ? shown : std::vector<double>();
+}
+
+CineTiming cineOf(const Dataset& header) {
+    CineTiming timing;
+    const auto frames = static_cast<std::size_t>(header.frameCount());
+    if (frames < 2) return timing;
+    timing.sweeps = header.integer(kPlaybackSequencing).value_or(0) == 1;
+    const std::vector<double> increments = header.allNumbers(tag::kFrameTimeVector);
+    if (increments.size() == frames) timing.frameMs = shownMs(increments);
+    if (!timing.frameMs.empty()) return timing;
+    constexpr double kMsOfSecond = 1000.0;
+    std::optional<double> ms = positive(header, tag::kFrameTime);
+    for (const Tag rate : {kRecommendedRate, tag::kCineRate}) {
+        const std::optional<double> perSecond = positive(header, rate);
+        if (!ms && perSecond) ms = kMsOfSecond / *perSecond;
+    }
+    if (ms && *ms <= kMostMs) timing.frameMs.assign(frames, *ms);
+    return timing;
+}
+
+}  // namespace
+
+Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file) {
+    const HeaderFile read = readHeader(file);
+    if (!read.header)
+        return Error{ErrorCode::inputNotUsable, Text("The image cannot be read."), file.string(),
+                     Text("Check that the file or disc is still there.")};
+    const Dataset header = read.header->frame(0);
+    PlanarHeader planar;
+    planar.isLowBright = isLowBright(header);
+    planar.tables = tablesOf(header);
+    planar.isByPlane = header.integer({0x0028, 0x0006}).value_or(0) == 1;
+    if (header.text(tag::kPhotometricInterpretation) == "PALETTE COLOR") {
+        if (auto palette =
+                readPalette(*read.header, header.integer(tag::kPixelRepresentation).value_or(0) == 1))
+            planar.palette = std::make_shared<const ColourPalette>(*std::move(palette));
+    }
+    planar.regions = regionsOf(header);
+    if (planar.regions.empty()) planar.pixelSize = pixelSizeOf(header);
+    planar.pixelHeightOverWidth = heightOverWidth(header, pixelSizeOf(header));
+    planar.cine = cineOf(*read.header);
+    const std::vector<std::string> towards = header.texts(tag::kPatientOrientation);
+    if (towards.size() == 2) planar.towards = {towards[0], towards[1]};
+    planar.laterality = header.text(kImageLaterality).value_or(header.text(kLaterality).value_or(""));
+    planar.viewPosition = header.text(kViewPosition).value_or("");
+    return planar;
+}
+
+}  // namespace macula::dicom

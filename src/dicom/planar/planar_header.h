@@ -1,0 +1,77 @@
+// What a viewer needs to show an image as it is: an X-ray, an ultrasound loop, a photograph. Values, windows
+// and rescaling are those of Frame (stack/instance.h).
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "base/text.h"
+#include "dicom/planar/colours.h"
+#include "dicom/stack/intensity.h"
+
+namespace macula::dicom {
+
+// Of the VOI LUT Sequence (PS3.3 C.11.2.1.1).
+struct VoiTable {
+    std::shared_ptr<const ModalityLut> table;
+    int bits = 8;             // of its entries: the largest is white
+    std::string explanation;  // may be empty
+};
+
+// The size of a pixel in the plane that is measured (PS3.3 10.7).
+struct PixelSize {
+    enum class Of {
+        object,    // calibrated, or measured where the patient is
+        detector,  // of a projection: what lies before the detector is smaller
+        estimate,  // at the detector, divided by an estimated magnification
+    };
+    Of of = Of::object;
+    double columnMm = 1.0;  // between columns
+    double rowMm = 1.0;     // between rows
+    double magnification = 1.0;
+};
+
+// A region of an ultrasound image with a scale of its own (PS3.3 C.8.5.5), in pixels, both ends included.
+struct UltrasoundRegion {
+    enum class Unit { none, millimetres, seconds, other };
+    int left = 0;
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+    Unit unitX = Unit::none;
+    Unit unitY = Unit::none;
+    double perColumn = 0.0;  // in units; a row may count upwards
+    double perRow = 0.0;
+};
+
+// How frames follow each other in time (PS3.3 C.7.6.5); frameMs is empty where the file does not say.
+struct CineTiming {
+    std::vector<double> frameMs;  // how long each frame is shown, all above 0
+    bool sweeps = false;          // forwards and backwards: Preferred Playback Sequencing 1
+};
+
+struct PlanarHeader {
+    bool isLowBright = false;  // MONOCHROME1, or a presentation LUT that inverts
+    std::vector<VoiTable> tables;
+    std::shared_ptr<const ColourPalette> palette;  // of PALETTE COLOR
+    bool isByPlane = false;                        // of three samples: Planar Configuration 1
+    std::optional<PixelSize> pixelSize;            // where pixels have one size all over the image
+    std::vector<UltrasoundRegion> regions;         // else those that have one
+    double pixelHeightOverWidth = 1.0;             // also where no size is known
+    CineTiming cine;
+    // Where rows and columns run to: letters as "L", "FR"; PS3.3 C.7.6.1.1.1. Empty where the file does not
+    // say.
+    std::array<std::string, 2> towards;
+    std::string laterality;    // R, L, B or U
+    std::string viewPosition;  // "CC", "AP"; may be empty
+};
+
+// Fails with inputNotUsable when the file is gone or no image. Never throws but for lack of memory.
+Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file);
+
+}  // namespace macula::dicom
