@@ -1,5 +1,7 @@
 #include "study/list/series_thumbnail.h"
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,8 +24,12 @@ using dicom::test::TemporaryFolder;
 // 0 and 1000 in the first rows, 2000 and 3000 in the last; all others are 500. Values are 1024 less.
 class QuartersTest : public testing::Test {
   protected:
-    void SetUp() override {
+    void SetUp() override { write({}); }
+    void write(const std::vector<dicom::test::Edit>& edits) {
+        fs::remove_all(folder_ / "DOE^JANE");
         SyntheticSeries series;
+        series.edits = edits;
+        series.shuffleNumbers = false;
         series.size = {64, 48, 5};
         series.rawInstead = [](const dicom::test::Slice& slice, int i, int j) -> std::optional<int> {
             if (slice.place != 2) return 500;
@@ -55,14 +61,6 @@ class QuartersTest : public testing::Test {
             frame.windows = {{.center = center, .width = width, .explanation = {}, .function = function},
                              {.center = 1e6, .width = 1.0, .explanation = {}, .function = {}}};
     }
-    void setInverted() {
-        for (dicom::Frame& frame : stack_.frames) {
-            auto instance = std::make_shared<dicom::Instance>(*frame.instance);
-            instance->photometricInterpretation = "MONOCHROME1";
-            frame.instance = instance;
-        }
-    }
-
     TemporaryFolder folder_;
     dicom::Stack stack_;
 };
@@ -94,7 +92,7 @@ TEST_F(QuartersTest, AWindowOfOtherValuesDoesNotCount) {
 }
 
 TEST_F(QuartersTest, Monochrome1IsInvertedAndPaddingIsBlack) {
-    setInverted();
+    write({[](DcmItem& item) { dicom::test::put(item, DCM_PhotometricInterpretation, "MONOCHROME1"); }});
     EXPECT_EQ(quartersOf(thumbnail()), (Greys{255, 170, 85, 0}));
     setWindow(476.0, 3000.0, "LINEAR_EXACT");
     for (dicom::Frame& frame : stack_.frames) frame.padding = dicom::RawRange{0, 0};
@@ -121,6 +119,7 @@ TEST_F(QuartersTest, OnlyTheMiddleFileIsRead) {
 }
 
 TEST_F(QuartersTest, ImagesThatAreNoVolumeHaveOneToo) {
+    write({[](DcmItem& item) { item.findAndDeleteElement(DCM_PixelSpacing); }});
     stack_.slices.clear();
     stack_.worldFromVoxel.reset();
     for (dicom::Frame& frame : stack_.frames) frame.plane.reset();

@@ -94,7 +94,7 @@ TEST(StudyTree, ASeriesTellsImagesSizeAndVoxels) {
     EXPECT_EQ(inEnglish(tree.rows[rowTitled(tree, "Series 2: Portal venous")].details),
               (Texts{"CT · 100 images", "512 × 256 × 100", "0.7 × 0.5 × 1.25 mm"}));
     EXPECT_EQ(inEnglish(tree.rows[rowTitled(tree, "Series 1: Scout")].details),
-              (Texts{"CT · 1 image", "512 × 256"}));
+              (Texts{"CT · 1 image", "512 × 256", "Shown as images, not in 3D"}));
 }
 
 TEST(StudyTree, VoxelsThatAreNotCalibratedAreToldSo) {
@@ -129,7 +129,12 @@ TEST(StudyTree, SeveralVolumesOfASeriesAreRowsOfTheirOwn) {
     ASSERT_EQ(mixed.children.size(), 2u);
     EXPECT_EQ(tree.rows[mixed.children[0]].volume, 3u);
     EXPECT_FALSE(tree.rows[mixed.children[1]].volume);
-    EXPECT_EQ(tree.rows[mixed.children[1]].whyNot, dicom::message(dicom::key::kSingleSlice).sentence);
+    const StudyRow& single = tree.rows[mixed.children[1]];
+    EXPECT_EQ(single.images, single.picture);
+    EXPECT_TRUE(single.whyNot.empty());
+    ASSERT_EQ(single.messages.size(), 1u);
+    EXPECT_TRUE(single.messages[0].english().starts_with(
+        dicom::message(dicom::key::kSingleSlice).sentence.english()));
     EXPECT_EQ(tree.rows[mixed.children[0]].messages.size(), 1u) << "of a source with losses";
 }
 
@@ -137,7 +142,8 @@ TEST(StudyTree, WhatCannotBeOpenedSaysWhy) {
     const auto found = test::twoPatients();
     const StudyTree tree = studyTree(*found);
     const auto why = [&](std::string_view title) { return tree.rows[rowTitled(tree, title)].whyNot; };
-    EXPECT_EQ(why("Series 1: Scout"), dicom::message(dicom::key::kLocalizer).sentence);
+    EXPECT_EQ(why("Series 1: Scout"), "") << "it is shown as an image";
+    EXPECT_NE(tree.rows[rowTitled(tree, "Series 1: Scout")].images, nullptr);
     EXPECT_EQ(why("Series 9: Report of Jane"),
               "This is no image, and is not shown by itself: Structured report.");
     EXPECT_EQ(why("Series 10: Broken"), "No file of this series can be read; it has 4.");
@@ -146,7 +152,8 @@ TEST(StudyTree, WhatCannotBeOpenedSaysWhy) {
               Texts{"SR · no images · 1 object"});
     for (const StudyRow& row : tree.rows) {
         if (row.kind != Kind::stack) continue;
-        EXPECT_EQ(row.whyNot.empty(), row.volume.has_value()) << row.title;
+        EXPECT_EQ(row.images == nullptr, row.volume.has_value()) << row.title;
+        EXPECT_TRUE(row.whyNot.empty()) << row.title;
     }
 }
 

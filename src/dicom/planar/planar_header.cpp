@@ -121,6 +121,20 @@ std::vector<UltrasoundRegion> regionsOf(const Dataset& header) {
     return regions;
 }
 
+// The scale that all regions in millimetres share; others, such as those of time, have none.
+std::optional<PixelSize> pixelSizeOf(const std::vector<UltrasoundRegion>& regions) {
+    std::optional<PixelSize> shared;
+    for (const UltrasoundRegion& region : regions) {
+        using Unit = UltrasoundRegion::Unit;
+        if (region.unitX != Unit::millimetres || region.unitY != Unit::millimetres) continue;
+        const PixelSize size{.columnMm = std::abs(region.perColumn), .rowMm = std::abs(region.perRow)};
+        if (!isAbove0(size.columnMm) || !isAbove0(size.rowMm)) return {};
+        if (shared && (shared->columnMm != size.columnMm || shared->rowMm != size.rowMm)) return {};
+        shared = size;
+    }
+    return shared;
+}
+
 double heightOverWidth(const Dataset& header, const std::optional<PixelSize>& size) {
     if (size) return size->rowMm / size->columnMm;
     const auto ratio = header.numbers(kPixelAspectRatio, 2);  // vertical, horizontal
@@ -173,8 +187,8 @@ Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file) {
             planar.palette = std::make_shared<const ColourPalette>(*std::move(palette));
     }
     planar.regions = regionsOf(header);
-    if (planar.regions.empty()) planar.pixelSize = pixelSizeOf(header);
-    planar.pixelHeightOverWidth = heightOverWidth(header, pixelSizeOf(header));
+    planar.pixelSize = planar.regions.empty() ? pixelSizeOf(header) : pixelSizeOf(planar.regions);
+    planar.pixelHeightOverWidth = heightOverWidth(header, planar.pixelSize);
     planar.cine = cineOf(*read.header);
     const std::vector<std::string> towards = header.texts(tag::kPatientOrientation);
     if (towards.size() == 2) planar.towards = {towards[0], towards[1]};

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <new>
 
-#include "dicom/frame_loader.h"
-#include "slices/grey.h"
+#include "study/planar/planar_display.h"
 
 namespace macula::study {
 
@@ -18,26 +16,15 @@ std::size_t middleOf(const dicom::Stack& stack) {
     return middle.weight < 0.5 ? middle.below : middle.above;
 }
 
-DisplayWindow windowOf(const dicom::Frame& frame, const std::vector<float>& values) {
-    // The window of a file is for rescaled values, not for those of a real world value mapping.
-    if (!frame.windows.empty() && !frame.realWorld) return frame.windows.front();
-    std::vector<float> known;
-    known.reserve(values.size());
-    std::copy_if(values.begin(), values.end(), std::back_inserter(known),
-                 [](float value) { return std::isfinite(value); });
-    if (known.empty()) return {};
-    const auto valueAt = [&](std::size_t hundredth) {
-        const std::size_t place = hundredth * (known.size() - 1) / 100;
-        const auto at = known.begin() + static_cast<std::ptrdiff_t>(place);
-        std::nth_element(known.begin(), at, known.end());
-        return double{*at};
-    };
-    const double low = valueAt(1);
-    const double high = valueAt(99);
-    return {.center = 0.5 * (low + high),
-            .width = high > low ? high - low : 1.0,
-            .explanation = {},
-            .function = "LINEAR_EXACT"};
+// The luminances (ITU-R BT.601) of colours.
+std::vector<std::uint8_t> greyOf(PlanarPicture picture) {
+    if (!picture.isColour) return std::move(picture.bytes);
+    std::vector<std::uint8_t> grey;
+    grey.reserve(picture.bytes.size() / 3);
+    for (std::size_t i = 0; i < picture.bytes.size(); i += 3)
+        grey.push_back(static_cast<std::uint8_t>(std::lround(
+            0.299 * picture.bytes[i] + 0.587 * picture.bytes[i + 1] + 0.114 * picture.bytes[i + 2])));
+    return grey;
 }
 
 // How much of each old cell a new cell covers, along one axis.
@@ -69,12 +56,12 @@ Result<Thumbnail> make(const dicom::Stack& stack, const CancelToken& cancel) {
             ErrorCode::inputNotUsable, Text("There is no image."), {}, Text("Choose another series.")};
     const std::size_t middle = middleOf(stack);
     const dicom::Frame& frame = stack.frames[middle];
-    MACULA_TRY(const dicom::LoadedFrame image, dicom::loadFrame(stack, middle, cancel));
-    const bool inverted = frame.instance->photometricInterpretation == "MONOCHROME1";
+    MACULA_TRY(const dicom::PlanarHeader header, dicom::readPlanarHeader(frame.instance->file));
+    MACULA_TRY(const dicom::PlanarFrame image, dicom::loadPlanarFrame(stack, middle, header, cancel));
     const std::vector<std::uint8_t> grey =
-        slices::toGrey(image.values, windowOf(frame, image.values), inverted);
-    return shrunk(grey, image.columns, image.rows, frame.plane ? frame.plane->columnSpacingMm : 1.0,
-                  frame.plane ? frame.plane->rowSpacingMm : 1.0);
+        greyOf(pictureOf(image, header, usualDisplay(frame, header, image)));
+    if (!frame.plane) return shrunk(grey, image.columns, image.rows, 1.0, header.pixelHeightOverWidth);
+    return shrunk(grey, image.columns, image.rows, frame.plane->columnSpacingMm, frame.plane->rowSpacingMm);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "study/list/search_text.h"
 #include "study/open/presented_volume.h"
 #include "study/open/stack_label_text.h"
+#include "study/planar/planar_images.h"
 
 namespace macula::study {
 
@@ -202,7 +203,10 @@ class Builder {
         const std::vector<const dicom::OtherObject*> presentations = presentationsOf(series);
         // A series of presentation states alone lacks no volume: a user opens one of the states.
         const bool isOfPresentations = !presentations.empty() && series.stacks.empty();
-        if (volumes.empty() && found_.isWhole() && !isOfPresentations) row.whyNot = whyNoVolume(series);
+        if (isOne && canBeShownAsImages(series.stacks.front()))
+            setImages(row, series.stacks.front());
+        else if (volumes.empty() && found_.isWhole() && !isOfPresentations)
+            row.whyNot = whyNoVolume(series);
         addMessages(series.messages, row);
         if (isOne) addMessages(series.stacks.front().messages, row);
         row.picture = pictureOf(series);
@@ -229,6 +233,12 @@ class Builder {
         if (series.stacks.size() > 1)
             facts.push_back(volumes == 1 ? Text("1 volume") : Text("{} volumes", volumes));
         return withBetween(std::move(facts));
+    }
+
+    // The messages of the stack say why it is no volume.
+    static void setImages(StudyRow& row, const dicom::Stack& stack) {
+        row.images = &stack;
+        row.details.push_back(Text("Shown as images, not in 3D"));
     }
 
     // The presentation states of the series, newest first.
@@ -284,7 +294,10 @@ class Builder {
         row.title = Text::joined(std::move(labels), ", ");
         row.details = {withBetween({imagesText(stack.frames.size()), sizeText(stack)})};
         if (Text voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
-        row.whyNot = whyNoVolume(stack);
+        if (canBeShownAsImages(stack))
+            setImages(row, stack);
+        else
+            row.whyNot = whyNoVolume(stack);
         addMessages(stack.messages, row);
         if (stack.canBeVolume()) row.volume = volumes_.at(&stack);
         row.picture = &stack;

@@ -40,13 +40,14 @@ struct StudyRow {
 
     Text title = {};
     std::vector<Text> details = {};  // lines; lengths have their unit
-    // A sentence where a series or stack has no volume, or a presentation state cannot be shown; otherwise
-    // empty.
+    // A sentence where a series or stack can be shown neither in 3D nor as images, or a presentation state
+    // cannot be shown; otherwise empty.
     Text whyNot = {};
     std::vector<Text> messages = {};  // sentences, each with the advised action
     // The volume that the row opens, in FoundVolumes::volumes(): of a stack, or of a series with only one.
     std::optional<std::size_t> volume = {};
     std::optional<Presentation> presentation = {};  // what opening the row shows
+    const dicom::Stack* images = nullptr;           // likewise: without a volume, planar_images.h
     // Its middle image is the thumbnail of the row. Owned by the FoundVolumes; null without an image.
     const dicom::Stack* picture = nullptr;
     std::string searched = {};  // foldedForSearch of title and facts, with that of the rows above

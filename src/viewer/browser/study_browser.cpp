@@ -235,8 +235,8 @@ std::size_t StudyBrowser::rowToSelect(std::size_t wanted) const {
     for (std::size_t row = 0; row < rows.size(); ++row) {
         if (!model_->isShown(row)) continue;
         if (first == study::kNoRow) first = row;
-        if (!rows[row].volume) continue;
-        if (rows[row].volume == model_->open()) return row;
+        if (!rows[row].volume && rows[row].images == nullptr) continue;
+        if (rows[row].volume && rows[row].volume == model_->open()) return row;
         if (openable == study::kNoRow && isExpanded(rows[row].parent)) openable = row;
     }
     return openable != study::kNoRow ? openable : first;
@@ -248,6 +248,7 @@ void StudyBrowser::openRow(const QModelIndex& index) {
     // Copied, because a listener may set another folder here.
     if (const auto presentation = row.presentation) return Q_EMIT presentationChosen(*presentation);
     if (row.kind == study::StudyRow::Kind::presentation) return Q_EMIT presentationRefused(Text(row.whyNot));
+    if (row.images != nullptr) return Q_EMIT imagesChosen(row.images);
     if (!row.volume) return tree_->setExpanded(index, !tree_->isExpanded(index));
     if (row.volume != model_->open()) Q_EMIT chosen(*row.volume);
 }

@@ -47,8 +47,9 @@ class StudyBrowser : public QWidget {
     std::optional<std::size_t> selectedOther() const;  // a volume other than the open one
 
   Q_SIGNALS:
-    void chosen(std::size_t index);       // a volume other than the open one
-    void secondAsked(std::size_t index);  // a volume to show beside the open one
+    void chosen(std::size_t index);                        // a volume other than the open one
+    void secondAsked(std::size_t index);                   // a volume to show beside the open one
+    void imagesChosen(const macula::dicom::Stack* stack);  // a series without a volume; of found()
     // A person chose this presentation state; its volume may not be open.
     void presentationChosen(const macula::study::StudyRow::Presentation& presentation);
     // The chosen presentation state cannot be shown; the sentence is study::StudyRow::whyNot.

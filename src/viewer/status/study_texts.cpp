@@ -16,8 +16,8 @@ struct PictureWords {
 
 const QString kProgram = QStringLiteral("Macula");
 
-QString titleText(const study::OpenedStudy& study) {
-    QString title = inWindowsLanguage(titleOf(study.identity)).simplified();
+QString titleText(const study::Identity& identity) {
+    QString title = inWindowsLanguage(titleOf(identity)).simplified();
     title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));  // escapes Qt's mark for unsaved documents
     return title.isEmpty() ? kProgram : title + QStringLiteral(" \u2013 ") + kProgram;
 }
@@ -43,9 +43,17 @@ StudyTexts textsOf(const study::OpenedStudy& study, bool names) {
     texts.voxels = voxelsText(*study.volume);
     texts.whyThisOne = inWindowsLanguage(study.whyThisSeries);
     if (!names) return texts;
-    texts.title = titleText(study);
+    texts.title = titleText(study.identity);
     texts.description = inWindowsLanguage(study.description);
     texts.listsVolumes = study.volumeTitles.size() > 1;
+    return texts;
+}
+
+StudyTexts textsOfImages(const study::Identity& identity, bool names) {
+    StudyTexts texts{.title = kProgram};
+    if (!names) return texts;
+    texts.title = titleText(identity);
+    texts.description = inWindowsLanguage(identity.series);
     return texts;
 }
 

@@ -23,6 +23,9 @@ struct StudyTexts {
 // study. With `names` false they hold no patient name, date or description from the files.
 StudyTexts textsOf(const study::OpenedStudy& study, bool names);
 
+// While images are shown instead of the open study (planar_controller.h).
+StudyTexts textsOfImages(const study::Identity& identity, bool names);
+
 // Removes repeated sentences: those of a series often recur for its volume.
 QStringList withoutRepeats(const QStringList& notes);
 

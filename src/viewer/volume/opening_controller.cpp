@@ -43,6 +43,7 @@ void OpeningController::connectOutcomes() {
     });
     connect(&loader_, &StudyLoader::failed, this, [this](const Error& error) {
         bar_->hide();
+        if (error.code == ErrorCode::inputNotUsable && instead_ && instead_()) return;
         context_.notifications.fail(error, told(error));
     });
     connect(&loader_, &StudyLoader::cancelled, this, [this] {

@@ -39,6 +39,8 @@ class OpeningController : public QObject {
 
     StudyLoader& loader() { return loader_; }
     const StudyLoader& loader() const { return loader_; }
+    // Called when nothing could be opened as a volume; true: something else is shown, and no error.
+    void setInstead(std::function<bool()> instead) { instead_ = std::move(instead); }
     void letKeeperGo() { loader_.setKeeper(nullptr); }
     WorkBar* bar() const { return bar_; }
     void addActions(QMenu& file);
@@ -58,6 +60,7 @@ class OpeningController : public QObject {
     StateController& states_;
     StudyLoader loader_;
     WorkBar* bar_;
+    std::function<bool()> instead_;
     bool storeNoteIsNew_ = false;  // the store's note came during an opening
 };
 

@@ -36,6 +36,7 @@
 #include "viewer/panes/panels_controller.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/pick/pick_controller.h"
+#include "viewer/planar/planar_controller.h"
 #include "viewer/presets/preset_gallery.h"
 #include "viewer/presets/presets_controller.h"
 #include "viewer/quality/quality_controller.h"
@@ -102,6 +103,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     connectSettings();
     connectStudy();
     connectViewport();
+    connectImages();
     new FocusOfGreyed(*this, context_.focusPicture);
     settings_->useKeys();
     showNames(options_.namesPatient && options_.settings.showsNames);
@@ -122,6 +124,7 @@ void MainWindow::makeStudy() {
                                   keeper_.get());
     opening_ = new OpeningController(context_, *states_, keeper_);
     panes_ = new PanesController(context_);
+    planar_ = new PlanarController(context_, panes_->grid());
     undo_ = new UndoActions(session_, this);
     table_ = new TableController(context_);
     table_->endAt(undo_->undo());
@@ -138,6 +141,7 @@ void MainWindow::makeStudy() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(&panes_->grid(), 1);
+    column->addWidget(&planar_->widget(), 1);
     column->addWidget(&watch_->bar());
     column->addWidget(&notes_->bar());
     column->addWidget(&notifications_->bar());
@@ -247,6 +251,27 @@ void MainWindow::connectStudy() {
     connect(headset_, &HeadsetController::ended, this, &MainWindow::headsetEnded);
     if (options_.showsInHeadset)
         connect(this, &MainWindow::studyShown, headset_, &HeadsetController::begin, Qt::SingleShotConnection);
+}
+
+void MainWindow::connectImages() {
+    connect(&browser_->browser(), &StudyBrowser::imagesChosen, this,
+            [this](const dicom::Stack* stack) { planar_->show(browser_->browser().found(), stack); });
+    connect(planar_, &PlanarController::shownChanged, this,
+            [this] { status_->setImagesShown(planar_->identity()); });
+    opening_->setInstead([this] { return showImagesInstead(); });
+    connect(this, &MainWindow::studyShown, planar_, &PlanarController::close);
+    connect(panes_, &PanesController::layoutShown, planar_, &PlanarController::close);
+}
+
+// A folder without any volume is shown as what it holds.
+bool MainWindow::showImagesInstead() {
+    const auto& found = browser_->browser().found();
+    if (!found || !found->isWhole() || !found->volumes().empty()) return false;
+    const study::StudySource& source = opening_->loader().source();
+    const study::PlanarSeries series =
+        study::planarSeriesFor(*found, source.value_or(std::filesystem::path()));
+    if (series.stack != nullptr) planar_->show(found, series.stack);
+    return series.stack != nullptr;
 }
 
 void MainWindow::connectViewport() {

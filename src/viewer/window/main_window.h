@@ -43,6 +43,7 @@ class PaneGrid;
 class PanelsController;
 class PickController;
 class PicturesController;
+class PlanarController;
 class PresentationsController;
 class PresetsController;
 class QualityController;
@@ -114,6 +115,7 @@ class MainWindow : public QMainWindow {
     SliceView& slices(slices::Orientation orientation) { return panes_->slices(orientation); }
     SlicePair& pair(slices::Orientation orientation) { return panes_->pair(orientation); }
     PaneGrid& panes() { return panes_->grid(); }
+    PlanarController& images() { return *planar_; }  // those that are no volumes
     SecondVolumeLoader& secondVolume();
     // The last error; the notes on the study. Empty without one, or after it was dismissed.
     QString message() const { return notifications_->text(); }
@@ -165,6 +167,8 @@ class MainWindow : public QMainWindow {
     void connectSettings();
     void connectStudy();
     void connectViewport();
+    void connectImages();
+    bool showImagesInstead();
     void place();
     void showNames(bool shown);
 
@@ -184,6 +188,7 @@ class MainWindow : public QMainWindow {
     StateController* states_ = nullptr;
     OpeningController* opening_ = nullptr;
     PanesController* panes_ = nullptr;
+    PlanarController* planar_ = nullptr;
     PanelsController* panels_ = nullptr;
     UndoActions* undo_ = nullptr;
     TableController* table_ = nullptr;

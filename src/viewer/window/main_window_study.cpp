@@ -17,6 +17,7 @@
 #include "viewer/links/links_controller.h"
 #include "viewer/look/view3d_controller.h"
 #include "viewer/pick/pick_controller.h"
+#include "viewer/planar/planar_controller.h"
 #include "viewer/quality/quality_controller.h"
 #include "viewer/second/second_volume_controller.h"
 #include "viewer/segmentation/segmentation_panel.h"
@@ -68,6 +69,7 @@ void MainWindow::showStudy(const study::OpenedStudy& study) {
 void MainWindow::showNames(bool shown) {
     viewport_->showNames(shown);
     panes_->showNames(shown);
+    planar_->showNames(shown);
     browser_->showNames(shown);
     archive_->showNames(shown);
     links_->showNames(shown);

@@ -84,10 +84,18 @@ void StatusController::addTo(QStatusBar& bar) {
 }
 
 void StatusController::showTexts() {
-    const StudyTexts texts = textsOf(context_.session.study(), context_.viewport.namesShown());
+    const bool names = context_.viewport.namesShown();
+    const StudyTexts texts =
+        images_ ? textsOfImages(*images_, names) : textsOf(context_.session.study(), names);
     context_.window.setWindowTitle(texts.title);
     volumeText_->setFullText(texts.voxels);
     description_->setFullText(texts.description, texts.whyThisOne);
+}
+
+void StatusController::setImagesShown(std::optional<study::Identity> identity) {
+    images_ = std::move(identity);
+    showTexts();
+    tellOfPicture();
 }
 
 QString StatusController::description() const {
@@ -115,17 +123,18 @@ QString StatusController::model() const {
 }
 
 void StatusController::tellOfPicture() {
-    const bool isShown = panes_.isVolumeShown();
+    const bool isShown = panes_.isVolumeShown() && !images_;
     const live::FrameShown* frame = isShown ? context_.viewport.frameOnScreen() : nullptr;
     if (frame != nullptr) return tellOfFrame(*frame);
     rateEnds_.stop();
     badge_->hide();
     pictureText_->setFullText({});
     modelText_->setFullText({});
-    fidelity_->setFullText(!context_.session.hasStudy() ? tr("No study is open")
-                           : !isShown                   ? withoutVolumeText(panes_.grid().shownLayout())
-                           : pictureFailed_             ? tr("No picture")
-                                                        : tr("The picture in 3D is being made…"));
+    fidelity_->setFullText(images_                        ? tr("Images, not in 3D")
+                           : !context_.session.hasStudy() ? tr("No study is open")
+                           : !isShown                     ? withoutVolumeText(panes_.grid().shownLayout())
+                           : pictureFailed_               ? tr("No picture")
+                                                          : tr("The picture in 3D is being made…"));
 }
 
 void StatusController::onStudyShown() {

@@ -4,8 +4,10 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <optional>
 
 #include "live/frame/render_events.h"
+#include "study/open/identity.h"
 #include "viewer/context/window_context.h"
 
 class QStatusBar;
@@ -29,7 +31,9 @@ class StatusController : public QObject {
     void addDescription(QToolBar& bar);  // the open study's description
     void addTo(QStatusBar& bar);
 
-    void showTexts();  // the open study's texts
+    void showTexts();  // the open study's texts, or those of images that are shown instead
+    // Images of that patient and study are shown instead of the open study; nothing: no longer.
+    void setImagesShown(std::optional<study::Identity> identity);
     void tellOfPicture();
     void onStudyShown();
 
@@ -55,6 +59,7 @@ class StatusController : public QObject {
 
     WindowContext context_;
     const PanesController& panes_;
+    std::optional<study::Identity> images_;  // shown instead of the open study
     bool deviceIsBack_ = true;
     bool pictureFailed_ = false;  // of the open study
     bool isFirstStart_ = false;   // live::DeviceReady

@@ -1,0 +1,52 @@
+#include "study/planar/planar_images.h"
+
+#include <algorithm>
+
+namespace macula::study {
+
+bool canBeShownAsImages(const dicom::Stack& stack) {
+    return !stack.canBeVolume() && !stack.frames.empty();
+}
+
+std::vector<PlanarSeries> planarSeriesOf(const FoundVolumes& found) {
+    std::vector<PlanarSeries> all;
+    for (const dicom::Study& study : found.scan().studies)
+        for (const dicom::Series& series : study.series)
+            for (const dicom::Stack& stack : series.stacks)
+                if (canBeShownAsImages(stack)) all.push_back({&study, &series, &stack});
+    return all;
+}
+
+PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::path& file) {
+    const std::vector<PlanarSeries> all = planarSeriesOf(found);
+    if (all.empty()) return {};
+    const auto own = std::ranges::find_if(all, [&](const PlanarSeries& each) {
+        return std::ranges::any_of(each.stack->frames,
+                                   [&](const dicom::Frame& frame) { return frame.instance->file == file; });
+    });
+    if (own != all.end()) return *own;
+    return *std::ranges::max_element(all, {},
+                                     [](const PlanarSeries& each) { return each.stack->frames.size(); });
+}
+
+PlanarSeries planarSeriesOf(const FoundVolumes& found, const dicom::Stack* stack) {
+    const std::vector<PlanarSeries> all = planarSeriesOf(found);
+    const auto own = std::ranges::find(all, stack, &PlanarSeries::stack);
+    return own == all.end() ? PlanarSeries{} : *own;
+}
+
+Identity identityOf(const PlanarSeries& series) {
+    return identityOf(FoundVolume{series.study, series.series, series.stack});
+}
+
+std::vector<PlanarLoop> loopsOf(const dicom::Stack& stack) {
+    std::vector<PlanarLoop> loops;
+    for (std::size_t i = 0; i < stack.frames.size(); ++i) {
+        const bool goesOn = i > 0 && stack.frames[i].instance == stack.frames[i - 1].instance;
+        if (!goesOn) loops.push_back({i, i});
+        loops.back().end = i + 1;
+    }
+    return loops;
+}
+
+}  // namespace macula::study

@@ -1,0 +1,51 @@
+// The controls below an image: its place in the series, playing, and how it is shown.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+class QAbstractButton;
+class QComboBox;
+class QSlider;
+class QToolButton;
+
+namespace macula::viewer {
+
+// Lives on the UI thread. Setters emit nothing.
+class PlanarBar : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit PlanarBar(QWidget* parent = nullptr);
+
+    void setPlaces(int count, int place);  // of the slider, from 0
+    void setPlaying(bool plays);
+    void setCanPlay(bool can);
+    // Windows and tables; empty: none to choose.
+    void setDisplays(const QStringList& names, int chosen);  // -1: none of them
+    void setInverted(bool isInverted);
+    void setCanGoBack(bool can);  // to the volume
+    double speed() const;         // 1: as recorded
+
+  Q_SIGNALS:
+    void placeChosen(int place);
+    void playToggled(bool plays);
+    void displayChosen(int index);
+    void invertToggled(bool isInverted);
+    void turnAsked();
+    void mirrorAsked();
+    void fitAsked();
+    void backAsked();
+
+  private:
+    QToolButton* addButton(const char* name, const QString& text, const QString& tip);
+
+    QToolButton* play_;
+    QSlider* places_;
+    QComboBox* speed_;
+    QComboBox* displays_;
+    QToolButton* invert_;
+    QToolButton* back_;
+};
+
+}  // namespace macula::viewer

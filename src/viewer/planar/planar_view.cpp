@@ -1,0 +1,234 @@
+#include "viewer/planar/planar_view.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "viewer/overlay/cube_and_scale.h"
+#include "viewer/overlay/haloed_drawing.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kMostScale = 64.0;  // logical pixels for a pixel of the picture
+constexpr double kMarginPx = 8.0;
+constexpr double kBarHeightPx = 4.0;
+constexpr double kLongestBarPart = 0.25;  // of the pane's width
+constexpr int kWheelStep = 120;
+constexpr double kZoomOfStep = 1.2;
+constexpr double kQuarter = 90.0;
+const QColor kInk(235, 235, 235);
+const QColor kWarningInk(255, 214, 120);
+
+enum class Corner { topLeft, topRight, bottomLeft, bottomRight };
+
+void drawLines(QPainter& painter, const QSize& pane, Corner corner, const QStringList& lines,
+               const QColor& ink) {
+    const QFontMetricsF metrics(painter.font());
+    const bool isRight = corner == Corner::topRight || corner == Corner::bottomRight;
+    const bool isBottom = corner == Corner::bottomLeft || corner == Corner::bottomRight;
+    const double height = metrics.lineSpacing() * double(lines.size());
+    double base = (isBottom ? pane.height() - kMarginPx - height : kMarginPx) + metrics.ascent();
+    const double most = 0.6 * pane.width();
+    for (const QString& line : lines) {
+        const QString text = metrics.elidedText(line, Qt::ElideRight, most);
+        const double x = isRight ? pane.width() - kMarginPx - metrics.horizontalAdvance(text) : kMarginPx;
+        drawHaloedText(painter, {x, base}, text, ink);
+        base += metrics.lineSpacing();
+    }
+}
+
+}  // namespace
+
+PlanarView::PlanarView(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("images"));
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(160, 120);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+}
+
+void PlanarView::setPicture(const QImage& picture, double heightOverWidth) {
+    if (picture.size() != picture_.size()) fit();
+    picture_ = picture;
+    heightOverWidth_ = heightOverWidth;
+    message_.clear();
+    update();
+}
+
+void PlanarView::setLabels(const PlanarLabels& labels) {
+    labels_ = labels;
+    update();
+}
+
+void PlanarView::setTurn(const PlanarTurn& turn) {
+    turn_ = turn;
+    fit();
+}
+
+void PlanarView::setMessage(const QString& message) {
+    message_ = message;
+    if (!message.isEmpty()) picture_ = {};
+    update();
+}
+
+void PlanarView::fit() {
+    scale_.reset();
+    middle_ = {};
+    update();
+}
+
+QTransform PlanarView::turned() const {
+    QTransform turned;
+    turned.scale(turn_.isMirrored ? -1.0 : 1.0, 1.0);
+    turned.rotate(kQuarter * turn_.quarters);
+    turned.scale(1.0, heightOverWidth_);
+    turned.translate(-0.5 * picture_.width(), -0.5 * picture_.height());
+    return turned;
+}
+
+double PlanarView::fittingScale() const {
+    const QRectF shape = turned().mapRect(QRectF(picture_.rect()));
+    if (shape.isEmpty()) return 1.0;
+    return std::min(width() / shape.width(), height() / shape.height());
+}
+
+QTransform PlanarView::paneFromPicture() const {
+    const double scale = scale_.value_or(fittingScale());
+    return turned() * QTransform::fromScale(scale, scale) *
+           QTransform::fromTranslate(0.5 * width() + middle_.x(), 0.5 * height() + middle_.y());
+}
+
+std::optional<QPointF> PlanarView::pixelAt(const QPointF& place) const {
+    if (picture_.isNull()) return {};
+    const QPointF pixel = paneFromPicture().inverted().map(place);
+    const bool isIn =
+        pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < picture_.width() && pixel.y() < picture_.height();
+    return isIn ? std::optional(pixel) : std::nullopt;
+}
+
+void PlanarView::zoomBy(double factor, const QPointF& fixed) {
+    if (picture_.isNull()) return;
+    const double before = scale_.value_or(fittingScale());
+    const double least = std::min(fittingScale(), 1.0);
+    const double after = std::clamp(before * factor, least, std::max(kMostScale, least));
+    const QPointF fromMiddle = fixed - QPointF(0.5 * width(), 0.5 * height());
+    middle_ = fromMiddle + (middle_ - fromMiddle) * (after / before);
+    scale_ = after;
+    keepInPane();
+    update();
+}
+
+void PlanarView::keepInPane() {
+    middle_.setX(std::clamp(middle_.x(), -0.5 * width(), 0.5 * width()));
+    middle_.setY(std::clamp(middle_.y(), -0.5 * height(), 0.5 * height()));
+}
+
+void PlanarView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), Qt::black);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!picture_.isNull()) {
+        painter.save();
+        // Enlarged pixels stay pixels: what lies between them was not measured.
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, scale_.value_or(fittingScale()) < 1.0);
+        painter.setTransform(paneFromPicture(), true);
+        painter.drawImage(QPointF(0.0, 0.0), picture_);
+        painter.restore();
+    }
+    if (!message_.isEmpty()) {
+        painter.setPen(kInk);
+        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, message_);
+    }
+    paintLabels(painter);
+    if (!picture_.isNull()) paintScale(painter);
+}
+
+void PlanarView::paintLabels(QPainter& painter) const {
+    drawLines(painter, size(), Corner::topLeft, labels_.identity, kInk);
+    drawLines(painter, size(), Corner::topRight, labels_.place, kInk);
+    drawLines(painter, size(), Corner::bottomLeft, labels_.display, kInk);
+    QStringList warnings = labels_.warnings;
+    if (labels_.mmPerPixel > 0.0) warnings += QString();  // the scale bar's line
+    drawLines(painter, size(), Corner::bottomRight, warnings, kWarningInk);
+    if (picture_.isNull()) return;
+    const QFontMetricsF metrics(painter.font());
+    const std::array<QString, 4> letters = edgeLetters(labels_.towards, turn_);
+    const double middleY = 0.5 * height() + 0.5 * metrics.ascent();
+    const auto widthOf = [&](std::size_t i) { return metrics.horizontalAdvance(letters[i]); };
+    drawHaloedText(painter, {kMarginPx, middleY}, letters[0], kInk);
+    drawHaloedText(painter, {0.5 * (width() - widthOf(1)), kMarginPx + metrics.ascent()}, letters[1], kInk);
+    drawHaloedText(painter, {width() - kMarginPx - widthOf(2), middleY}, letters[2], kInk);
+    drawHaloedText(painter, {0.5 * (width() - widthOf(3)), height() - kMarginPx - metrics.descent()},
+                   letters[3], kInk);
+}
+
+// Along the columns of the picture, which a quarter turn makes vertical; then their height counts.
+void PlanarView::paintScale(QPainter& painter) const {
+    if (labels_.mmPerPixel <= 0.0) return;
+    const auto bar = scaleBar(labels_.mmPerPixel / scale_.value_or(fittingScale()), kLongestBarPart * width(),
+                              labels_.isCalibrated);
+    if (!bar) return;
+    const QFontMetricsF metrics(painter.font());
+    const double right = width() - kMarginPx;
+    const double bottom = height() - kMarginPx;
+    QPainterPath path;
+    path.moveTo(right - bar->lengthPx, bottom - kBarHeightPx);
+    path.lineTo(right - bar->lengthPx, bottom);
+    path.lineTo(right, bottom);
+    path.lineTo(right, bottom - kBarHeightPx);
+    drawHaloed(painter, path, kInk, 1.5);
+    drawHaloedText(painter,
+                   {right - bar->lengthPx - kMarginPx - metrics.horizontalAdvance(bar->text), bottom},
+                   bar->text, kInk);
+}
+
+void PlanarView::resizeEvent(QResizeEvent*) {
+    keepInPane();
+}
+
+void PlanarView::mousePressEvent(QMouseEvent* event) {
+    lastAt_ = event->position();
+}
+
+void PlanarView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF moved = event->position() - std::exchange(lastAt_, event->position());
+    const Qt::MouseButtons buttons = event->buttons();
+    if ((buttons & Qt::MiddleButton) != 0 ||
+        (buttons != Qt::NoButton && event->modifiers() == Qt::ShiftModifier)) {
+        if (!scale_) scale_ = fittingScale();
+        middle_ += moved;
+        keepInPane();
+        return update();
+    }
+    if ((buttons & (Qt::LeftButton | Qt::RightButton)) != 0) Q_EMIT windowDragged(moved);
+    Q_EMIT pointedAt(pixelAt(event->position()));
+}
+
+void PlanarView::mouseReleaseEvent(QMouseEvent* event) {
+    event->accept();
+}
+
+void PlanarView::mouseDoubleClickEvent(QMouseEvent*) {
+    fit();
+}
+
+void PlanarView::wheelEvent(QWheelEvent* event) {
+    const int turned = event->angleDelta().y();
+    if (event->modifiers() == Qt::ControlModifier)
+        return zoomBy(std::pow(kZoomOfStep, double(turned) / kWheelStep), event->position());
+    wheelRest_ += turned;
+    const int steps = wheelRest_ / kWheelStep;
+    wheelRest_ -= steps * kWheelStep;
+    if (steps != 0) Q_EMIT steppedBy(-steps);
+}
+
+void PlanarView::leaveEvent(QEvent*) {
+    Q_EMIT pointedAt({});
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,85 @@
+// A picture that is shown as it is: an X-ray, a frame of ultrasound, a photograph.
+#pragma once
+
+#include <QImage>
+#include <QPointF>
+#include <QStringList>
+#include <QTransform>
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "viewer/planar/planar_texts.h"
+
+namespace macula::viewer {
+
+// What is written over it; each corner has lines.
+struct PlanarLabels {
+    QStringList identity;  // top left
+    QStringList place;     // top right
+    QStringList display;   // bottom left
+    QStringList warnings;  // bottom right
+    std::array<std::string, 2> towards;
+    double mmPerPixel = 0.0;  // for the scale bar; 0: none
+    bool isCalibrated = true;
+};
+
+// Shows the whole picture until a person zooms or pans. Keeps the middle of the picture in the pane. Lives on
+// the UI thread.
+class PlanarView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit PlanarView(QWidget* parent = nullptr);
+
+    // `heightOverWidth` of a pixel. A picture of another size is fitted.
+    void setPicture(const QImage& picture, double heightOverWidth);
+    void setLabels(const PlanarLabels& labels);
+    void setTurn(const PlanarTurn& turn);
+    const PlanarTurn& turn() const { return turn_; }
+    void setMessage(const QString& message);  // instead of the picture; empty: none
+    void fit();
+    void zoomBy(double factor, const QPointF& fixed);
+
+    const PlanarLabels& labels() const { return labels_; }
+    const QImage& picture() const { return picture_; }
+    // The place in the picture, in its pixels from the outer corner of the first; nothing beside it.
+    std::optional<QPointF> pixelAt(const QPointF& place) const;
+
+    QSize sizeHint() const override { return {720, 540}; }
+
+  Q_SIGNALS:
+    void windowDragged(QPointF byPx);  // the window: wider to the right, brighter up
+    void steppedBy(int images);
+    void pointedAt(std::optional<QPointF> pixel);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+  private:
+    QTransform paneFromPicture() const;
+    QTransform turned() const;  // from pixels of the picture to lengths of its turned shape
+    double fittingScale() const;
+    void keepInPane();
+    void paintLabels(QPainter& painter) const;
+    void paintScale(QPainter& painter) const;
+
+    QImage picture_;
+    double heightOverWidth_ = 1.0;
+    PlanarTurn turn_;
+    PlanarLabels labels_;
+    QString message_;
+    std::optional<double> scale_;  // logical pixels for a column; nothing: fits
+    QPointF middle_{0.0, 0.0};     // of the picture from the middle of the pane
+    QPointF lastAt_;
+    int wheelRest_ = 0;
+};
+
+}  // namespace macula::viewer
