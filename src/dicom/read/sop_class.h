@@ -19,7 +19,8 @@ inline constexpr std::string_view kMrSpectroscopy = "1.2.840.10008.5.1.4.1.1.4.2
 inline constexpr std::string_view kSegmentation = "1.2.840.10008.5.1.4.1.1.66.4";
 inline constexpr std::string_view kLabelMapSegmentation = "1.2.840.10008.5.1.4.1.1.66.7";
 inline constexpr std::string_view kSoftcopyPresentationState =
-    "1.2.840.10008.5.1.4.1.1.11.1";  // for grey slices
+    "1.2.840.10008.5.1.4.1.1.11.1";                                                 // for grey slices
+inline constexpr std::string_view kStructureSet = "1.2.840.10008.5.1.4.1.1.481.3";  // of radiotherapy
 inline constexpr std::string_view kVolumePresentationState = "1.2.840.10008.5.1.4.1.1.11.9";  // for a 3D view
 }  // namespace sop_class
 

@@ -18,12 +18,17 @@ struct Candidate {
     const dicom::OtherObject* object;
 };
 
+bool isStructureSet(const dicom::OtherObject& object) {
+    return object.sopClassUid == dicom::sop_class::kStructureSet;
+}
+
 std::vector<Candidate> candidatesOf(const dicom::Scan& scan) {
     std::vector<Candidate> all;
     for (const dicom::Study& study : scan.studies) {
         for (const dicom::Series& series : study.series) {
             for (const dicom::OtherObject& object : series.objects) {
-                if (dicom::isSegmentation(object.sopClassUid)) all.push_back({&study, &series, &object});
+                if (dicom::isSegmentation(object.sopClassUid) || isStructureSet(object))
+                    all.push_back({&study, &series, &object});
             }
         }
     }
@@ -36,11 +41,15 @@ bool isDrawnOn(const dicom::Segmentation& header, const dicom::Series& series) {
 }
 
 // The reason why it cannot be shown on the volume; empty if it can.
-Text whyNotOn(const dicom::Segmentation& header, const dicom::Scan& scan, const dicom::Study& study,
+Text whyNotOn(const FoundSegmentation& found, const dicom::Scan& scan, const dicom::Study& study,
               const FoundVolume& volume) {
+    const dicom::Segmentation& header = found.header;
     if (!dicom::mayBeOnePatient(scan, study.patient, volume.study->patient))
         return Text("It is of another patient.");
-    if (header.frames.empty()) return Text("It has no frames.");
+    if (header.frames.empty() && !found.structures) return Text("It has no frames.");
+    if (found.structures && std::ranges::all_of(found.structures->regions,
+                                                [](const auto& region) { return region.contours.empty(); }))
+        return Text("It has no contours that enclose anything.");
     const std::string frameOfReference = frameOfReferenceOf(*volume.stack);
     if (!frameOfReference.empty() && !header.frameOfReferenceUid.empty()) {
         if (frameOfReference == header.frameOfReferenceUid) return {};
@@ -50,25 +59,40 @@ Text whyNotOn(const dicom::Segmentation& header, const dicom::Scan& scan, const 
     return Text("Nothing says that it lies in the coordinate system of this volume.");
 }
 
+Result<void> readInto(FoundSegmentation& found, const dicom::OtherObject& object) {
+    if (!isStructureSet(object)) {
+        MACULA_TRY(found.header, dicom::readSegmentation(object.file));
+        return {};
+    }
+    MACULA_TRY(dicom::StructureSet structures, dicom::readStructureSet(object.file));
+    found.header.file = object.file;
+    found.header.sopInstanceUid = structures.sopInstanceUid;
+    found.header.contentLabel = structures.label;
+    found.header.frameOfReferenceUid = structures.frameOfReferenceUid;
+    found.header.referencedSeriesUids = structures.referencedSeriesUids;
+    for (const dicom::StructureRegion& region : structures.regions)
+        found.header.segments.push_back(region.segment);
+    found.structures = std::make_shared<const dicom::StructureSet>(std::move(structures));
+    return {};
+}
+
 FoundSegmentation read(const dicom::Scan& scan, const Candidate& candidate, const FoundVolume& volume) {
     FoundSegmentation found;
     found.title = candidate.series->description;
-    auto header = dicom::readSegmentation(candidate.object->file);
-    if (!header) {
+    if (const Result<void> read = readInto(found, *candidate.object); !read) {
         found.digest = sha256Hex(candidate.object->file.string());
-        found.whyNot = Text::joined({header.error().message, header.error().hint}, " ");
+        found.whyNot = Text::joined({read.error().message, read.error().hint}, " ");
     } else {
-        found.header = *std::move(header);
         const std::string& uid = found.header.sopInstanceUid;
         found.digest = sha256Hex(uid.empty() ? candidate.object->file.string() : uid);
         const std::string& label = found.header.contentLabel;
         if (!label.empty() && label != found.title)
             found.title += found.title.empty() ? label : " (" + label + ")";
-        found.whyNot = whyNotOn(found.header, scan, *candidate.study, volume);
+        found.whyNot = whyNotOn(found, scan, *candidate.study, volume);
         if (found.canBeShown() && !isDrawnOn(found.header, *volume.series))
             found.note = Text("It was drawn on another series of this coordinate system.");
     }
-    if (found.title.empty()) found.title = "Segmentation";
+    if (found.title.empty()) found.title = found.structures ? "Structure set" : "Segmentation";
     return found;
 }
 

@@ -50,27 +50,72 @@ const LoadedSegment* LoadedSegmentation::segment(std::uint16_t number) const {
     return found == segments.end() ? nullptr : &*found;
 }
 
-Result<std::shared_ptr<const LoadedSegmentation>> loadSegments(const FoundSegmentation& found,
-                                                               const Volume& volume,
-                                                               const dicom::Stack& stack,
-                                                               Progress& progress) {
-    const std::vector<glm::dvec3> positionsMm =
-        stack.worldFromVoxel ? dicom::slicePositionsMm(stack) : std::vector<glm::dvec3>();
-    MACULA_TRY(dicom::SegmentVoxelSets sets, dicom::loadSegmentVoxels(found.header, volume.worldFromVoxel(),
-                                                                      volume.size(), progress, positionsMm));
-    auto loaded = std::make_shared<LoadedSegmentation>();
-    loaded->digest = found.digest;
-    loaded->notes = notesOf(found, sets);
-    loaded->isResampled = sets.isResampled;
-    loaded->hasFractions = found.header.type == dicom::SegmentationType::fractional;
+namespace {
+
+std::vector<Text> notesOf(const FoundSegmentation& found, const dicom::RegionVoxels& regions) {
+    std::vector<Text> notes;
+    if (!found.note.empty()) notes.push_back(found.note);
+    notes.push_back(
+        Text("It is drawn as contours: volumes come from their areas, voxels from what they enclose."));
+    if (regions.isBetween)
+        notes.push_back(
+            Text("Some contours lie farther apart than slices; slices between them show the nearest."));
+    if (regions.oblique > 0)
+        notes.push_back(
+            Text("{} contours are not parallel to the slices, and are left out.", regions.oblique));
+    std::size_t points = 0;
+    std::size_t unusable = 0;
+    for (const dicom::StructureRegion& region : found.structures->regions) {
+        points += region.points;
+        unusable += region.unusable;
+    }
+    if (points > 0)
+        notes.push_back(Text("{} points and open lines enclose nothing, and are left out.", points));
+    if (unusable > 0)
+        notes.push_back(
+            Text("{} contours cannot be read, or are too long: regions may lack parts.", unusable));
+    const bool isSeen = std::ranges::any_of(
+        regions.sets.segments, [](const dicom::SegmentVoxels& each) { return !each.voxels.isEmpty(); });
+    if (!isSeen) notes.push_back(Text("No voxel of it lies in this volume."));
+    return notes;
+}
+
+std::vector<LoadedSegment> segmentsOf(dicom::SegmentVoxelSets sets) {
+    std::vector<LoadedSegment> segments;
     for (dicom::SegmentVoxels& each : sets.segments) {
         LoadedSegment segment;
         segment.segment = std::move(each.segment);
         segment.voxels = std::make_shared<const VoxelSet>(std::move(each.voxels));
         if (each.volumeMm3) segment.volumeMl = *each.volumeMm3 / kMm3PerMl;
         segment.centroidMm = each.centroidMm;
-        loaded->segments.push_back(std::move(segment));
+        segments.push_back(std::move(segment));
     }
+    return segments;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const LoadedSegmentation>> loadSegments(const FoundSegmentation& found,
+                                                               const Volume& volume,
+                                                               const dicom::Stack& stack,
+                                                               Progress& progress) {
+    const std::vector<glm::dvec3> positionsMm =
+        stack.worldFromVoxel ? dicom::slicePositionsMm(stack) : std::vector<glm::dvec3>();
+    auto loaded = std::make_shared<LoadedSegmentation>();
+    loaded->digest = found.digest;
+    if (found.structures) {
+        MACULA_TRY(dicom::RegionVoxels regions, dicom::voxelsOf(*found.structures, volume.worldFromVoxel(),
+                                                                volume.size(), progress, positionsMm));
+        loaded->notes = notesOf(found, regions);
+        loaded->segments = segmentsOf(std::move(regions.sets));
+        return std::shared_ptr<const LoadedSegmentation>(std::move(loaded));
+    }
+    MACULA_TRY(dicom::SegmentVoxelSets sets, dicom::loadSegmentVoxels(found.header, volume.worldFromVoxel(),
+                                                                      volume.size(), progress, positionsMm));
+    loaded->notes = notesOf(found, sets);
+    loaded->isResampled = sets.isResampled;
+    loaded->hasFractions = found.header.type == dicom::SegmentationType::fractional;
+    loaded->segments = segmentsOf(std::move(sets));
     return std::shared_ptr<const LoadedSegmentation>(std::move(loaded));
 }
 

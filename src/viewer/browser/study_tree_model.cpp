@@ -138,7 +138,7 @@ QString StudyTreeModel::toolTip(std::size_t row) const {
         lines << tr("This cannot be opened.");
     } else if (shown.presentation) {
         lines << tr("A double click or Enter opens its series, and shows it so.");
-    } else if (shown.volume && !isOpen(row)) {
+    } else if ((shown.volume && !isOpen(row)) || shown.images != nullptr) {
         lines << tr("A double click or Enter opens it.");
     }
     for (QString& line : lines) line = line.toHtmlEscaped();

@@ -80,6 +80,9 @@ enum class KeyAction {
     sliceMenu,
     ownWindow,
     label,
+    imageStep,
+    imageWindow,
+    imageChange,
     quit,
     help,  // the last: a test counts to it
 };
@@ -164,6 +167,11 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::sliceMenu, "Right click, Menu on slices", "", "Windows, and those of your own"},
     KeyRow{KeyAction::ownWindow, "Alt+1 to Alt+9 on slices", "", "A window of your own"},
     KeyRow{KeyAction::label, "Double click on a measurement, Enter", "", "Its label"},
+    KeyRow{KeyAction::imageStep, "Wheel, arrows, Space on images", "",
+           "Next image or frame; play the loop, or stop; Home and End: to the ends"},
+    KeyRow{KeyAction::imageWindow, "Drag on images", "", "Window: wider to the right, brighter up"},
+    KeyRow{KeyAction::imageChange, "I, R, M, F, Esc on images", "",
+           "Invert, turn clockwise, mirror, fit; back to the volume"},
     KeyRow{KeyAction::help, "", "F1", "All keys"},
     KeyRow{KeyAction::quit, "", "Ctrl+Q", "Quit"},
 };

@@ -47,8 +47,6 @@ PlanarController::PlanarController(const WindowContext& context, QWidget& beneat
     column->addWidget(bar_);
     widget_->hide();
     view_->installEventFilter(this);
-    next_.setSingleShot(true);
-    next_.setTimerType(Qt::PreciseTimer);
     connectParts();
 }
 
@@ -69,7 +67,7 @@ void PlanarController::connectParts() {
     connect(bar_, &PlanarBar::mirrorAsked, this, [this] { turn(true); });
     connect(bar_, &PlanarBar::fitAsked, view_, &PlanarView::fit);
     connect(bar_, &PlanarBar::backAsked, this, &PlanarController::close);
-    connect(&next_, &QTimer::timeout, this, &PlanarController::playNext);
+    connect(&player_, &PlanarPlayer::due, this, &PlanarController::playNext);
 }
 
 void PlanarController::show(std::shared_ptr<const study::FoundVolumes> found, const dicom::Stack* stack) {
@@ -151,7 +149,7 @@ void PlanarController::take(const LoadedImage& image) {
         display_.isInverted = isInverted;
     }
     if (display_.table && *display_.table >= image.header->tables.size()) display_.table.reset();
-    if (isFirst || !isPlaying_) tellDisplays();
+    if (isFirst || !isPlaying()) tellDisplays();
     redraw();
     Q_EMIT imageShown();
 }
@@ -300,15 +298,15 @@ void PlanarController::tell() {
 }
 
 void PlanarController::setPlaying(bool plays) {
-    if (plays == isPlaying_) return;
-    isPlaying_ = plays && isShown() && loop().end - loop().begin > 1;
-    bar_->setPlaying(isPlaying_);
-    if (!isPlaying_) return next_.stop();
-    playsBackwards_ = false;
-    loader_->readAhead(loop());
-    clock_.start();
-    dueMs_ = msOf(place_);
-    next_.start(int(dueMs_));
+    const bool canPlay = isShown() && loop().end - loop().begin > 1;
+    if (plays && canPlay && !isPlaying()) {
+        playsBackwards_ = false;
+        loader_->readAhead(loop());
+        player_.start(msOf(place_));
+    } else if (!plays) {
+        player_.stop();
+    }
+    bar_->setPlaying(isPlaying());
 }
 
 double PlanarController::msOf(std::size_t place) const {
@@ -317,14 +315,8 @@ double PlanarController::msOf(std::size_t place) const {
     return (isTimed ? image_->header->cine.frameMs[frame] : kUsualMs) / bar_->speed();
 }
 
-// A frame that is not decoded yet is waited for, and the clock with it.
 void PlanarController::playNext() {
-    if (!isPlaying_) return;
-    if (!isUpToDate()) {
-        dueMs_ = double(clock_.elapsed());
-        constexpr int kPatienceMs = 5;
-        return next_.start(kPatienceMs);
-    }
+    if (!isUpToDate()) return player_.askAgain();
     const study::PlanarLoop& of = loop();
     const bool sweeps = image_->header->cine.sweeps;
     if (sweeps && place_ + 1 == of.end) playsBackwards_ = true;
@@ -332,10 +324,7 @@ void PlanarController::playNext() {
     std::size_t next = playsBackwards_ ? place_ - 1 : place_ + 1;
     if (next == of.end) next = of.begin;
     setPlace(next);
-    dueMs_ += msOf(place_);
-    // What is late is not made up for: frames would be left out.
-    dueMs_ = std::max(dueMs_, double(clock_.elapsed()));
-    next_.start(int(std::lround(dueMs_ - double(clock_.elapsed()))));
+    player_.holdFor(msOf(place_));
 }
 
 bool PlanarController::onKey(int key) {
@@ -343,7 +332,7 @@ bool PlanarController::onKey(int key) {
     const QPointF middle(0.5 * view_->width(), 0.5 * view_->height());
     switch (key) {
         case Qt::Key_Space:
-            return setPlaying(!isPlaying_), true;
+            return setPlaying(!isPlaying()), true;
         case Qt::Key_Up:
         case Qt::Key_PageUp:
         case Qt::Key_Left:

@@ -1,10 +1,8 @@
 // Shows series that are no volumes, in place of the panes: X-rays, ultrasound, photographs.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "study/planar/planar_images.h"
 #include "viewer/context/window_context.h"
 #include "viewer/planar/planar_loader.h"
+#include "viewer/planar/planar_player.h"
 #include "viewer/planar/planar_view.h"
 
 class QWidget;
@@ -41,7 +40,7 @@ class PlanarController : public QObject {
     void setPlace(std::size_t place);
     std::size_t place() const { return place_; }
     void setPlaying(bool plays);
-    bool isPlaying() const { return isPlaying_; }
+    bool isPlaying() const { return player_.isPlaying(); }
     const study::PlanarDisplay& display() const { return display_; }
     bool isUpToDate() const { return image_ && image_->place == place_; }
 
@@ -89,11 +88,8 @@ class PlanarController : public QObject {
     std::optional<QPointF> pointedAt_;
     bool namesShown_ = true;
 
-    bool isPlaying_ = false;
+    PlanarPlayer player_;
     bool playsBackwards_ = false;
-    QTimer next_;
-    QElapsedTimer clock_;
-    double dueMs_ = 0.0;  // of the next frame, by the clock
 };
 
 }  // namespace macula::viewer

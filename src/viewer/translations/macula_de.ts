@@ -597,6 +597,53 @@
     </message>
 </context>
 <context>
+    <name>PlanarTexts</name>
+    <message>
+        <source>image %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>, frame %1 of %2</source>
+        <translation>, Einzelbild %1 von %2</translation>
+    </message>
+    <message>
+        <source>Table %1 of the file</source>
+        <translation>Tabelle %1 der Datei</translation>
+    </message>
+    <message>
+        <source>Table: %1</source>
+        <translation>Tabelle: %1</translation>
+    </message>
+    <message>
+        <source>turned by %1°</source>
+        <translation>um %1° gedreht</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>gespiegelt</translation>
+    </message>
+    <message>
+        <source>inverted</source>
+        <translation>invertiert</translation>
+    </message>
+    <message>
+        <source>%1 mm per pixel</source>
+        <translation>%1 mm je Pixel</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm per pixel</source>
+        <translation>%1 × %2 mm je Pixel</translation>
+    </message>
+    <message>
+        <source>%1, at the detector: the patient is smaller</source>
+        <translation>%1, am Detektor: der Patient ist kleiner</translation>
+    </message>
+    <message>
+        <source>%1, estimated by a magnification of %2</source>
+        <translation>%1, geschätzt aus einer Vergrößerung von %2</translation>
+    </message>
+</context>
+<context>
     <name>Preset</name>
     <message>
         <source>The preset %1 is made for values in %2; those of this volume are %3. What it shows here, and in which colours, means nothing.</source>
@@ -11417,6 +11464,82 @@
         <source>Save a view or a table instead, or ask for images with the right identifiers.</source>
         <translation>Speichern Sie stattdessen eine Ansicht oder eine Tabelle, oder bitten Sie um Bilder mit den richtigen Kennungen.</translation>
     </message>
+    <message>
+        <source>This version cannot show an image in these colours.</source>
+        <translation>Diese Version kann ein Bild in diesen Farben nicht zeigen.</translation>
+    </message>
+    <message>
+        <source>Export it as RGB.</source>
+        <translation>Exportieren Sie es als RGB.</translation>
+    </message>
+    <message>
+        <source>The image cannot be read.</source>
+        <translation>Das Bild kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Shown as images, not in 3D</source>
+        <translation>Als Bilder gezeigt, nicht in 3D</translation>
+    </message>
+    <message>
+        <source>Wheel, arrows, Space on images</source>
+        <translation>Rad, Pfeile, Leertaste auf Bildern</translation>
+    </message>
+    <message>
+        <source>Next image or frame; play the loop, or stop; Home and End: to the ends</source>
+        <translation>Nächstes Bild; Schleife abspielen oder anhalten; Pos1 und Ende: zu den Enden</translation>
+    </message>
+    <message>
+        <source>Drag on images</source>
+        <translation>Ziehen auf Bildern</translation>
+    </message>
+    <message>
+        <source>I, R, M, F, Esc on images</source>
+        <translation>I, R, M, F, Esc auf Bildern</translation>
+    </message>
+    <message>
+        <source>Invert, turn clockwise, mirror, fit; back to the volume</source>
+        <translation>Invertieren, im Uhrzeigersinn drehen, spiegeln, einpassen; zurück zum Volumen</translation>
+    </message>
+    <message>
+        <source>The structure set cannot be read.</source>
+        <translation>Das Struktur-Set kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>read a structure set</source>
+        <translation>ein Struktur-Set zu lesen</translation>
+    </message>
+    <message>
+        <source>Reading {} contoured regions</source>
+        <translation>{} konturierte Regionen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the segmentation was cancelled.</source>
+        <translation>Das Lesen der Segmentierung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>It has no contours that enclose anything.</source>
+        <translation>Es hat keine Konturen, die etwas umschließen.</translation>
+    </message>
+    <message>
+        <source>It is drawn as contours: volumes come from their areas, voxels from what they enclose.</source>
+        <translation>Es ist als Konturen gezeichnet: Volumina ergeben sich aus deren Flächen, Voxel aus dem, was sie umschließen.</translation>
+    </message>
+    <message>
+        <source>Some contours lie farther apart than slices; slices between them show the nearest.</source>
+        <translation>Manche Konturen liegen weiter auseinander als die Schichten; Schichten dazwischen zeigen die nächste.</translation>
+    </message>
+    <message>
+        <source>{} contours are not parallel to the slices, and are left out.</source>
+        <translation>Nicht parallel zu den Schichten, und deshalb ausgelassen: {} Konturen.</translation>
+    </message>
+    <message>
+        <source>{} points and open lines enclose nothing, and are left out.</source>
+        <translation>Punkte und offene Linien, die nichts umschließen, und deshalb ausgelassen: {}.</translation>
+    </message>
+    <message>
+        <source>{} contours cannot be read, or are too long: regions may lack parts.</source>
+        <translation>Nicht lesbar oder zu lang: {} Konturen. Regionen können unvollständig sein.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -13653,6 +13776,112 @@
     <message>
         <source>Pictures (*.png);;Linear light and depth (*.exr);;DICOM Secondary Capture (*.dcm)</source>
         <translation>Bilder (*.png);;Lineares Licht und Tiefe (*.exr);;DICOM Secondary Capture (*.dcm)</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PlanarBar</name>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play the frames of the image in a loop; Space</source>
+        <translation>Die Einzelbilder in einer Schleife abspielen; Leertaste</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast the frames are played</source>
+        <translation>Wie schnell die Einzelbilder abgespielt werden</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Which image is shown; the wheel steps through them</source>
+        <translation>Welches Bild gezeigt wird; das Rad geht durch alle</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>The windows and tables of the file</source>
+        <translation>Die Fenster und Tabellen der Datei</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Invertieren</translation>
+    </message>
+    <message>
+        <source>Show bright values dark; I</source>
+        <translation>Helle Werte dunkel zeigen; I</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Turn the picture by 90° clockwise; R</source>
+        <translation>Das Bild um 90° im Uhrzeigersinn drehen; R</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Exchange left and right; M</source>
+        <translation>Links und rechts vertauschen; M</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole picture; F</source>
+        <translation>Das ganze Bild zeigen; F</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Back to the volume that is open; Esc</source>
+        <translation>Zurück zum geöffneten Volumen; Esc</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PlanarController</name>
+    <message>
+        <source>The image is being read…</source>
+        <translation>Das Bild wird gelesen…</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alle Werte</translation>
+    </message>
+    <message>
+        <source>lossily compressed</source>
+        <translation>verlustbehaftet komprimiert</translation>
+    </message>
+    <message>
+        <source>the file says no rate: %1 frames per second</source>
+        <translation>die Datei nennt kein Tempo: %1 Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>Column %1, row %2: %3</source>
+        <translation>Spalte %1, Zeile %2: %3</translation>
     </message>
 </context>
 <context>
@@ -16057,6 +16286,10 @@
     <message>
         <source>, %1/s</source>
         <translation>, %1/s</translation>
+    </message>
+    <message>
+        <source>Images, not in 3D</source>
+        <translation>Bilder, nicht in 3D</translation>
     </message>
 </context>
 <context>
