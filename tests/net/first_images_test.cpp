@@ -220,6 +220,28 @@ TEST(FirstImages, OfAnArchiveThatSendsOnlyWholeStudiesComeWithTheOthers) {
     }
 }
 
+TEST(FirstImages, OfAnArchiveThatEndsAtThemComeWithTheOthersTheNextTime) {
+    std::atomic<int> finds{0};
+    std::atomic<int> gets{0};
+    HostilePeer peer([&](HostileLine& line) {
+        if (!line.acceptAssociation()) return;
+        while (const auto request = line.receiveCommand()) {
+            if (request->command.field == CommandField::findRequest) sendList(line, *request, finds++ == 0);
+            if (request->command.field != CommandField::getRequest) continue;
+            if (gets++ == 0) return;  // closes the connection
+            sendImages(line, *request, kImages, 0);
+        }
+    });
+    DimsePeer settings = peerAt(peer.port(), "HOSTILE");
+    settings.retrieve = Retrieve::get;
+    FolderReceiver receiver;
+    Progress progress;
+    const auto fetched = archiveAt(settings)->fetch({.studyInstanceUid = "2.25.1"}, receiver, progress);
+    ASSERT_TRUE(fetched) << told(fetched.error());
+    EXPECT_EQ(gets, 2);
+    EXPECT_EQ(fetched->kept, std::size_t(kImages));
+}
+
 }  // namespace
 
 }  // namespace macula::net::test

@@ -128,8 +128,6 @@ std::optional<Table> readTable(const Dataset& header, const TablePlace& place, b
     if (words.size() < count || (table.bits != 8 && table.bits != 16)) return {};
     words.resize(count);
     table.entries = std::move(words);
-    if (std::ranges::all_of(table.entries, [](std::uint16_t entry) { return entry <= kMost8; }))
-        table.bits = 8;
     return table;
 }
 
@@ -171,17 +169,24 @@ const std::array<std::uint8_t, 3>& ColourPalette::operator()(int raw) const {
 }
 
 std::optional<ColourPalette> readPalette(const Dataset& header, bool pixelsAreSigned) {
-    ColourPalette palette;
-    for (std::size_t c = 0; c < kTables.size(); ++c) {
-        const std::optional<Table> table = readTable(header, kTables[c], pixelsAreSigned);
-        if (!table || (c > 0 && (table->firstMapped != palette.firstMapped ||
-                                 table->entries.size() != palette.colours.size())))
-            return {};
-        palette.firstMapped = table->firstMapped;
-        palette.colours.resize(table->entries.size());
-        for (std::size_t i = 0; i < table->entries.size(); ++i)
-            palette.colours[i][c] =
-                static_cast<std::uint8_t>(table->bits == 8 ? table->entries[i] : table->entries[i] >> 8);
+    std::vector<Table> tables;
+    bool isSmall = true;
+    for (const TablePlace& place : kTables) {
+        std::optional<Table> table = readTable(header, place, pixelsAreSigned);
+        if (!table) return {};
+        const bool fits = tables.empty() || (table->firstMapped == tables[0].firstMapped &&
+                                             table->entries.size() == tables[0].entries.size());
+        if (!fits) return {};
+        isSmall = isSmall &&
+                  std::ranges::all_of(table->entries, [](std::uint16_t entry) { return entry <= kMost8; });
+        tables.push_back(*std::move(table));
+    }
+    ColourPalette palette{.firstMapped = tables[0].firstMapped, .colours = {}};
+    palette.colours.resize(tables[0].entries.size());
+    for (std::size_t c = 0; c < tables.size(); ++c) {
+        const int shift = isSmall || tables[c].bits == 8 ? 0 : 8;
+        for (std::size_t i = 0; i < palette.colours.size(); ++i)
+            palette.colours[i][c] = static_cast<std::uint8_t>(tables[c].entries[i] >> shift);
     }
     return palette;
 }

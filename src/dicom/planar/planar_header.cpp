@@ -30,6 +30,8 @@ constexpr Tag kLutExplanation{0x0028, 0x3003};
 constexpr Tag kPresentationLutShape{0x2050, 0x0020};
 
 constexpr double kMostMs = 600'000.0;
+constexpr int kMostFrames = 100'000;
+constexpr double kMostAspect = 100.0;  // of a pixel that anybody can look at
 constexpr std::size_t kMostRegions = 64;
 
 bool isAbove0(double value) {
@@ -40,6 +42,12 @@ bool isAbove0(double value) {
 std::optional<double> positive(const Dataset& header, Tag tag) {
     const std::optional<double> value = header.number(tag);
     return value && *value > 0.0 ? value : std::nullopt;
+}
+
+// Of a biped (PS3.3 C.7.6.1.1.1): other letters have opposites of their own.
+bool isDirection(const std::string& letters) {
+    return !letters.empty() && letters.size() <= 3 &&
+           letters.find_first_not_of("LRAPHF") == std::string::npos;
 }
 
 bool isLowBright(const Dataset& header) {
@@ -127,7 +135,9 @@ std::optional<PixelSize> pixelSizeOf(const std::vector<UltrasoundRegion>& region
     for (const UltrasoundRegion& region : regions) {
         using Unit = UltrasoundRegion::Unit;
         if (region.unitX != Unit::millimetres || region.unitY != Unit::millimetres) continue;
-        const PixelSize size{.columnMm = std::abs(region.perColumn), .rowMm = std::abs(region.perRow)};
+        const PixelSize size{.of = PixelSize::Of::regions,
+                             .columnMm = std::abs(region.perColumn),
+                             .rowMm = std::abs(region.perRow)};
         if (!isAbove0(size.columnMm) || !isAbove0(size.rowMm)) return {};
         if (shared && (shared->columnMm != size.columnMm || shared->rowMm != size.rowMm)) return {};
         shared = size;
@@ -136,10 +146,13 @@ std::optional<PixelSize> pixelSizeOf(const std::vector<UltrasoundRegion>& region
 }
 
 double heightOverWidth(const Dataset& header, const std::optional<PixelSize>& size) {
-    if (size) return size->rowMm / size->columnMm;
     const auto ratio = header.numbers(kPixelAspectRatio, 2);  // vertical, horizontal
-    if (!ratio || !isAbove0((*ratio)[0]) || !isAbove0((*ratio)[1])) return 1.0;
-    return (*ratio)[0] / (*ratio)[1];
+    double aspect = 1.0;
+    if (size)
+        aspect = size->rowMm / size->columnMm;
+    else if (ratio)
+        aspect = (*ratio)[0] / (*ratio)[1];
+    return aspect >= 1.0 / kMostAspect && aspect <= kMostAspect ? aspect : 1.0;
 }
 
 // Increments from each frame to the next; that of the first is 0 and means nothing. The last frame is shown
@@ -153,7 +166,7 @@ std::vector<double> shownMs(const std::vector<double>& increments) {
 
 CineTiming cineOf(const Dataset& header) {
     CineTiming timing;
-    const auto frames = static_cast<std::size_t>(header.frameCount());
+    const auto frames = static_cast<std::size_t>(std::min(header.frameCount(), kMostFrames));
     if (frames < 2) return timing;
     timing.sweeps = header.integer(kPlaybackSequencing).value_or(0) == 1;
     const std::vector<double> increments = header.allNumbers(tag::kFrameTimeVector);
@@ -171,13 +184,14 @@ CineTiming cineOf(const Dataset& header) {
 
 }  // namespace
 
-Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file) {
+Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file, int frame) {
     const HeaderFile read = readHeader(file);
     if (!read.header)
         return Error{ErrorCode::inputNotUsable, Text("The image cannot be read."), file.string(),
                      Text("Check that the file or disc is still there.")};
-    const Dataset header = read.header->frame(0);
+    const Dataset header = read.header->frame(frame);
     PlanarHeader planar;
+    planar.isOfFrame = read.header->has(tag::kPerFrameFunctionalGroups);
     planar.isLowBright = isLowBright(header);
     planar.tables = tablesOf(header);
     planar.isByPlane = header.integer({0x0028, 0x0006}).value_or(0) == 1;
@@ -191,7 +205,8 @@ Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file) {
     planar.pixelHeightOverWidth = heightOverWidth(header, planar.pixelSize);
     planar.cine = cineOf(*read.header);
     const std::vector<std::string> towards = header.texts(tag::kPatientOrientation);
-    if (towards.size() == 2) planar.towards = {towards[0], towards[1]};
+    if (towards.size() == 2 && std::ranges::all_of(towards, isDirection))
+        planar.towards = {towards[0], towards[1]};
     planar.laterality = header.text(kImageLaterality).value_or(header.text(kLaterality).value_or(""));
     planar.viewPosition = header.text(kViewPosition).value_or("");
     return planar;

@@ -27,6 +27,7 @@ struct VoiTable {
 struct PixelSize {
     enum class Of {
         object,    // calibrated, or measured where the patient is
+        regions,   // of ultrasound: where a region is in millimetres, and nowhere else
         detector,  // of a projection: what lies before the detector is smaller
         estimate,  // at the detector, divided by an estimated magnification
     };
@@ -56,6 +57,7 @@ struct CineTiming {
 };
 
 struct PlanarHeader {
+    bool isOfFrame = false;    // other frames of the file may say something else
     bool isLowBright = false;  // MONOCHROME1, or a presentation LUT that inverts
     std::vector<VoiTable> tables;
     std::shared_ptr<const ColourPalette> palette;  // of PALETTE COLOR
@@ -64,14 +66,15 @@ struct PlanarHeader {
     std::vector<UltrasoundRegion> regions;         // else those that have one
     double pixelHeightOverWidth = 1.0;             // also where no size is known
     CineTiming cine;
-    // Where rows and columns run to: letters as "L", "FR"; PS3.3 C.7.6.1.1.1. Empty where the file does not
-    // say.
+    // Where rows and columns run to: letters of L, R, A, P, H and F, as "L", "FR"; PS3.3 C.7.6.1.1.1. Both
+    // are empty where the file does not say, or has other letters.
     std::array<std::string, 2> towards;
     std::string laterality;    // R, L, B or U
     std::string viewPosition;  // "CC", "AP"; may be empty
 };
 
-// Fails with inputNotUsable when the file is gone or no image. Never throws but for lack of memory.
-Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file);
+// Of frame `frame`, from 0. Fails with inputNotUsable when the file is gone or no image. Never throws but for
+// lack of memory.
+Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file, int frame = 0);
 
 }  // namespace macula::dicom

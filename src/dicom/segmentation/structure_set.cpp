@@ -89,43 +89,37 @@ std::vector<std::string> seriesOf(const Dataset& header) {
     return uids;
 }
 
-std::string frameOfReferenceOf(const Dataset& header) {
-    std::vector<std::string> all;
-    for (const Dataset& region : header.items(kRegions))
-        if (auto uid = region.text(kRegionFrameOfReference)) all.push_back(*std::move(uid));
-    if (all.empty()) {
-        for (const Dataset& frame : header.items(kReferencedFrames))
-            if (auto uid = frame.text(tag::kFrameOfReferenceUid)) all.push_back(*std::move(uid));
-    }
-    const bool isOne =
-        !all.empty() && std::ranges::all_of(all, [&](const auto& uid) { return uid == all[0]; });
-    return isOne ? all[0] : std::string();
-}
-
 StructureSet structuresIn(const Dataset& header) {
     StructureSet structures;
     structures.sopInstanceUid = header.text(tag::kSopInstanceUid).value_or("");
     structures.label = header.text(kLabel).value_or("");
-    structures.frameOfReferenceUid = frameOfReferenceOf(header);
     structures.referencedSeriesUids = seriesOf(header);
-    std::map<int, StructureRegion> regions;
+    std::map<int, std::size_t> placeOf;  // by the number of the region
     for (const Dataset& item : header.items(kRegions)) {
         const std::optional<int> number = item.integer(kRegionNumber);
-        if (!number || *number < 1 || *number > 65535 || regions.size() >= kMostRegions) continue;
-        StructureRegion region;
-        region.segment.number = static_cast<std::uint16_t>(*number);
+        const bool isUsable = number && structures.regions.size() < kMostRegions &&
+                              placeOf.try_emplace(*number, structures.regions.size()).second;
+        if (!isUsable) {
+            ++structures.lost;
+            continue;
+        }
+        StructureRegion& region = structures.regions.emplace_back();
+        region.segment.number = static_cast<std::uint16_t>(structures.regions.size());
         region.segment.label = item.text(kRegionName).value_or("");
         region.segment.description = item.text(kRegionDescription).value_or("");
         region.segment.algorithm = item.text(kAlgorithm).value_or("");
-        regions.emplace(*number, std::move(region));
+        region.frameOfReferenceUid = item.text(kRegionFrameOfReference).value_or("");
     }
     for (const Dataset& item : header.items(kRegionContours)) {
-        const auto found = regions.find(item.integer(kReferencedRegionNumber).value_or(0));
-        if (found == regions.end()) continue;
-        found->second.segment.recommendedRgb = colourOf(item);
-        addContours(found->second, item);
+        const auto found = placeOf.find(item.integer(kReferencedRegionNumber).value_or(-1));
+        if (found == placeOf.end()) {
+            structures.lost += item.itemCount(kContours) > 0 ? 1 : 0;
+            continue;
+        }
+        StructureRegion& region = structures.regions[found->second];
+        region.segment.recommendedRgb = colourOf(item);
+        addContours(region, item);
     }
-    for (auto& [number, region] : regions) structures.regions.push_back(std::move(region));
     return structures;
 }
 
@@ -189,6 +183,7 @@ class Voxels {
         if (planes.empty()) return made;
         const double distanceMm = distanceOf(planes);
         measure(made, planes, distanceMm);
+        all.isUneven = all.isUneven || isUneven(planes, distanceMm);
         double reachMm = 0.5 * sliceDistanceMm_;
         if (planes.size() > 1 && distanceMm > kFartherApart * sliceDistanceMm_ && sliceDistanceMm_ > 0.0) {
             reachMm = 0.5 * distanceMm;
@@ -249,6 +244,15 @@ class Voxels {
         return *middle;
     }
 
+    static bool isUneven(const std::vector<Plane>& planes, double distanceMm) {
+        constexpr double kTolerance = 0.1;
+        for (std::size_t i = 1; i < planes.size(); ++i) {
+            const double apart = planes[i].mm - planes[i - 1].mm;
+            if (std::abs(apart - distanceMm) > kTolerance * distanceMm) return true;
+        }
+        return false;
+    }
+
     static void measure(SegmentVoxels& made, const std::vector<Plane>& planes, double distanceMm) {
         double area = 0.0;
         glm::dvec3 moment(0.0);
@@ -304,8 +308,11 @@ class Voxels {
             for (const Contour* contour : plane.contours) addCrossings(*contour, voxelFromWorld_, j, columns);
             std::ranges::sort(columns);
             for (std::size_t n = 0; n + 1 < columns.size(); n += 2) {
-                const int begin = std::max(from.x, int(std::ceil(std::max(columns[n], -1.0))));
-                const int end = int(std::ceil(std::min(columns[n + 1], double(to.x) + 1.0)));
+                const auto clamped = [&](double column) {
+                    return int(std::ceil(std::clamp(column, double(from.x) - 1.0, double(to.x) + 1.0)));
+                };
+                const int begin = std::max(from.x, clamped(columns[n]));
+                const int end = clamped(columns[n + 1]);
                 for (int i = begin; i < end; ++i) set.add({i, j, k});
             }
         }

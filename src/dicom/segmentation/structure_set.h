@@ -20,18 +20,21 @@ using Contour = std::vector<glm::dvec3>;
 
 // A region of interest. Names may name a patient: never logged.
 struct StructureRegion {
-    Segment segment;                // number, name and colour
-    std::vector<Contour> contours;  // those that enclose something
-    std::size_t points = 0;         // contours that are points or open lines, and enclose nothing
-    std::size_t unusable = 0;       // contours that cannot be read
+    Segment segment;                  // its place in the file, from 1; name and colour
+    std::string frameOfReferenceUid;  // may be empty
+    std::vector<Contour> contours;    // those that enclose something
+    std::size_t points = 0;           // contours that are points or open lines, and enclose nothing
+    std::size_t unusable = 0;         // contours that cannot be read
 };
 
 struct StructureSet {
     std::string sopInstanceUid;
     std::string label;
-    std::string frameOfReferenceUid;  // that all regions share; empty: none, or several
     std::vector<std::string> referencedSeriesUids;
-    std::vector<StructureRegion> regions;  // by number; with the same number only the first
+    std::vector<StructureRegion> regions;  // in their order in the file
+    // Regions without a number of their own, or beyond what a segmentation can hold, and contours of regions
+    // that are not there.
+    std::size_t lost = 0;
 };
 
 // Fails with inputNotUsable when the file is no structure set, or cannot be read.
@@ -40,6 +43,7 @@ Result<StructureSet> readStructureSet(const std::filesystem::path& file);
 struct RegionVoxels {
     SegmentVoxelSets sets;
     std::size_t oblique = 0;  // contours that are not parallel to the slices, and are left out
+    bool isUneven = false;    // planes of a region lie at different distances: the median counts for all
     bool isBetween = false;   // planes lie farther apart than slices: those between show the nearest
 };
 

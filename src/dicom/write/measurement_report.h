@@ -57,13 +57,12 @@ struct MeasurementReport {
 };
 
 // Explicit VR little endian; complete, and not verified by anybody. The observer is the program: it does not
-// know the person. Texts and names are in the character set of the image, or in UTF-8 if a label needs it.
-// If deidentified, the
-// caller leaves out labels that a person typed. Each call makes a new series and instance. The file is
-// written whole or not at all, in place of one that is there. Fails with usage for no measurements, numbers
-// that are not finite or beyond float32, points in space without a frame of reference, images without UIDs,
-// and a missing image unless deidentified; with inputNotUsable when the image cannot be read or is another
-// one; with outputNotWritable.
+// know the person. Texts and names are in the character set of the image, or in UTF-8 if a label needs it. If
+// deidentified, the caller leaves out labels that a person typed. Each call makes a new series and instance.
+// The file is written whole or not at all, in place of one that is there. Fails with usage for no
+// measurements, numbers that are not finite or beyond float32, points in space without a frame of reference,
+// images without UIDs, and a missing image unless deidentified; with inputNotUsable when the image cannot be
+// read or is another one; with outputNotWritable.
 Result<void> writeMeasurementReport(const std::filesystem::path& path, const MeasurementReport& report,
                                     const NewObject& object);
 

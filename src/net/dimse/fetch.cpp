@@ -282,13 +282,14 @@ void Fetch::awaitStragglers(const MoveReceiver& receiver, std::size_t sent) {
 
 Result<void> Fetch::requestFirst(Association& association, const AcceptedContext& context) {
     // From an incomplete list, only the study as a whole brings what is not in it.
-    if (!isPromised_ || !isListWhole_ || countMissing() < promised_.size()) return {};
+    if (!sendsImages_ || !isPromised_ || !isListWhole_ || countMissing() < promised_.size()) return {};
     std::vector<FoundInstance> wanted;
     for (const auto& [uid, instance] : promised_) wanted.push_back(instance);
     std::vector<std::string> uids;
     for (const FoundInstance& each : firstImagesOf(wanted)) uids.push_back(each.sopInstanceUid);
     if (uids.empty()) return {};
     const std::string series = promised_.at(uids.front()).seriesInstanceUid;
+    sendsImages_ = false;  // should the archive end the association
     MACULA_TRY_VOID(
         request(association, context, keysAt("IMAGE", series, joinedUids(uids, 0, uids.size())), Way::get));
     sendsImages_ = std::ranges::none_of(uids, [this](const std::string& uid) { return isMissing(uid); });

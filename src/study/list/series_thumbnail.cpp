@@ -56,7 +56,7 @@ Result<Thumbnail> make(const dicom::Stack& stack, const CancelToken& cancel) {
             ErrorCode::inputNotUsable, Text("There is no image."), {}, Text("Choose another series.")};
     const std::size_t middle = middleOf(stack);
     const dicom::Frame& frame = stack.frames[middle];
-    MACULA_TRY(const dicom::PlanarHeader header, dicom::readPlanarHeader(frame.instance->file));
+    MACULA_TRY(const dicom::PlanarHeader header, dicom::readPlanarHeader(frame.instance->file, frame.number));
     MACULA_TRY(const dicom::PlanarFrame image, dicom::loadPlanarFrame(stack, middle, header, cancel));
     const std::vector<std::uint8_t> grey =
         greyOf(pictureOf(image, header, usualDisplay(frame, header, image)));

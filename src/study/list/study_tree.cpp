@@ -203,7 +203,7 @@ class Builder {
         const std::vector<const dicom::OtherObject*> presentations = presentationsOf(series);
         // A series of presentation states alone lacks no volume: a user opens one of the states.
         const bool isOfPresentations = !presentations.empty() && series.stacks.empty();
-        if (isOne && canBeShownAsImages(series.stacks.front()))
+        if (isOne && found_.isWhole() && canBeShownAsImages(series.stacks.front()))
             setImages(row, series.stacks.front());
         else if (volumes.empty() && found_.isWhole() && !isOfPresentations)
             row.whyNot = whyNoVolume(series);
@@ -294,7 +294,7 @@ class Builder {
         row.title = Text::joined(std::move(labels), ", ");
         row.details = {withBetween({imagesText(stack.frames.size()), sizeText(stack)})};
         if (Text voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
-        if (canBeShownAsImages(stack))
+        if (found_.isWhole() && canBeShownAsImages(stack))
             setImages(row, stack);
         else
             row.whyNot = whyNoVolume(stack);

@@ -17,14 +17,19 @@ std::vector<PlanarSeries> planarSeriesOf(const FoundVolumes& found) {
     return all;
 }
 
-PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::path& file) {
+PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::path& source) {
     const std::vector<PlanarSeries> all = planarSeriesOf(found);
     if (all.empty()) return {};
     const auto own = std::ranges::find_if(all, [&](const PlanarSeries& each) {
         return std::ranges::any_of(each.stack->frames,
-                                   [&](const dicom::Frame& frame) { return frame.instance->file == file; });
+                                   [&](const dicom::Frame& frame) { return frame.instance->file == source; });
     });
     if (own != all.end()) return *own;
+    std::error_code failure;
+    const bool isFile = std::filesystem::is_regular_file(source, failure) && source.filename() != "DICOMDIR";
+    const bool isOfOne = std::ranges::all_of(
+        all, [&](const PlanarSeries& each) { return each.study->patient == all.front().study->patient; });
+    if (isFile || !isOfOne) return {};
     return *std::ranges::max_element(all, {},
                                      [](const PlanarSeries& each) { return each.stack->frames.size(); });
 }

@@ -21,8 +21,9 @@ bool canBeShownAsImages(const dicom::Stack& stack);
 
 // In the order of the scan.
 std::vector<PlanarSeries> planarSeriesOf(const FoundVolumes& found);
-// The one to which the file belongs, else the one with the most images; stack is null without any.
-PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::path& file);
+// What opening `source` shows: of an image its series, of a folder or a DICOMDIR the series with the most
+// images. stack is null without any, for a file that is no image, and for a folder of several patients.
+PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::path& source);
 // stack is null where that stack is not in the folder, or is a volume.
 PlanarSeries planarSeriesOf(const FoundVolumes& found, const dicom::Stack* stack);
 

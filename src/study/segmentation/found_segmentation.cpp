@@ -40,6 +40,26 @@ bool isDrawnOn(const dicom::Segmentation& header, const dicom::Series& series) {
            header.referencedSeriesUids.end();
 }
 
+// Of a structure set, whose regions may lie in several coordinate systems.
+Text whyNoRegionOn(const FoundSegmentation& found, const std::string& frameOfReference,
+                   const FoundVolume& volume) {
+    const auto& regions = found.structures->regions;
+    if (std::ranges::all_of(regions, [](const auto& region) { return region.contours.empty(); }))
+        return Text("It has no contours that enclose anything.");
+    const bool isKnown = !frameOfReference.empty() && std::ranges::any_of(regions, [](const auto& region) {
+        return !region.frameOfReferenceUid.empty();
+    });
+    if (!isKnown)
+        return isDrawnOn(found.header, *volume.series)
+                   ? Text()
+                   : Text("Nothing says that it lies in the coordinate system of this volume.");
+    const bool isHere = std::ranges::any_of(regions, [&](const dicom::StructureRegion& region) {
+        return region.frameOfReferenceUid == frameOfReference && !region.contours.empty();
+    });
+    return isHere ? Text()
+                  : Text("It lies in another coordinate system (frame of reference) than this volume.");
+}
+
 // The reason why it cannot be shown on the volume; empty if it can.
 Text whyNotOn(const FoundSegmentation& found, const dicom::Scan& scan, const dicom::Study& study,
               const FoundVolume& volume) {
@@ -47,10 +67,8 @@ Text whyNotOn(const FoundSegmentation& found, const dicom::Scan& scan, const dic
     if (!dicom::mayBeOnePatient(scan, study.patient, volume.study->patient))
         return Text("It is of another patient.");
     if (header.frames.empty() && !found.structures) return Text("It has no frames.");
-    if (found.structures && std::ranges::all_of(found.structures->regions,
-                                                [](const auto& region) { return region.contours.empty(); }))
-        return Text("It has no contours that enclose anything.");
     const std::string frameOfReference = frameOfReferenceOf(*volume.stack);
+    if (found.structures) return whyNoRegionOn(found, frameOfReference, volume);
     if (!frameOfReference.empty() && !header.frameOfReferenceUid.empty()) {
         if (frameOfReference == header.frameOfReferenceUid) return {};
         return Text("It lies in another coordinate system (frame of reference) than this volume.");
@@ -68,7 +86,6 @@ Result<void> readInto(FoundSegmentation& found, const dicom::OtherObject& object
     found.header.file = object.file;
     found.header.sopInstanceUid = structures.sopInstanceUid;
     found.header.contentLabel = structures.label;
-    found.header.frameOfReferenceUid = structures.frameOfReferenceUid;
     found.header.referencedSeriesUids = structures.referencedSeriesUids;
     for (const dicom::StructureRegion& region : structures.regions)
         found.header.segments.push_back(region.segment);

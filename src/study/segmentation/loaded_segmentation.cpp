@@ -52,7 +52,25 @@ const LoadedSegment* LoadedSegmentation::segment(std::uint16_t number) const {
 
 namespace {
 
-std::vector<Text> notesOf(const FoundSegmentation& found, const dicom::RegionVoxels& regions) {
+struct RegionsHere {
+    dicom::StructureSet structures;  // regions of other coordinate systems have no contours
+    std::size_t elsewhere = 0;       // such regions
+};
+
+RegionsHere regionsHere(const dicom::StructureSet& structures, const std::string& frameOfReference) {
+    RegionsHere here{structures, 0};
+    for (dicom::StructureRegion& region : here.structures.regions) {
+        const bool isElsewhere = !frameOfReference.empty() && !region.frameOfReferenceUid.empty() &&
+                                 region.frameOfReferenceUid != frameOfReference;
+        if (!isElsewhere || region.contours.empty()) continue;
+        region.contours.clear();
+        ++here.elsewhere;
+    }
+    return here;
+}
+
+std::vector<Text> notesOf(const FoundSegmentation& found, const dicom::RegionVoxels& regions,
+                          std::size_t elsewhere) {
     std::vector<Text> notes;
     if (!found.note.empty()) notes.push_back(found.note);
     notes.push_back(
@@ -60,6 +78,14 @@ std::vector<Text> notesOf(const FoundSegmentation& found, const dicom::RegionVox
     if (regions.isBetween)
         notes.push_back(
             Text("Some contours lie farther apart than slices; slices between them show the nearest."));
+    if (regions.isUneven)
+        notes.push_back(Text(
+            "Contours of some regions lie at uneven distances; their volumes take each for the usual one."));
+    if (elsewhere > 0)
+        notes.push_back(Text("{} regions lie in another coordinate system, and are not shown.", elsewhere));
+    if (found.structures->lost > 0)
+        notes.push_back(
+            Text("{} regions have no number of their own, and are left out.", found.structures->lost));
     if (regions.oblique > 0)
         notes.push_back(
             Text("{} contours are not parallel to the slices, and are left out.", regions.oblique));
@@ -104,9 +130,10 @@ Result<std::shared_ptr<const LoadedSegmentation>> loadSegments(const FoundSegmen
     auto loaded = std::make_shared<LoadedSegmentation>();
     loaded->digest = found.digest;
     if (found.structures) {
-        MACULA_TRY(dicom::RegionVoxels regions, dicom::voxelsOf(*found.structures, volume.worldFromVoxel(),
+        const RegionsHere here = regionsHere(*found.structures, frameOfReferenceOf(stack));
+        MACULA_TRY(dicom::RegionVoxels regions, dicom::voxelsOf(here.structures, volume.worldFromVoxel(),
                                                                 volume.size(), progress, positionsMm));
-        loaded->notes = notesOf(found, regions);
+        loaded->notes = notesOf(found, regions, here.elsewhere);
         loaded->segments = segmentsOf(std::move(regions.sets));
         return std::shared_ptr<const LoadedSegmentation>(std::move(loaded));
     }

@@ -250,7 +250,8 @@ void StudyBrowser::openRow(const QModelIndex& index) {
     if (row.kind == study::StudyRow::Kind::presentation) return Q_EMIT presentationRefused(Text(row.whyNot));
     if (row.images != nullptr) return Q_EMIT imagesChosen(row.images);
     if (!row.volume) return tree_->setExpanded(index, !tree_->isExpanded(index));
-    if (row.volume != model_->open()) Q_EMIT chosen(*row.volume);
+    if (row.volume == model_->open()) return Q_EMIT openChosen();
+    Q_EMIT chosen(*row.volume);
 }
 
 void StudyBrowser::tellWhatIsMissing() {

@@ -49,6 +49,7 @@ class StudyBrowser : public QWidget {
   Q_SIGNALS:
     void chosen(std::size_t index);                        // a volume other than the open one
     void secondAsked(std::size_t index);                   // a volume to show beside the open one
+    void openChosen();                                     // the open volume once more
     void imagesChosen(const macula::dicom::Stack* stack);  // a series without a volume; of found()
     // A person chose this presentation state; its volume may not be open.
     void presentationChosen(const macula::study::StudyRow::Presentation& presentation);

@@ -57,6 +57,8 @@ PlanarBar::PlanarBar(QWidget* parent)
     connect(mirror, &QToolButton::clicked, this, &PlanarBar::mirrorAsked);
     connect(fit, &QToolButton::clicked, this, &PlanarBar::fitAsked);
     connect(back_, &QToolButton::clicked, this, &PlanarBar::backAsked);
+    // A click leaves the keys to the image.
+    for (QWidget* control : findChildren<QWidget*>()) control->setFocusPolicy(Qt::TabFocus);
 }
 
 QToolButton* PlanarBar::addButton(const char* name, const QString& text, const QString& tip) {

@@ -17,10 +17,11 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr double kUsualMs = 100.0;      // of a frame, where the file says no rate
-constexpr double kDoublingPart = 0.25;  // of the pane's width, by which a drag doubles the window
-constexpr double kLeastWidth = 1e-6;
-constexpr double kMostWidth = 1e9;
+constexpr double kUsualMs = 100.0;  // of a frame, where the file says no rate
+
+bool isOfSlices(const std::string& modality) {
+    return modality == "CT" || modality == "MR" || modality == "PT" || modality == "NM";
+}
 
 QImage imageOf(const study::PlanarPicture& picture) {
     const int bytesPerPixel = picture.isColour ? 3 : 1;
@@ -47,6 +48,7 @@ PlanarController::PlanarController(const WindowContext& context, QWidget& beneat
     column->addWidget(bar_);
     widget_->hide();
     view_->installEventFilter(this);
+    for (QWidget* control : bar_->findChildren<QWidget*>()) control->installEventFilter(this);
     connectParts();
 }
 
@@ -119,15 +121,15 @@ std::optional<study::Identity> PlanarController::identity() const {
     return isShown() ? std::optional(study::identityOf(series_)) : std::nullopt;
 }
 
-const study::PlanarLoop& PlanarController::loop() const {
-    return *std::ranges::find_if(loops_, [this](const study::PlanarLoop& each) { return place_ < each.end; });
+const study::PlanarLoop& PlanarController::loopAt(std::size_t place) const {
+    return *std::ranges::find_if(loops_, [&](const study::PlanarLoop& each) { return place < each.end; });
 }
 
 void PlanarController::setPlace(std::size_t place) {
     if (!isShown()) return;
     place_ = std::min(place, series_.stack->frames.size() - 1);
     bar_->setPlaces(int(series_.stack->frames.size()), int(place_));
-    bar_->setCanPlay(loop().end - loop().begin > 1);
+    bar_->setCanPlay(loopAt(place_).end - loopAt(place_).begin > 1);
     loader_->ask(place_);
     tell();
 }
@@ -175,58 +177,30 @@ void PlanarController::setDisplay(const study::PlanarDisplay& display) {
     redraw();
 }
 
-// First the tables of the file, then its windows.
+std::vector<NamedDisplay> PlanarController::displays() const {
+    if (!image_) return {};
+    return displaysOf(series_.stack->frames[image_->place], *image_->header, *image_->pixels, display_);
+}
+
 void PlanarController::tellDisplays() {
-    if (!image_ || image_->pixels->isColour()) return bar_->setDisplays({}, -1);
     QStringList names;
     int chosen = -1;
-    study::PlanarDisplay each = display_;
-    for (std::size_t i = 0; i < image_->header->tables.size(); ++i) {
-        each.table = i;
-        if (each == display_) chosen = int(names.size());
-        names += displayText(*image_->header, each, false);
+    for (const NamedDisplay& each : displays()) {
+        if (each.display == display_) chosen = int(names.size());
+        names += each.name;
     }
-    each.table.reset();
-    for (const DisplayWindow& window : series_.stack->frames[place_].windows) {
-        each.window = window;
-        if (each == display_) chosen = int(names.size());
-        const QString name = QString::fromStdString(window.explanation).simplified();
-        names += name.isEmpty() ? displayText(*image_->header, each, false) : name;
-    }
-    names += tr("All values");
     bar_->setDisplays(names, chosen);
 }
 
 void PlanarController::chooseDisplay(int index) {
-    if (!image_ || index < 0) return;
-    const auto chosen = std::size_t(index);
-    const std::vector<DisplayWindow>& windows = series_.stack->frames[place_].windows;
-    const std::size_t tables = image_->header->tables.size();
-    study::PlanarDisplay display = display_;
-    display.table.reset();
-    if (chosen < tables)
-        display.table = chosen;
-    else if (chosen - tables < windows.size())
-        display.window = windows[chosen - tables];
-    else
-        display.window = study::wholeRange(*image_->pixels);
-    setDisplay(display);
+    const std::vector<NamedDisplay> all = displays();
+    if (index >= 0 && std::size_t(index) < all.size()) setDisplay(all[std::size_t(index)].display);
 }
 
 void PlanarController::dragWindow(QPointF byPx) {
     if (!image_ || image_->pixels->isColour()) return;
-    study::PlanarDisplay display = display_;
-    if (display.table) {
-        display.table.reset();
-        display.window = study::wholeRange(*image_->pixels);
-    }
-    DisplayWindow& window = display.window;
-    window.explanation.clear();
-    const double doublings = byPx.x() / (kDoublingPart * view_->width());
-    window.center += window.width * byPx.y() / view_->height();
-    window.width = std::clamp(window.width * std::exp2(doublings), kLeastWidth, kMostWidth);
-    setDisplay(display);
-    bar_->setDisplays({}, -1);
+    setDisplay(draggedBy(byPx.x() / view_->width(), byPx.y() / view_->height(), display_, *image_->header,
+                         *image_->pixels));
     tellDisplays();
 }
 
@@ -243,15 +217,20 @@ void PlanarController::turn(bool isMirroring) {
     else  // of what is on screen: a mirrored picture turns the other way beneath
         turn.quarters = (turn.quarters + (turn.isMirrored ? 3 : 1)) % 4;
     view_->setTurn(turn);
+    pointedAt_.reset();  // the pointer is over another pixel
     tell();
 }
 
 QStringList PlanarController::warnings() const {
     QStringList warnings = changesOf(view_->turn(), display_);
-    const dicom::Frame& frame = series_.stack->frames[place_];
-    if (frame.instance->lossy) warnings += tr("lossily compressed");
     if (!image_) return warnings;
-    const bool hasLoop = loop().end - loop().begin > 1;
+    if (series_.stack->frames[image_->place].instance->lossy) warnings += tr("lossily compressed");
+    // Of such images a person expects a volume.
+    const Message* why = series_.stack->whyNoVolume();
+    if (why != nullptr && series_.stack->frames.size() > 1 && isOfSlices(series_.stack->modality))
+        warnings += inWindowsLanguage(why->sentence);
+    const study::PlanarLoop& of = loopAt(image_->place);
+    const bool hasLoop = of.end - of.begin > 1;
     if (hasLoop && image_->header->cine.frameMs.empty())
         warnings += tr("the file says no rate: %1 frames per second").arg(1000.0 / kUsualMs);
     if (const QString size = pixelSizeText(*image_->header);
@@ -264,6 +243,9 @@ QString PlanarController::valueText() const {
     if (!pointedAt_ || !image_ || image_->pixels->isColour()) return {};
     const auto column = std::size_t(pointedAt_->x());
     const auto row = std::size_t(pointedAt_->y());
+    const bool isIn =
+        column < std::size_t(image_->pixels->columns) && row < std::size_t(image_->pixels->rows);
+    if (!isIn) return {};
     const float value = image_->pixels->values[row * std::size_t(image_->pixels->columns) + column];
     const QString text =
         std::isfinite(value) ? withLocalNumbers(QString::number(double(value), 'g', 6)) : tr("no value");
@@ -275,9 +257,11 @@ void PlanarController::tell() {
     PlanarLabels labels;
     const study::Identity identity = study::identityOf(series_);
     if (namesShown_) labels.identity = inWindowsLanguage(study::linesOf(identity));
-    const auto image = std::size_t(&loop() - loops_.data());
-    labels.place = {placeText(int(image) + 1, int(loops_.size()), int(place_ - loop().begin) + 1,
-                              int(loop().end - loop().begin))};
+    // Of what is on screen, while the next is read.
+    const std::size_t place = image_ ? image_->place : place_;
+    const study::PlanarLoop& of = loopAt(place);
+    labels.place = {placeText(int(&of - loops_.data()) + 1, int(loops_.size()), int(place - of.begin) + 1,
+                              int(of.end - of.begin))};
     labels.warnings = warnings();
     if (image_) {
         const dicom::PlanarHeader& header = *image_->header;
@@ -291,33 +275,36 @@ void PlanarController::tell() {
         labels.towards = header.towards;
         if (header.pixelSize) {
             labels.mmPerPixel = header.pixelSize->columnMm;
-            labels.isCalibrated = header.pixelSize->of == dicom::PixelSize::Of::object;
+            const dicom::PixelSize::Of held = header.pixelSize->of;
+            labels.isCalibrated =
+                held == dicom::PixelSize::Of::object || held == dicom::PixelSize::Of::regions;
         }
     }
     view_->setLabels(labels);
 }
 
 void PlanarController::setPlaying(bool plays) {
-    const bool canPlay = isShown() && loop().end - loop().begin > 1;
+    const bool canPlay = isShown() && loopAt(place_).end - loopAt(place_).begin > 1;
     if (plays && canPlay && !isPlaying()) {
         playsBackwards_ = false;
-        loader_->readAhead(loop());
+        loader_->readAhead(loopAt(place_));
         player_.start(msOf(place_));
     } else if (!plays) {
         player_.stop();
+        loader_->readAhead({});
     }
     bar_->setPlaying(isPlaying());
 }
 
 double PlanarController::msOf(std::size_t place) const {
-    const std::size_t frame = place - loop().begin;
+    const auto frame = std::size_t(series_.stack->frames[place].number);
     const bool isTimed = image_ && frame < image_->header->cine.frameMs.size();
     return (isTimed ? image_->header->cine.frameMs[frame] : kUsualMs) / bar_->speed();
 }
 
 void PlanarController::playNext() {
     if (!isUpToDate()) return player_.askAgain();
-    const study::PlanarLoop& of = loop();
+    const study::PlanarLoop& of = loopAt(place_);
     const bool sweeps = image_->header->cine.sweeps;
     if (sweeps && place_ + 1 == of.end) playsBackwards_ = true;
     if (place_ == of.begin) playsBackwards_ = false;
@@ -364,7 +351,8 @@ bool PlanarController::onKey(int key) {
     }
 }
 
-// Letters are shortcuts of the window too: over an image they are its own.
+// Letters are shortcuts of the window too: over an image they are its own. Controls keep the keys that move
+// them.
 bool PlanarController::eventFilter(QObject* watched, QEvent* event) {
     const bool isOverride = event->type() == QEvent::ShortcutOverride;
     if (isShown() && (isOverride || event->type() == QEvent::KeyPress)) {
@@ -373,8 +361,12 @@ bool PlanarController::eventFilter(QObject* watched, QEvent* event) {
                                   Qt::Key_Down,  Qt::Key_PageDown, Qt::Key_Right,  Qt::Key_Home,
                                   Qt::Key_End,   Qt::Key_I,        Qt::Key_R,      Qt::Key_M,
                                   Qt::Key_F,     Qt::Key_Plus,     Qt::Key_Minus,  Qt::Key_Escape};
-        const bool isOwn = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier &&
-                           std::ranges::find(kOwn, key.key()) != kOwn.end();
+        constexpr std::size_t kOfControls = 9;  // the first of them
+        const auto* found = std::ranges::find(kOwn, key.key());
+        const Qt::KeyboardModifiers ignored =
+            Qt::KeypadModifier | (key.key() == Qt::Key_Plus ? Qt::ShiftModifier : Qt::NoModifier);
+        const bool isOwn = (key.modifiers() & ~ignored) == Qt::NoModifier && found != kOwn.end() &&
+                           (watched == view_ || std::size_t(found - kOwn.begin()) >= kOfControls);
         if (isOwn && isOverride) return event->accept(), true;
         if (isOwn && onKey(key.key())) return true;
     }

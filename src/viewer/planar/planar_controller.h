@@ -10,6 +10,7 @@
 #include "study/planar/planar_display.h"
 #include "study/planar/planar_images.h"
 #include "viewer/context/window_context.h"
+#include "viewer/planar/planar_displays.h"
 #include "viewer/planar/planar_loader.h"
 #include "viewer/planar/planar_player.h"
 #include "viewer/planar/planar_view.h"
@@ -67,7 +68,8 @@ class PlanarController : public QObject {
     void tellDisplays();
     QStringList warnings() const;
     QString valueText() const;
-    const study::PlanarLoop& loop() const;
+    const study::PlanarLoop& loopAt(std::size_t place) const;
+    std::vector<NamedDisplay> displays() const;
     double msOf(std::size_t place) const;
     void playNext();
 

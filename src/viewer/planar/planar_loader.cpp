@@ -7,6 +7,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr int kAllFrames = -1;
 
 std::size_t bytesOf(const LoadedImage& image) {
     return image.pixels->values.size() * sizeof(float) + image.pixels->rgb.size();
@@ -48,25 +49,34 @@ void PlanarLoader::readAhead(const study::PlanarLoop& loop) {
 }
 
 std::optional<std::size_t> PlanarLoader::nextAhead() const {
-    if (bytes_ >= kMostBytes || failedAhead_) return {};
+    // The next would drive out one of these.
+    const bool isFull = !images_.empty() && bytes_ + bytesOf(images_.begin()->second) > kMostBytes;
+    if (isFull || failedAhead_) return {};
     for (std::size_t place = ahead_.begin; place < ahead_.end; ++place)
         if (!images_.contains(place)) return place;
     return {};
+}
+
+std::shared_ptr<const dicom::PlanarHeader> PlanarLoader::headerOf(const dicom::Frame& frame) const {
+    for (const int number : {kAllFrames, frame.number}) {
+        const auto known = headers_.find(std::pair(frame.instance.get(), number));
+        if (known != headers_.end()) return known->second;
+    }
+    return nullptr;
 }
 
 void PlanarLoader::startNext() {
     loading_ = asked_ ? asked_ : nextAhead();
     if (!loading_ || stack_ == nullptr) return;
     const dicom::Frame& frame = stack_->frames[*loading_];
-    const auto known = headers_.find(frame.instance.get());
-    const std::shared_ptr<const dicom::PlanarHeader> header =
-        known != headers_.end() ? known->second : nullptr;
+    const std::shared_ptr<const dicom::PlanarHeader> header = headerOf(frame);
     // The job holds what the stack belongs to: another folder may be opened meanwhile.
     job_.start([found = found_, stack = stack_, place = *loading_,
                 header](Progress& progress) -> Result<LoadedImage> {
         LoadedImage image{.place = place, .header = header, .pixels = {}};
         if (!image.header) {
-            MACULA_TRY(auto read, dicom::readPlanarHeader(stack->frames[place].instance->file));
+            const dicom::Frame& of = stack->frames[place];
+            MACULA_TRY(auto read, dicom::readPlanarHeader(of.instance->file, of.number));
             image.header = std::make_shared<const dicom::PlanarHeader>(std::move(read));
         }
         MACULA_TRY(auto pixels, dicom::loadPlanarFrame(*stack, place, *image.header, progress.token()));
@@ -80,7 +90,10 @@ void PlanarLoader::take(const Result<LoadedImage>& image) {
     const bool wasAsked = asked_ == place;
     if (wasAsked) asked_.reset();
     if (image) {
-        headers_.emplace(stack_->frames[place].instance.get(), image->header);
+        const dicom::Frame& frame = stack_->frames[place];
+        headers_.emplace(
+            std::pair(frame.instance.get(), image->header->isOfFrame ? frame.number : kAllFrames),
+            image->header);
         keep(*image);
     } else {
         failedAhead_ = place;

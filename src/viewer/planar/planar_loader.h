@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "dicom/planar/planar_frame.h"
 #include "dicom/planar/planar_header.h"
@@ -40,6 +41,8 @@ class PlanarLoader : public QObject {
     void failed(std::size_t place, const macula::Error& error);
 
   private:
+    std::shared_ptr<const dicom::PlanarHeader> headerOf(
+        const dicom::Frame& frame) const;  // null: not read yet
     void startNext();
     std::optional<std::size_t> nextAhead() const;
     void take(const Result<LoadedImage>& image);
@@ -47,7 +50,8 @@ class PlanarLoader : public QObject {
 
     std::shared_ptr<const study::FoundVolumes> found_;
     const dicom::Stack* stack_ = nullptr;
-    std::map<const dicom::Instance*, std::shared_ptr<const dicom::PlanarHeader>> headers_;
+    // Of a file, or of each of its frames (PlanarHeader::isOfFrame).
+    std::map<std::pair<const dicom::Instance*, int>, std::shared_ptr<const dicom::PlanarHeader>> headers_;
     std::map<std::size_t, LoadedImage> images_;
     std::size_t bytes_ = 0;
     std::optional<std::size_t> asked_;

@@ -79,6 +79,8 @@ QString pixelSizeText(const dicom::PlanarHeader& header) {
     switch (size.of) {
         case dicom::PixelSize::Of::object:
             return mm;
+        case dicom::PixelSize::Of::regions:
+            return Words::tr("%1, only in the regions of ultrasound that have lengths").arg(mm);
         case dicom::PixelSize::Of::detector:
             return Words::tr("%1, at the detector: the patient is smaller").arg(mm);
         case dicom::PixelSize::Of::estimate:

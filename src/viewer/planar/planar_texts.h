@@ -23,7 +23,7 @@ struct PlanarTurn {
 // and H, as in the files (PS3.3 C.7.6.1.1.1).
 std::array<QString, 4> edgeLetters(const std::array<std::string, 2>& towards, const PlanarTurn& turn);
 
-// "image 2 of 5, frame 3 of 30"; frame: -1 where the file has only one.
+// "image 2 of 5, frame 3 of 30"; without the frame where the file has only one.
 QString placeText(int image, int images, int frame, int frames);
 // Window or table; empty for colours.
 QString displayText(const dicom::PlanarHeader& header, const study::PlanarDisplay& display, bool isColour);

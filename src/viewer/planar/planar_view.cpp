@@ -167,7 +167,7 @@ void PlanarView::paintLabels(QPainter& painter) const {
                    letters[3], kInk);
 }
 
-// Along the columns of the picture, which a quarter turn makes vertical; then their height counts.
+// A length on the screen is the same in both directions: turned() makes pixels as high as they are.
 void PlanarView::paintScale(QPainter& painter) const {
     if (labels_.mmPerPixel <= 0.0) return;
     const auto bar = scaleBar(labels_.mmPerPixel / scale_.value_or(fittingScale()), kLongestBarPart * width(),

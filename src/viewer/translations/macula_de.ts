@@ -597,6 +597,13 @@
     </message>
 </context>
 <context>
+    <name>PlanarDisplays</name>
+    <message>
+        <source>All values</source>
+        <translation>Alle Werte</translation>
+    </message>
+</context>
+<context>
     <name>PlanarTexts</name>
     <message>
         <source>image %1 of %2</source>
@@ -641,6 +648,10 @@
     <message>
         <source>%1, estimated by a magnification of %2</source>
         <translation>%1, geschätzt aus einer Vergrößerung von %2</translation>
+    </message>
+    <message>
+        <source>%1, only in the regions of ultrasound that have lengths</source>
+        <translation>%1, nur in den Ultraschallbereichen, die Längen haben</translation>
     </message>
 </context>
 <context>
@@ -11540,6 +11551,18 @@
         <source>{} contours cannot be read, or are too long: regions may lack parts.</source>
         <translation>Nicht lesbar oder zu lang: {} Konturen. Regionen können unvollständig sein.</translation>
     </message>
+    <message>
+        <source>Contours of some regions lie at uneven distances; their volumes take each for the usual one.</source>
+        <translation>Konturen mancher Regionen haben ungleiche Abstände; ihr Volumen rechnet jede mit dem üblichen.</translation>
+    </message>
+    <message>
+        <source>{} regions lie in another coordinate system, and are not shown.</source>
+        <translation>In einem anderen Koordinatensystem, und deshalb nicht gezeigt: {} Regionen.</translation>
+    </message>
+    <message>
+        <source>{} regions have no number of their own, and are left out.</source>
+        <translation>Ohne eigene Nummer, und deshalb ausgelassen: {} Regionen.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -13862,10 +13885,6 @@
     <message>
         <source>The image is being read…</source>
         <translation>Das Bild wird gelesen…</translation>
-    </message>
-    <message>
-        <source>All values</source>
-        <translation>Alle Werte</translation>
     </message>
     <message>
         <source>lossily compressed</source>

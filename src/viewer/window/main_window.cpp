@@ -7,11 +7,13 @@
 #include <chrono>
 #include <utility>
 
+#include "study/spool/spool.h"
 #include "viewer/archive/archive_controller.h"
 #include "viewer/archive/archive_panel.h"
 #include "viewer/archive/send_controller.h"
 #include "viewer/archive/waiting_bar.h"
 #include "viewer/browser/browser_controller.h"
+#include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_handles_tool.h"
 #include "viewer/clip/clips_controller.h"
@@ -256,9 +258,21 @@ void MainWindow::connectStudy() {
 void MainWindow::connectImages() {
     connect(&browser_->browser(), &StudyBrowser::imagesChosen, this,
             [this](const dicom::Stack* stack) { planar_->show(browser_->browser().found(), stack); });
-    connect(planar_, &PlanarController::shownChanged, this,
-            [this] { status_->setImagesShown(planar_->identity()); });
+    connect(planar_, &PlanarController::shownChanged, this, [this] {
+        status_->setImagesShown(planar_->identity());
+        panes_->tools().setEnabled(!planar_->isShown());
+        // The notes are about the open study.
+        if (planar_->isShown())
+            notes_->bar().hide();
+        else
+            notes_->show();
+    });
+    connect(&opening_->loader(), &StudyLoader::began, this,
+            [this] { foundBefore_ = browser_->browser().found(); });
     opening_->setInstead([this] { return showImagesInstead(); });
+    // What is listed of the open volume may be beneath images.
+    connect(&browser_->browser(), &StudyBrowser::openChosen, planar_, &PlanarController::close);
+    connect(&browser_->browser(), &StudyBrowser::presentationChosen, planar_, &PlanarController::close);
     connect(this, &MainWindow::studyShown, planar_, &PlanarController::close);
     connect(panes_, &PanesController::layoutShown, planar_, &PlanarController::close);
 }
@@ -266,12 +280,17 @@ void MainWindow::connectImages() {
 // A folder without any volume is shown as what it holds.
 bool MainWindow::showImagesInstead() {
     const auto& found = browser_->browser().found();
-    if (!found || !found->isWhole() || !found->volumes().empty()) return false;
+    // An opening that read no folder leaves the list as it was, which may be another patient's.
+    const bool isNew = found && found->isWhole() && found != foundBefore_;
+    if (!isNew || !found->volumes().empty()) return false;
     const study::StudySource& source = opening_->loader().source();
     const study::PlanarSeries series =
         study::planarSeriesFor(*found, source.value_or(std::filesystem::path()));
-    if (series.stack != nullptr) planar_->show(found, series.stack);
-    return series.stack != nullptr;
+    if (series.stack == nullptr) return false;
+    planar_->show(found, series.stack);
+    // The folder of a fetched study has no name for people.
+    if (source && source->parent_path() != study::spoolFolder()) browser_->recent().add(*source);
+    return true;
 }
 
 void MainWindow::connectViewport() {

@@ -189,6 +189,7 @@ class MainWindow : public QMainWindow {
     OpeningController* opening_ = nullptr;
     PanesController* panes_ = nullptr;
     PlanarController* planar_ = nullptr;
+    std::shared_ptr<const study::FoundVolumes> foundBefore_;  // in the list, when the last opening began
     PanelsController* panels_ = nullptr;
     UndoActions* undo_ = nullptr;
     TableController* table_ = nullptr;

@@ -104,6 +104,26 @@ TEST(PlanarHeaders, TellWhetherLowValuesAreBright) {
     EXPECT_TRUE(isLowBright("MONOCHROME2", "INVERSE"));
 }
 
+TEST(PlanarHeaders, TellSidesOnlyInLettersThatHaveOpposites) {
+    const auto towards = [](const char* letters) {
+        return headerWith([&](DcmItem& item) { put(item, DCM_PatientOrientation, letters); }).towards;
+    };
+    EXPECT_EQ(towards("L\\FP"), (std::array<std::string, 2>{"L", "FP"}));
+    for (const char* other : {"", "L", "CR\\D", "l\\f", "LRAP\\F"})
+        EXPECT_EQ(towards(other), (std::array<std::string, 2>{})) << other;
+}
+
+TEST(PlanarHeaders, OfEndlessFramesTakeNoEndlessMemory) {
+    const CineTiming timing = headerWith(
+                                  [](DcmItem& item) {
+                                      put(item, DCM_NumberOfFrames, "2147483647");
+                                      put(item, DCM_FrameTime, "33");
+                                  },
+                                  2)
+                                  .cine;
+    EXPECT_LE(timing.frameMs.size(), 100'000u);
+}
+
 TEST(PlanarHeaders, OfNoImageAreErrors) {
     const TemporaryFolder folder;
     std::ofstream(folder / "text.dcm") << "no image";

@@ -100,9 +100,9 @@ class StructureSetTest : public testing::Test {
 TEST_F(StructureSetTest, NamesColoursAndNumbersAreRead) {
     voxels({{"Bladder", {circle({0, 0, 103}, 5)}}, {"Prostate", {}}});
     EXPECT_EQ(read_.label, "DRAWN");
-    EXPECT_EQ(read_.frameOfReferenceUid, "2.25.1002");
     ASSERT_EQ(read_.regions.size(), 2u);
     EXPECT_EQ(read_.regions[0].segment.label, "Bladder");
+    EXPECT_EQ(read_.regions[0].frameOfReferenceUid, "2.25.1002");
     EXPECT_EQ(read_.regions[0].segment.number, 1);
     EXPECT_EQ(read_.regions[0].segment.recommendedRgb, (std::array<std::uint8_t, 3>{255, 128, 0}));
     EXPECT_TRUE(read_.regions[1].contours.empty());
@@ -174,6 +174,15 @@ TEST_F(StructureSetTest, WhatEnclosesNothingIsCountedAndLeftOut) {
     EXPECT_EQ(made.oblique, 1u);
     const double expected = std::numbers::pi * 16 * 3;
     EXPECT_NEAR(made.sets.segments[0].volumeMm3.value_or(0), expected, 1e-3 * expected);
+}
+
+TEST_F(StructureSetTest, UnevenPlanesAreSaid) {
+    const auto made = voxels(
+        {{"Region",
+          {circle({0, 0, 103}, 4), circle({0, 0, 106}, 4), circle({0, 0, 109}, 4), circle({0, 0, 118}, 4)}}});
+    EXPECT_TRUE(made.isUneven);
+    EXPECT_FALSE(made.sets.segments[0].voxels.contains({30, 25, 4})) << "nothing is filled in between";
+    EXPECT_FALSE(voxels({{"Region", {circle({0, 0, 103}, 4), circle({0, 0, 106}, 4)}}}).isUneven);
 }
 
 TEST_F(StructureSetTest, OutsideOfTheGridNothingIsFilledButTheVolumeStays) {
