@@ -6,11 +6,13 @@
 #include "dicom/loader.h"
 #include "dicom/manifest/imaging_manifest.h"
 #include "dicom/pixels/pixels.h"
+#include "dicom/planar/planar_frame.h"
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/softcopy_state.h"
 #include "dicom/read/media_directory.h"
 #include "dicom/scan.h"
 #include "dicom/segmentation/segmentation.h"
+#include "dicom/segmentation/structure_set.h"
 #include "dicom/stack/examination.h"
 #include "fuzz/file_of_bytes.h"
 
@@ -74,6 +76,30 @@ void loadLabels(const std::filesystem::path& file) {
     (void)loadSegmentation(*segmentation, grid, {8, 8, 8}, progress);
 }
 
+// As the window shows what is no volume.
+void showImages(const Examination& found) {
+    const Instance& instance = *found.frames.front().instance;
+    if (cellsOf(instance.columns, instance.rows) > kMostCells) return;
+    Stack stack;
+    stack.frames = found.frames;
+    for (const std::size_t place : {std::size_t{0}, stack.frames.size() - 1}) {
+        const auto header = readPlanarHeader(instance.file, stack.frames[place].number);
+        if (!header) continue;
+        const auto pixels = loadPlanarFrame(stack, place, *header);
+        if (!pixels) continue;
+        const std::size_t cells = cellsOf(pixels->columns, pixels->rows);
+        MACULA_CHECK(pixels->values.size() == cells || pixels->rgb.size() == 3 * cells);
+    }
+}
+
+void fillStructures(const std::filesystem::path& file) {
+    const auto structures = readStructureSet(file);
+    if (!structures) return;
+    const glm::dmat4 grid = affine({2, 0, 0}, {0, 2, 0}, {0, 0, 3}, {-16, -16, -12});
+    macula::Progress progress;
+    (void)voxelsOf(*structures, grid, {16, 16, 8}, progress);
+}
+
 }  // namespace
 }  // namespace macula::dicom
 
@@ -81,8 +107,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace macula::dicom;
     const std::filesystem::path file = macula::fuzz::fileOf(data, size, "image");
     const Examination found = examine(file);
-    if (!found.frames.empty()) readPixels(found);
+    if (!found.frames.empty()) {
+        readPixels(found);
+        showImages(found);
+    }
     loadLabels(file);
+    fillStructures(file);
     (void)readMediaDirectory(file);
     (void)readImagingManifest(file);
     macula::Progress progress;
