@@ -110,7 +110,7 @@ Result<std::vector<Commitment>> Committing::run() {
     stopHearing_.cancel();
     hearing.join();
     acceptor.reset();
-    MACULA_TRY_VOID(waited);
+    if (!waited) return waited.error();
     return results_;
 }
 
