@@ -153,6 +153,30 @@ TEST_F(PlanarWindowTest, FramesPlayInALoopAtTheirOwnTimes) {
     EXPECT_EQ(images().place(), 3u) << "no farther than the last";
 }
 
+TEST_F(PlanarWindowTest, ALoopWithoutAWindowKeepsThatOfItsFirstFrame) {
+    dicom::test::SyntheticSeries series = radiograph();
+    series.size = {30, 20, 3};
+    series.sopClassUid = UID_UltrasoundMultiframeImageStorage;
+    series.rawInstead = [](const dicom::test::Slice& slice, int i, int) {
+        return 100 * i + 1000 * slice.place;
+    };
+    dicom::test::MultiFrame file;
+    file.functionalGroups = false;
+    file.dimensions = false;
+    file.edits.push_back([](DcmItem& item) {
+        item.findAndDeleteElement(DCM_WindowCenter);
+        item.findAndDeleteElement(DCM_WindowWidth);
+    });
+    dicom::test::writeMultiFrame(folder_ / "loop.dcm", series, dicom::test::slicesOf(series), file);
+    window_->open(folder_.path());
+    ASSERT_TRUE(waitForImage());
+    const study::PlanarDisplay first = images().display();
+    press(Qt::Key_End);
+    ASSERT_TRUE(waitForImage());
+    ASSERT_EQ(images().place(), 2u);
+    EXPECT_EQ(images().display(), first) << "brightness would flicker";
+}
+
 TEST_F(PlanarWindowTest, NamesAreHiddenEverywhere) {
     dicom::test::writeFiles(folder_.path(), radiograph());
     window_->open(folder_.path());

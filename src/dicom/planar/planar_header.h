@@ -62,9 +62,10 @@ struct PlanarHeader {
     std::vector<VoiTable> tables;
     std::shared_ptr<const ColourPalette> palette;  // of PALETTE COLOR
     bool isByPlane = false;                        // of three samples: Planar Configuration 1
-    std::optional<PixelSize> pixelSize;            // where pixels have one size all over the image
-    std::vector<UltrasoundRegion> regions;         // else those that have one
-    double pixelHeightOverWidth = 1.0;             // also where no size is known
+    std::vector<UltrasoundRegion> regions;
+    // Of all pixels, or (PixelSize::Of::regions) of those in regions in millimetres, if these agree.
+    std::optional<PixelSize> pixelSize;
+    double pixelHeightOverWidth = 1.0;  // also where no size is known
     CineTiming cine;
     // Where rows and columns run to: letters of L, R, A, P, H and F, as "L", "FR"; PS3.3 C.7.6.1.1.1. Both
     // are empty where the file does not say, or has other letters.

@@ -10,8 +10,8 @@ namespace macula::dicom {
 
 struct NewObject {
     // An image of the series that the object is about, which gives patient and study. Its file must still
-    // hold that instance. If deidentified it is optional, and only shows which objects belong to one patient
-    // (object_owner.h).
+    // hold that instance. A deidentified object may have none: there the image only shows which objects
+    // belong to one patient (object_owner.h).
     std::optional<SecondaryCapture::Source> image;
     // Copies nothing of patient and study, and replaces the UIDs of series, frame of reference and images by
     // those of standInUid: only with the series and this installation's key, made if there is none, can one

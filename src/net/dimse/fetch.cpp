@@ -293,7 +293,7 @@ Result<void> Fetch::requestFirst(Association& association, const AcceptedContext
     MACULA_TRY_VOID(
         request(association, context, keysAt("IMAGE", series, joinedUids(uids, 0, uids.size())), Way::get));
     sendsImages_ = std::ranges::none_of(uids, [this](const std::string& uid) { return isMissing(uid); });
-    // What did not come is asked for again.
+    // The requests that follow ask again for what did not come.
     refusal_.reset();
     failed_ = 0;
     return {};

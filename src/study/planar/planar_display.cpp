@@ -14,23 +14,28 @@ namespace {
 
 constexpr int kWhite = 255;
 
-// From the value below which `hundredth` of 100 lie to the one above which as many do.
-DisplayWindow rangeOf(const std::vector<float>& values, std::size_t hundredth) {
-    std::vector<float> known;
-    known.reserve(values.size());
-    std::ranges::copy_if(values, std::back_inserter(known), [](float value) { return std::isfinite(value); });
+// Of no values, low is above high.
+DisplayWindow linearBetween(double low, double high) {
     DisplayWindow window{.center = 0.0, .width = 1.0, .explanation = {}, .function = "LINEAR_EXACT"};
-    if (known.empty()) return window;
-    const auto valueAt = [&](std::size_t place) {
-        const auto at = known.begin() + std::ptrdiff_t(place * (known.size() - 1) / 100);
-        std::nth_element(known.begin(), at, known.end());
-        return double{*at};
-    };
-    const double low = valueAt(hundredth);
-    const double high = valueAt(100 - hundredth);
+    if (low > high) return window;
     window.center = 0.5 * (low + high);
     if (high > low) window.width = high - low;
     return window;
+}
+
+// From the hundredth part of the values to the last but a hundredth.
+DisplayWindow usualRange(const std::vector<float>& values) {
+    std::vector<float> known;
+    known.reserve(values.size());
+    std::ranges::copy_if(values, std::back_inserter(known), [](float value) { return std::isfinite(value); });
+    if (known.empty()) return linearBetween(1.0, 0.0);
+    const auto valueAt = [&](std::size_t hundredth) {
+        const auto at = known.begin() + std::ptrdiff_t(hundredth * (known.size() - 1) / 100);
+        std::nth_element(known.begin(), at, known.end());
+        return double{*at};
+    };
+    const double low = valueAt(1);
+    return linearBetween(low, valueAt(99));
 }
 
 std::vector<std::uint8_t> greyByTable(const std::vector<float>& values, const dicom::VoiTable& voi,
@@ -62,12 +67,20 @@ PlanarDisplay usualDisplay(const dicom::Frame& frame, const dicom::PlanarHeader&
     if (!frame.windows.empty() && !frame.realWorld)
         display.window = frame.windows.front();
     else
-        display.window = rangeOf(pixels.values, 1);
+        display.window = usualRange(pixels.values);
     return display;
 }
 
+// Without a copy: it is called while a person drags.
 DisplayWindow wholeRange(const dicom::PlanarFrame& pixels) {
-    return rangeOf(pixels.values, 0);
+    float low = std::numeric_limits<float>::infinity();
+    float high = -low;
+    for (const float value : pixels.values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    return linearBetween(low, high);
 }
 
 PlanarPicture pictureOf(const dicom::PlanarFrame& pixels, const dicom::PlanarHeader& header,

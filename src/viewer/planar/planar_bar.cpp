@@ -57,7 +57,7 @@ PlanarBar::PlanarBar(QWidget* parent)
     connect(mirror, &QToolButton::clicked, this, &PlanarBar::mirrorAsked);
     connect(fit, &QToolButton::clicked, this, &PlanarBar::fitAsked);
     connect(back_, &QToolButton::clicked, this, &PlanarBar::backAsked);
-    // A click leaves the keys to the image.
+    // A click on a control does not take the keyboard focus from the image.
     for (QWidget* control : findChildren<QWidget*>()) control->setFocusPolicy(Qt::TabFocus);
 }
 

@@ -85,7 +85,7 @@ void PlanarController::show(std::shared_ptr<const study::FoundVolumes> found, co
     isDisplayOwn_ = false;
     pointedAt_.reset();
     loader_->setSeries(found_, series.stack);
-    // The picture before may be another patient's.
+    // Until the image is read, the view would show the one before, which may be of another patient.
     view_->setMessage(tr("The image is being read…"));
     view_->setTurn({});
     beneath_.hide();
@@ -144,10 +144,14 @@ void PlanarController::stepBy(int images) {
 void PlanarController::take(const LoadedImage& image) {
     if (!isShown() || image.place != place_) return;
     const bool isFirst = !image_;
+    const dicom::Frame& frame = series_.stack->frames[place_];
+    // A range of values for each frame would make a loop flicker.
+    const bool isOfSameLoop = image_ && loopAt(image_->place).begin == loopAt(place_).begin;
+    const bool saysHow = !frame.windows.empty() || !image.header->tables.empty();
     image_ = image;
-    if (!isDisplayOwn_) {
+    if (!isDisplayOwn_ && (saysHow || !isOfSameLoop)) {
         const bool isInverted = display_.isInverted;
-        display_ = study::usualDisplay(series_.stack->frames[place_], *image.header, *image.pixels);
+        display_ = study::usualDisplay(frame, *image.header, *image.pixels);
         display_.isInverted = isInverted;
     }
     if (display_.table && *display_.table >= image.header->tables.size()) display_.table.reset();

@@ -49,7 +49,7 @@ void PlanarLoader::readAhead(const study::PlanarLoop& loop) {
 }
 
 std::optional<std::size_t> PlanarLoader::nextAhead() const {
-    // The next would drive out one of these.
+    // Another image would evict one of these.
     const bool isFull = !images_.empty() && bytes_ + bytesOf(images_.begin()->second) > kMostBytes;
     if (isFull || failedAhead_) return {};
     for (std::size_t place = ahead_.begin; place < ahead_.end; ++place)
@@ -103,7 +103,7 @@ void PlanarLoader::take(const Result<LoadedImage>& image) {
     if (!loading_) startNext();
 }
 
-// The one that lies farthest from the newest goes first.
+// Evicts first the image that lies farthest from the newest one.
 void PlanarLoader::keep(const LoadedImage& image) {
     images_.emplace(image.place, image);
     bytes_ += bytesOf(image);

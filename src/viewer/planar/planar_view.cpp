@@ -82,7 +82,7 @@ void PlanarView::fit() {
     update();
 }
 
-QTransform PlanarView::turned() const {
+QTransform PlanarView::shapeFromPicture() const {
     QTransform turned;
     turned.scale(turn_.isMirrored ? -1.0 : 1.0, 1.0);
     turned.rotate(kQuarter * turn_.quarters);
@@ -92,14 +92,14 @@ QTransform PlanarView::turned() const {
 }
 
 double PlanarView::fittingScale() const {
-    const QRectF shape = turned().mapRect(QRectF(picture_.rect()));
+    const QRectF shape = shapeFromPicture().mapRect(QRectF(picture_.rect()));
     if (shape.isEmpty()) return 1.0;
     return std::min(width() / shape.width(), height() / shape.height());
 }
 
 QTransform PlanarView::paneFromPicture() const {
     const double scale = scale_.value_or(fittingScale());
-    return turned() * QTransform::fromScale(scale, scale) *
+    return shapeFromPicture() * QTransform::fromScale(scale, scale) *
            QTransform::fromTranslate(0.5 * width() + middle_.x(), 0.5 * height() + middle_.y());
 }
 
@@ -167,7 +167,7 @@ void PlanarView::paintLabels(QPainter& painter) const {
                    letters[3], kInk);
 }
 
-// A length on the screen is the same in both directions: turned() makes pixels as high as they are.
+// A length on the screen is the same in both directions: shapeFromPicture() makes pixels as high as they are.
 void PlanarView::paintScale(QPainter& painter) const {
     if (labels_.mmPerPixel <= 0.0) return;
     const auto bar = scaleBar(labels_.mmPerPixel / scale_.value_or(fittingScale()), kLongestBarPart * width(),

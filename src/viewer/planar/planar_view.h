@@ -13,7 +13,7 @@
 
 namespace macula::viewer {
 
-// What is written over it; each corner has lines.
+// The texts over an image: lines for each corner of the pane.
 struct PlanarLabels {
     QStringList identity;  // top left
     QStringList place;     // top right
@@ -43,7 +43,8 @@ class PlanarView : public QWidget {
 
     const PlanarLabels& labels() const { return labels_; }
     const QImage& picture() const { return picture_; }
-    // The place in the picture, in its pixels from the outer corner of the first; nothing beside it.
+    // Maps a place in the pane to pixels of the image, counted from the outer corner of the first pixel;
+    // nothing where the image does not lie.
     std::optional<QPointF> pixelAt(const QPointF& place) const;
 
     QSize sizeHint() const override { return {720, 540}; }
@@ -65,7 +66,8 @@ class PlanarView : public QWidget {
 
   private:
     QTransform paneFromPicture() const;
-    QTransform turned() const;  // from pixels of the picture to lengths of its turned shape
+    // To lengths, in widths of a column, of the turned and mirrored image around its middle.
+    QTransform shapeFromPicture() const;
     double fittingScale() const;
     void keepInPane();
     void paintLabels(QPainter& painter) const;

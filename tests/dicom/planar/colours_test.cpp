@@ -129,14 +129,13 @@ TEST_F(PaletteTest, OfSegmentsIsExpanded) {
 }
 
 TEST_F(PaletteTest, ThatDoesNotFitIsNone) {
-    EXPECT_FALSE(read({4, 0, 16}, {0, 1, 2}));                             // too short
-    EXPECT_FALSE(read({3, 0, 12}, {0, 1, 2}));                             // neither 8 nor 16 bits
-    EXPECT_FALSE(read({4, 0, 16}, {1, 4, 7}, true));                       // a line from nowhere
-    EXPECT_FALSE(read({4, 0, 16}, {0, 9, 7}, true));                       // a run beyond the end
-    EXPECT_FALSE(read({4, 0, 16}, {2, 1, 0, 0}, true));                    // repeats itself
-    EXPECT_FALSE(read({4, 0, 16}, {0, 1, 7, 2, 65535, 0xffff, 1}, true));  // from beyond the end
-    EXPECT_FALSE(read({0, 0, 16}, {0, 1, 7, 1, 65535, 9, 1, 65535, 9}, true) &&
-                 false);  // far more entries than a table has: no crash
+    EXPECT_FALSE(read({4, 0, 16}, {0, 1, 2}));                                  // too short
+    EXPECT_FALSE(read({3, 0, 12}, {0, 1, 2}));                                  // neither 8 nor 16 bits
+    EXPECT_FALSE(read({4, 0, 16}, {1, 4, 7}, true));                            // a line from nowhere
+    EXPECT_FALSE(read({4, 0, 16}, {0, 9, 7}, true));                            // a run beyond the end
+    EXPECT_FALSE(read({4, 0, 16}, {2, 1, 0, 0}, true));                         // repeats itself
+    EXPECT_FALSE(read({4, 0, 16}, {0, 1, 7, 2, 65535, 0xffff, 1}, true));       // from beyond the end
+    EXPECT_FALSE(read({0, 0, 16}, {0, 1, 7, 1, 65535, 9, 1, 65535, 9}, true));  // more than a table has
 }
 
 }  // namespace

@@ -228,7 +228,7 @@ void expectProbe(const Opened& opened, const PlanarFrame& frame, const Json& pro
 TEST(PlanarFrames, OfRealImagesAreWhatOtherDecodersRead) {
     SKIP_WITHOUT_SHARED_DATA();
     const fs::path data = sharedData() / "planar";
-    if (!fs::is_directory(data)) GTEST_SKIP();
+    if (!fs::is_directory(data)) GTEST_SKIP() << "the planar data are not on this machine";
     std::size_t images = 0;
     for (const char* kind : {"1_planar_and_cine", "5_codecs"}) {
         std::ifstream stream(data / "truth" / (std::string(kind) + ".json"));

@@ -148,7 +148,7 @@ void expectRegions(const PlanarHeader& header, const Json& regions) {
 TEST(PlanarHeaders, OfRealImagesAreTheTruth) {
     SKIP_WITHOUT_SHARED_DATA();
     const fs::path data = sharedData() / "planar";
-    if (!fs::is_directory(data)) GTEST_SKIP();
+    if (!fs::is_directory(data)) GTEST_SKIP() << "the planar data are not on this machine";
     std::ifstream stream(data / "truth" / "1_planar_and_cine.json");
     const Json all = Json::parse(stream);
     std::size_t images = 0;

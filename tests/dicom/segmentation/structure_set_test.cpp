@@ -214,7 +214,7 @@ struct RealSet {
 TEST_F(StructureSetTest, OfRealSetsAreTheTruth) {
     SKIP_WITHOUT_SHARED_DATA();
     const fs::path data = sharedData() / "planar";
-    if (!fs::is_directory(data)) GTEST_SKIP();
+    if (!fs::is_directory(data)) GTEST_SKIP() << "the planar data are not on this machine";
     std::ifstream stream(data / "truth" / "3_radiotherapy.json");
     const Json truth = Json::parse(stream);
     for (const RealSet& real :
