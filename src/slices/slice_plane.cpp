@@ -66,6 +66,21 @@ bool SlicePlane::isUsable() const {
            std::abs(glm::dot(right, down)) < kTolerance;
 }
 
+glm::dquat leastTurn(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& ifOpposite) {
+    constexpr double kOpposite = 1e-12;
+    const double cosine = glm::dot(from, to);
+    if (1.0 + cosine < kOpposite) return {0.0, ifOpposite};
+    return glm::normalize(glm::dquat(1.0 + cosine, glm::cross(from, to)));
+}
+
+SlicePlane tilted(const SlicePlane& plane, const glm::dquat& turn) {
+    const glm::dvec3 from = plane.normal();
+    const glm::dvec3 to = turn * from;
+    const glm::dquat tilt = leastTurn(from, to, plane.down);
+    const glm::dvec3 right = glm::normalize(tilt * plane.right);
+    return {.centreMm = plane.centreMm, .right = right, .down = perpendicular(glm::normalize(to), right)};
+}
+
 SlicePlane planeOf(Orientation orientation, const glm::dvec3& centreMm) {
     const glm::dvec3 left{1.0, 0.0, 0.0};
     const glm::dvec3 posterior{0.0, 1.0, 0.0};

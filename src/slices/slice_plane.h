@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <optional>
 
 #include "base/frames.h"
@@ -33,6 +34,14 @@ SlicePlane planeOf(Orientation orientation, const glm::dvec3& centreMm);
 // a tilted gantry the normal is not the direction from slice to slice.
 SlicePlane acquiredPlane(const Volume& volume, const glm::dvec3& centreMm);
 Orientation acquiredOrientation(const Volume& volume);
+
+// The turn by the least angle that takes one unit vector to another. For opposite vectors it is half a turn
+// about `ifOpposite`, a unit vector perpendicular to both.
+glm::dquat leastTurn(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& ifOpposite);
+
+// The plane whose normal is `turn` times that of `plane`. In the picture it turns as little as that allows, so
+// that a turn about the normal changes nothing. Keeps the centre.
+SlicePlane tilted(const SlicePlane& plane, const glm::dquat& turn);
 
 // A picture on a plane. Its pixels are square; (0, 0) is the upper left corner of the picture, and the centre
 // of the first pixel is (0.5, 0.5).

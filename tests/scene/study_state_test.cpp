@@ -65,7 +65,10 @@ StudyState everything() {
         .slab = {.thicknessMm = 7.5, .projection = slices::Projection::minimum},
         .isInverted = true,
         .asAcquired = true,
-        .crosshairMm = glm::dvec3(1.0 / 3.0, -2.0, 1e5)};
+        .crosshairMm = glm::dvec3(1.0 / 3.0, -2.0, 1e5),
+        .turn = glm::angleAxis(0.7, glm::normalize(glm::dvec3(1.0, -2.0, 0.3))),
+        .curveMm = {glm::dvec3(0.1, 0.2, 1.0 / 3.0), {-5.0, 6.0, 7.0}},
+        .colours = slices::ColourTable::hotIron};
     state.measurements = oneOfEachKind();
     state.cuts.eye = EyeCut{.plane = {.normal = {0.0, 0.6, 0.8}, .offsetMm = -1.0 / 3.0},
                             .fromMiddleMm = 12.5,
@@ -158,6 +161,9 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.slices.isInverted = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.asAcquired = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.crosshairMm->x += 1e-9; }));
+    EXPECT_TRUE(differs([](auto& s) { s.slices.turn->x += 1e-9; }));
+    EXPECT_TRUE(differs([](auto& s) { s.slices.curveMm.pop_back(); }));
+    EXPECT_TRUE(differs([](auto& s) { s.slices.colours.reset(); }));
     EXPECT_TRUE(differs([](auto& s) { s.measurements[0].label = "L4"; }));
     EXPECT_TRUE(differs([](auto& s) { s.measurements[1].normal = {0.0, 0.0, 1.0}; }));
     EXPECT_TRUE(differs([](auto& s) { s.measurements[2].shape = slices::Distance{}; }));
@@ -272,6 +278,8 @@ TEST(StudyState, WhatCannotBeReadIsNotWritten) {
     for (const double bad : {nan, infinity, -infinity, 1e300}) {
         state.slices = {.window = DisplayWindow{.center = bad}, .crosshairMm = glm::dvec3(0.0, bad, 0.0)};
         state.slices.slab.thicknessMm = bad;
+        state.slices.turn = glm::dquat(bad, 0.0, 0.0, 1.0);
+        state.slices.curveMm = {glm::dvec3(0.0), glm::dvec3(0.0, 0.0, bad)};
         const slices::Ellipse good{.radiiMm = {1.0, 1.0}};
         slices::Ellipse wide = good;
         wide.radiiMm.y = bad;
@@ -289,6 +297,8 @@ TEST(StudyState, WhatCannotBeReadIsNotWritten) {
     const slices::Measurement good{.label = "kept", .shape = slices::Distance{}};
     state = usual;
     state.slices.window = DisplayWindow{.center = 0.0, .width = 0.0};
+    state.slices.turn = glm::dquat(0.0, 0.0, 0.0, 0.0);
+    state.slices.curveMm.assign(kMostCurvePoints + 1, glm::dvec3(0.0));
     state.measurements = {{.shape = skew}, {.shape = slices::Angle{}, .normal = glm::dvec3(0.0)}, good};
     EXPECT_EQ(read(toJson(state)).measurements, std::vector{good});
     EXPECT_EQ(read(toJson(state)).slices, SliceState{});
@@ -411,6 +421,10 @@ TEST(StudyState, SaysWhatIsWrongWithSlicesAndMeasurements) {
     tells("slices.inverted", [](Json& j) { j["slices"]["inverted"] = 1; });
     tells("slices.asAcquired", [](Json& j) { j["slices"]["asAcquired"] = "yes"; });
     tells("a list of 3", [](Json& j) { j["slices"]["crosshairMm"] = {1.0, 2.0}; });
+    tells("slices.turn", [](Json& j) { j["slices"]["turn"] = {0.0, 0.0, 0.0, 0.0}; });
+    tells("slices.turn", [](Json& j) { j["slices"]["turn"] = {2.0, 0.0, 0.0, 0.0}; });
+    tells("slices.curveMm", [](Json& j) { j["slices"]["curveMm"] = {{1.0, 2.0}}; });
+    tells("\"hotIron\"", [](Json& j) { j["slices"]["colours"] = "rainbow"; });
     tells("slices.crosshairMm[1]", [](Json& j) { j["slices"]["crosshairMm"] = {1.0, 1e7, 2.0}; });
 
     tells("a list of 0 to 1000", [](Json& j) { j["measurements"] = Json::object(); });

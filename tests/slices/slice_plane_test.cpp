@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "made_volumes.h"
 #include "slices/sampled_slice.h"
@@ -206,6 +207,24 @@ TEST(StepMm, IsAlongTheNormalOfASheared) {
     EXPECT_NEAR(stepMm(volume, acquiredPlane(volume, {})), 2.0 * std::cos(tilt), 1e-12);
     EXPECT_NEAR(stepMm(volume, planeOf(Orientation::axial, {})), 0.5, 1e-12);
     EXPECT_NEAR(stepMm(volume, planeOf(Orientation::sagittal, {})), 0.5, 1e-12);
+}
+
+// A turn about the normal changes nothing; any other one moves the normal, and the picture least.
+TEST(Tilted, TurnsTheNormalAndThePictureLeast) {
+    for (const Orientation orientation : {Orientation::axial, Orientation::coronal, Orientation::sagittal}) {
+        const SlicePlane plane = planeOf(orientation, {1, 2, 3});
+        const SlicePlane same = tilted(plane, glm::angleAxis(1.1, plane.normal()));
+        EXPECT_LT(glm::distance(same.right, plane.right) + glm::distance(same.down, plane.down), 1e-12);
+        const glm::dquat turn = glm::angleAxis(0.4, plane.right) * glm::angleAxis(0.9, plane.normal());
+        const SlicePlane tilt = tilted(plane, turn);
+        EXPECT_EQ(tilt.centreMm, plane.centreMm);
+        EXPECT_TRUE(tilt.isUsable());
+        EXPECT_LT(glm::distance(tilt.normal(), turn * plane.normal()), 1e-12);
+        EXPECT_LT(glm::distance(tilt.right, plane.right), 1e-12) << "the axis of the tilt stays";
+        const SlicePlane behind = tilted(plane, glm::angleAxis(std::numbers::pi, plane.right));
+        EXPECT_LT(glm::distance(behind.normal(), -plane.normal()), 1e-9);
+        EXPECT_TRUE(behind.isUsable());
+    }
 }
 
 TEST(DepthsMm, AreHalfAVoxelBeyondTheOuterMiddles) {

@@ -33,7 +33,7 @@ class PanePartsTest : public testing::Test {
         const QPointF middle = placeOf(on, glm::dvec3(0.0));
         const QPointF end = placeOf(on, {-13.0, -9.0, 0.0});
         EXPECT_TRUE(hand_.press(Qt::LeftButton, middle, on));
-        hand_.move(end, Qt::LeftButton, on, kPanePx);
+        hand_.move({end, Qt::LeftButton, Qt::NoModifier}, on, kPanePx);
         hand_.release(Qt::LeftButton, end, &on);
     }
 
@@ -48,7 +48,9 @@ class PanePartsTest : public testing::Test {
     SliceWindowing windowing_{session_, content_};
     PaneMeasurements measurements_{session_, content_};
     PaneClip clip_{session_};
-    SliceHand hand_{{session_, zoom_, travel_, windowing_, measurements_, clip_}};
+    PaneTurn turn_{session_, content_};
+    PaneCurve curve_{session_, content_};
+    SliceHand hand_{{session_, zoom_, travel_, windowing_, measurements_, clip_, turn_, curve_}};
 };
 
 TEST_F(PanePartsTest, StepsSoonAfterEachOtherAreOneUndoStep) {
@@ -152,7 +154,7 @@ TEST_F(PanePartsTest, ARightClickAsksForTheMenuAndADragDoesNot) {
     EXPECT_TRUE(hand_.press(Qt::RightButton, {100.0, 100.0}, on));
     EXPECT_TRUE(hand_.release(Qt::RightButton, {101.0, 100.0}, &on));
     EXPECT_TRUE(hand_.press(Qt::RightButton, {100.0, 100.0}, on));
-    hand_.move({150.0, 100.0}, Qt::RightButton, on, kPanePx);
+    hand_.move({QPointF(150.0, 100.0), Qt::RightButton, Qt::NoModifier}, on, kPanePx);
     EXPECT_FALSE(hand_.release(Qt::RightButton, {150.0, 100.0}, &on));
     EXPECT_FALSE(hand_.isHolding());
 }

@@ -150,6 +150,32 @@ TEST(SliceSteps, OfATiltedGantryAreAsFarApartAsItsPlanes) {
     EXPECT_NEAR(axial.onSlice(20, {}).z, 20.0, 1e-9);
 }
 
+// Perpendicular as before, and one plane of each pane contains the point that a person turned them about.
+TEST(SliceSteps, ThatAPersonTurnedMeetThePointThatTheyTurnAbout) {
+    const auto volume = test::sliceVolume();
+    const PlaneTurn turn{.turn = glm::angleAxis(0.5, glm::normalize(glm::dvec3(1.0, 2.0, -0.5))),
+                         .aboutMm = {3.3, -4.7, 1.9}};
+    std::vector<glm::dvec3> normals;
+    for (const Orientation orientation : {Orientation::axial, Orientation::coronal, Orientation::sagittal}) {
+        const SliceSteps steps(*volume, orientation, false, turn);
+        const slices::SlicePlane plane = steps.plane(steps.nearest(turn.aboutMm), turn.aboutMm);
+        EXPECT_LT(glm::distance(plane.centreMm, turn.aboutMm), 1e-9);
+        EXPECT_FALSE(steps.areStraight());
+        EXPECT_FALSE(steps.areAcquired());
+        EXPECT_GT(steps.turnedDeg(), 1.0);
+        EXPECT_LT(steps.turnedDeg(), glm::degrees(0.5) + 1e-9);
+        const glm::dvec3 next = steps.onSlice(steps.nearest(turn.aboutMm) + 1, turn.aboutMm);
+        EXPECT_NEAR(glm::distance(next, turn.aboutMm), std::abs(steps.stepMm()), 1e-9);
+        normals.push_back(plane.normal());
+    }
+    for (int a = 0; a < 3; ++a) EXPECT_NEAR(glm::dot(normals[a], normals[(a + 1) % 3]), 0.0, 1e-12);
+    // A turn by nothing is no turn: the slices are those of the voxels.
+    const SliceSteps none(*volume, Orientation::axial, false, PlaneTurn{.aboutMm = {0.0, 0.0, 0.7}});
+    EXPECT_EQ(none.count(), 21);
+    EXPECT_TRUE(none.areAcquired());
+    EXPECT_EQ(none.turnedDeg(), 0.0);
+}
+
 TEST(PaneView, WhatIsUnderThePointerStaysThereAndFollowsTheHand) {
     const auto volume = test::sliceVolume();
     const SliceSteps steps(*volume, Orientation::coronal, false);

@@ -122,6 +122,7 @@ class Showing {
         if (!image.plane)
             return note(Text("Where its images lie is not known: the slices stay where they are."));
         shown_.slices.asAcquired = true;
+        shown_.slices.turn.reset();
         const dicom::ImagePlane& plane = *image.plane;
         const auto placeMm = [&](const glm::dvec2& pixel) {
             return plane.positionMm + plane.rowDirection * (pixel.x * plane.columnSpacingMm) +

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/csv.h"
 #include "base/parsing.h"
 #include "pipeline/volume/json_writer.h"
 #include "scene/state/slices_json.h"
@@ -58,24 +59,6 @@ constexpr std::array kColumns{"kind",      "label",     "length_mm",
                               "slice",     "image",     "interpolated_voxels"};
 constexpr std::size_t kMostPoints = 3;
 
-std::string field(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += c;
-        quoted += c;
-    }
-    return quoted + '"';
-}
-
-// Spreadsheets recognise a formula by its first character, some after blanks, and also within quotes.
-std::string harmless(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(' ');
-    const bool isFormula =
-        first != std::string_view::npos && std::string_view("=+-@\t\r\n").find(text[first]) != text.npos;
-    return (isFormula ? "'" : "") + std::string(text);
-}
-
 // Nine significant digits, because values may be small, as those of a diffusion map in mm²/s.
 std::string valueText(double value) {
     return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
@@ -95,13 +78,13 @@ std::string lineOf(const Measurement& measurement, const Measured& of) {
     const Volume& volume = of.volume;
     const Said said = saidBy(measurement, of);
     std::vector<std::string> fields{std::string(slices::kindOf(measurement)),
-                                    field(harmless(measurement.label)), number(said.lengthMm),
+                                    csvWords(measurement.label), number(said.lengthMm),
                                     number(said.angleDeg), number(said.areaMm2)};
     if (const auto& values = said.values) {
         fields.push_back(std::to_string(values->voxels));
         for (const double value : {values->mean, values->deviation, values->low, values->high})
             fields.push_back(valueText(value));
-        fields.push_back(field(harmless(volume.unitName())));
+        fields.push_back(csvWords(volume.unitName()));
     } else {
         fields.resize(fields.size() + 6);
     }

@@ -15,6 +15,8 @@ SliceState carriedSlices(const study::OpenedStudy& from, const SliceState& befor
     SliceState carried = usual;
     carried.crosshairMm = before.crosshairMm;
     carried.asAcquired = before.asAcquired;
+    carried.turn = before.turn;
+    carried.curveMm = before.curveMm;
     carried.slab = before.slab;
     if (!study::arePhases(from, to)) return carried;
     carried.window = shownWindow(from, before);

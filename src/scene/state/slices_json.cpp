@@ -50,6 +50,24 @@ glm::dvec3 direction(const JsonNode& node) {
     return std::abs(length - 1.0) < kRounding ? v : v / length;
 }
 
+// A unit quaternion; the same bits if it already is one.
+glm::dquat turnFrom(const JsonNode& node) {
+    const std::vector<double> wxyz = node.numbers(4, {-1.0, 1.0});
+    const glm::dquat turn(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+    const double length = glm::length(turn);
+    if (!(length > 1e-6)) {
+        node.fail(Text("a turn, not all zeros"));
+        return {1.0, 0.0, 0.0, 0.0};
+    }
+    return std::abs(length - 1.0) < kRounding ? turn : turn / length;
+}
+
+std::vector<glm::dvec3> curveFrom(const JsonNode& node) {
+    std::vector<glm::dvec3> pointsMm;
+    for (const JsonNode& item : node.items(0, kMostCurvePoints)) pointsMm.push_back(vector(item));
+    return pointsMm;
+}
+
 slices::Slab slabFrom(const JsonNode& node) {
     node.allowOnly({"thicknessMm", "projection"});
     slices::Slab slab;
@@ -161,6 +179,16 @@ Json toJson(const SliceState& state) {
         const Json crosshair = list(*state.crosshairMm);
         if (isTaken(crosshair, vector)) json["crosshairMm"] = crosshair;
     }
+    if (state.turn) {
+        const Json turn{state.turn->w, state.turn->x, state.turn->y, state.turn->z};
+        if (isTaken(turn, turnFrom)) json["turn"] = turn;
+    }
+    if (!state.curveMm.empty()) {
+        Json curve = Json::array();
+        for (const glm::dvec3& mm : state.curveMm) curve.push_back(list(mm));
+        if (isTaken(curve, curveFrom)) json["curveMm"] = std::move(curve);
+    }
+    if (state.colours) json["colours"] = nameOf(*state.colours);
     return json;
 }
 
@@ -191,13 +219,18 @@ Json measurementsJson(std::span<const Measurement> measurements) {
 }
 
 SliceState sliceStateFrom(const JsonNode& node) {
-    node.allowOnly({"window", "slab", "inverted", "asAcquired", "crosshairMm"});
+    node.allowOnly(
+        {"window", "slab", "inverted", "asAcquired", "crosshairMm", "turn", "curveMm", "colours"});
     SliceState state;
     if (const auto window = node.find("window")) state.window = windowFrom(*window);
     if (const auto slab = node.find("slab")) state.slab = slabFrom(*slab);
     if (const auto inverted = node.find("inverted")) state.isInverted = inverted->boolean();
     if (const auto asAcquired = node.find("asAcquired")) state.asAcquired = asAcquired->boolean();
     if (const auto crosshair = node.find("crosshairMm")) state.crosshairMm = vector(*crosshair);
+    if (const auto turn = node.find("turn")) state.turn = turnFrom(*turn);
+    if (const auto curve = node.find("curveMm")) state.curveMm = curveFrom(*curve);
+    if (node.find("colours"))
+        readName(node, "colours", slices::kColourTables, state.colours.emplace());
     return state;
 }
 

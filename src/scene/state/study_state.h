@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +25,7 @@
 #include "scene/second/second_volume_state.h"
 #include "scene/segments/segmentation_settings.h"
 #include "scene/state/parameters.h"
+#include "slices/colour_table.h"
 #include "slices/measurement.h"
 #include "slices/sampled_slice.h"
 
@@ -72,6 +75,13 @@ struct SliceState {
     bool isInverted = false;  // swaps white and black
     bool asAcquired = false;  // in the planes of the acquisition; otherwise in those of the patient
     std::optional<glm::dvec3> crosshairMm = {};  // nothing: the middle of the volume
+    // Turns the normals of all three planes about the cross-hair: double oblique planes. A unit quaternion in
+    // patient LPS; nothing: the planes are not turned.
+    std::optional<glm::dquat> turn = {};
+    // Points that a curved plane runs through, in order, patient LPS mm. Fewer than two: no curve.
+    std::vector<glm::dvec3> curveMm = {};
+    // Shows values in colours; nothing: in grey. A second volume over the study has its own colours.
+    std::optional<slices::ColourTable> colours = {};
 
     bool operator==(const SliceState&) const = default;
 };

@@ -4,6 +4,7 @@
 #include <QRegion>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "viewer/overlay/haloed_drawing.h"
 #include "viewer/overlay/measurement_handles.h"
@@ -52,6 +53,7 @@ class OverlayPainter {
         return {px.x, px.y};
     }
     void line(const QPointF& from, const QPointF& to, const QColor& ink) const;
+    void halfLine(const QPointF& at, const glm::dvec2& along, const QColor& ink) const;
     QPainterPath pathOf(const ShownMeasurement& shown) const;
 
     QPainter& painter_;
@@ -76,23 +78,34 @@ void OverlayPainter::crosshair() const {
     painter_.save();
     painter_.setClipRegion(free, Qt::IntersectClip);
     const QPointF at = placeOf(*overlay_.crosshairMm);
-    const double width = size_.width();
-    const double height = size_.height();
     const QColor vertical = colourOf(verticalOf(overlay_.orientation));
     const QColor horizontal = colourOf(horizontalOf(overlay_.orientation));
-    if (at.x() >= 0.0 && at.x() <= width) {
-        if (at.y() > kCrosshairGapPx)
-            line({at.x(), 0.0}, {at.x(), std::min(at.y() - kCrosshairGapPx, height)}, vertical);
-        if (at.y() < height - kCrosshairGapPx)
-            line({at.x(), std::max(at.y() + kCrosshairGapPx, 0.0)}, {at.x(), height}, vertical);
-    }
-    if (at.y() >= 0.0 && at.y() <= height) {
-        if (at.x() > kCrosshairGapPx)
-            line({0.0, at.y()}, {std::min(at.x() - kCrosshairGapPx, width), at.y()}, horizontal);
-        if (at.x() < width - kCrosshairGapPx)
-            line({std::max(at.x() + kCrosshairGapPx, 0.0), at.y()}, {width, at.y()}, horizontal);
+    for (const double way : {-1.0, 1.0}) {
+        halfLine(at, way * overlay_.lines.vertical, vertical);
+        halfLine(at, way * overlay_.lines.horizontal, horizontal);
     }
     painter_.restore();
+}
+
+// From the gap around `at` to the edge of the pane, by slabs (Kay and Kajiya).
+void OverlayPainter::halfLine(const QPointF& at, const glm::dvec2& along, const QColor& ink) const {
+    double from = kCrosshairGapPx;
+    double to = std::numeric_limits<double>::infinity();
+    const glm::dvec2 start(at.x(), at.y());
+    const glm::dvec2 size(size_.width(), size_.height());
+    for (int axis = 0; axis < 2; ++axis) {
+        if (along[axis] == 0.0) {
+            if (start[axis] < 0.0 || start[axis] > size[axis]) return;
+            continue;
+        }
+        const double a = -start[axis] / along[axis];
+        const double b = (size[axis] - start[axis]) / along[axis];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    }
+    if (!(from < to) || !std::isfinite(to)) return;
+    const auto place = [&](double px) { return QPointF(at.x() + px * along.x, at.y() + px * along.y); };
+    line(place(from), place(to), ink);
 }
 
 // Dashed, so that nobody mistakes them for the cross-hair.

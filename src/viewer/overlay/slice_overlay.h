@@ -19,11 +19,19 @@ struct ShownMeasurement {
     bool isSelected = false;
 };
 
+// The directions of the cross-hair's lines in the picture, y downwards: unit vectors. They are upright and
+// level until a person turns the planes.
+struct CrosshairLines {
+    glm::dvec2 vertical{0.0, 1.0};
+    glm::dvec2 horizontal{1.0, 0.0};
+};
+
 struct SliceOverlay {
     slices::Orientation orientation = slices::Orientation::axial;
     slices::SliceFrame frame;  // of the picture under the overlay
     double pixelRatio = 1.0;   // device pixels to a logical one
     std::optional<glm::dvec3> crosshairMm = {};
+    CrosshairLines lines = {};
     QStringList tags = {};   // upper left: study and date
     QStringList names = {};  // below them, the least important last
     QStringList notes = {};  // upper right

@@ -33,14 +33,29 @@ glm::dvec3 middleMm(const Volume& volume) {
     return transformPoint(volume.worldFromVoxel(), 0.5 * glm::dvec3(volume.size() - 1));
 }
 
-SliceSteps::SliceSteps(const Volume& volume, slices::Orientation orientation, bool asAcquired)
-    : directions_(slices::planeOf(orientation, middleMm(volume))) {
-    const glm::dvec3 straight = directions_.normal();
-    if (asAcquired) directions_ = turned(directions_, volume);
+slices::SlicePlane planeBeforeTurn(const Volume& volume, slices::Orientation orientation, bool asAcquired) {
+    const slices::SlicePlane straight = slices::planeOf(orientation, middleMm(volume));
+    return asAcquired ? turned(straight, volume) : straight;
+}
+
+SliceSteps::SliceSteps(const Volume& volume, slices::Orientation orientation, bool asAcquired,
+                       const std::optional<PlaneTurn>& turn)
+    : directions_(planeBeforeTurn(volume, orientation, asAcquired)) {
+    const glm::dvec3 before = directions_.normal();
+    if (turn) directions_ = slices::tilted(directions_, turn->turn);
     normal_ = directions_.normal();
-    areStraight_ = areParallel(normal_, straight);
+    areStraight_ = areParallel(normal_, slices::planeOf(orientation, {}).normal());
+    turnedDeg_ = glm::degrees(std::atan2(glm::length(glm::cross(before, normal_)), glm::dot(before, normal_)));
     alongVoxels(volume);
-    if (count_ == 0) alongNormal(volume);
+    if (count_ > 0) return;
+    alongNormal(volume);
+    if (turn) passThrough(turn->aboutMm);
+}
+
+// Moves the planes by less than a step. The point is in the volume, so none of them leaves it entirely.
+void SliceSteps::passThrough(const glm::dvec3& mm) {
+    const double index = (glm::dot(mm, normal_) - firstMm_) / stepMm_;
+    if (std::isfinite(index)) firstMm_ += (index - std::round(index)) * stepMm_;
 }
 
 // Voxel planes of an axis are perpendicular to the gradient of its index.

@@ -19,6 +19,8 @@ QString letters(const glm::dvec3& direction) {
     return QString::fromStdString(orientationLetters(direction));
 }
 
+constexpr double kLeastTurnDeg = 0.05;  // less is written as 0.0
+
 // Avoids an exponent for numbers that are readable without it.
 QString numberText(double value) {
     return QString::number(value, 'g', std::abs(value) < 1e9 && value == std::round(value) ? 10 : 6);
@@ -65,11 +67,19 @@ scene::EdgeLetters edgeLetters(const slices::SlicePlane& plane) {
             .bottom = orientationLetters(plane.down)};
 }
 
+QString degreesText(double deg) {
+    return withLocalNumbers(QString::number(deg, 'f', 1)) + QStringLiteral("°");
+}
+
 QString planeText(Orientation orientation, const SliceSteps& steps, int slice) {
     const slices::SlicePlane plane = steps.plane(slice, glm::dvec3(0.0));
     const double position = glm::dot(plane.centreMm, plane.normal());
     QString text = nameOf(orientation);
-    if (!steps.areStraight()) text = QCoreApplication::translate("Slices", "%1, oblique").arg(text);
+    if (steps.turnedDeg() >= kLeastTurnDeg) {
+        text = QCoreApplication::translate("Slices", "%1, turned by %2").arg(text, degreesText(steps.turnedDeg()));
+    } else if (!steps.areStraight()) {
+        text = QCoreApplication::translate("Slices", "%1, oblique").arg(text);
+    }
     return QCoreApplication::translate("Slices", "%1 %2 %3 mm")
         .arg(text, letters(position < 0.0 ? -plane.normal() : plane.normal()),
              withLocalNumbers(QString::number(std::abs(position), 'f', 1)));

@@ -25,7 +25,8 @@ scene::EdgeLetters edgeLetters(const slices::SlicePlane& plane);
 
 // "Axial S 123.4 mm, slice 45 of 95": how far the plane is from the patient's origin and in which direction,
 // and the slice's number if images were taken in such planes. "Axial, oblique" for a plane that is not
-// perpendicular to the patient's axes. With the number of an image: "…, slice 45 of 95, image 51".
+// perpendicular to the patient's axes, "Axial, turned by 12.5°" for one that a person has turned. With the
+// number of an image: "…, slice 45 of 95, image 51".
 QString positionText(slices::Orientation orientation, const SliceSteps& steps, int slice,
                      std::optional<int> imageNumber = {});
 // The same without numbers.
@@ -37,6 +38,7 @@ QString slabText(const slices::Slab& slab);  // "MIP 10 mm"; empty for the plane
 // taken, or where all numbers equal those of the slices.
 std::optional<int> imageNumber(const study::OpenedStudy& study, int slice);
 std::optional<int> imageNumber(const study::OpenedStudy& study, const SliceSteps& steps, int slice);
+QString degreesText(double deg);          // "12.5°"
 QString pointText(const glm::dvec3& mm);  // "L 12.3 P 45.6 S 78.9 mm"
 // "-87 HU at (12, 200, 45), L 12.3 P 45.6 S 78.9 mm"; padding, interpolated and outside points in words.
 QString probeText(const Volume& volume, const glm::dvec3& mm);

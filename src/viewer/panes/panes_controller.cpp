@@ -2,15 +2,21 @@
 
 #include "viewer/panes/panes_controller.h"
 
+#include <QBuffer>
+#include <QImage>
 #include <QMainWindow>
 #include <QMenu>
 #include <algorithm>
 
+#include "base/atomic_file.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/second/slice_pair.h"
+#include "viewer/settings/file_dialogs.h"
+#include "viewer/slices/slice_menu.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/slices/slice_windowing.h"
 #include "viewer/status/notifications.h"
@@ -53,6 +59,7 @@ void PanesController::makeSlices() {
         connect(pane, &SliceView::maximizeAsked, this,
                 [this, orientation] { grid_->maximize(paneOf(orientation)); });
         connect(&pair->second(), &SliceView::maximizeAsked, pane, &SliceView::maximizeAsked);
+        connect(pane, &SliceView::savePictureAsked, this, &PanesController::askWhereToSave);
         connect(pane, &SliceView::cineChanged, this, [this, pane](bool plays) {
             if (plays) {
                 for (SliceView* other : slices_)
@@ -88,6 +95,33 @@ void PanesController::addActions(QMenu& view) {
                                          [this, layout = row.layout] { changeLayout(layout); });
         action->setShortcut(keyOf(row));
     }
+    QAction* typed = view.addAction(tr("Type a &Window…"), this,
+                                    [this] { askForWindow(context_.session, &context_.window); });
+    describe(*typed, "type-window", tr("Width and level of the slices as numbers"));
+    typed->setShortcut(keyOf(KeyAction::typedWindow));
+    typed->setEnabled(false);
+    connect(&context_.session, &StudyEditor::studyShown, typed,
+            [this, typed] { typed->setEnabled(context_.session.hasStudy()); });
+}
+
+// The name says nothing of the patient; the picture does if the pane does.
+void PanesController::askWhereToSave(const QImage& picture) {
+    auto* dialog = context_.files.toSave(FolderKind::pictures, tr("Save the picture of the slice"),
+                                         tr("Picture (*.png)"), QStringLiteral("png"),
+                                         QStringLiteral("slice.png"));
+    context_.files.ask(dialog, FolderKind::pictures, [this, picture](const QString& path) {
+        QByteArray png;
+        QBuffer buffer(&png);
+        buffer.open(QIODevice::WriteOnly);
+        if (!picture.save(&buffer, "PNG"))
+            return context_.notifications.fail({.code = ErrorCode::outOfMemory,
+                                                .message = Text("There is no memory for this picture."),
+                                                .where = {},
+                                                .hint = {}});
+        if (const Result<void> written = writeTextAtomically(path.toStdString(), png.toStdString()); !written)
+            return context_.notifications.fail(written.error());
+        context_.notifications.showNote(tr("The picture is written to %1.").arg(path));
+    });
 }
 
 void PanesController::changeLayout(scene::Layout layout) {

@@ -52,6 +52,7 @@ class PanesController : public QObject {
     void makeSlices();
     void makeTools();
     void changeLayout(scene::Layout layout);
+    void askWhereToSave(const QImage& picture);
     void setCine(bool plays);  // in the active slice pane, else in a shown one
 
     WindowContext context_;

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "viewer/editor/study_editor.h"
+#include "viewer/keys/keys.h"
 #include "viewer/keys/slice_tool_keys.h"
 #include "viewer/menus/controls.h"
 #include "viewer/theme/drawn_icon.h"
@@ -37,21 +38,21 @@ constexpr std::array kProjections{
     ProjectionRow{slices::Projection::minimum, Glyph::slabMinimum, "slab-minimum",
                   QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Minimum")}};
 
-struct LayoutRow {
+struct LayoutButton {
     scene::Layout layout;
     Glyph glyph;
     const char* name;
     const char* title;
 };
-constexpr std::array kLayouts{LayoutRow{scene::Layout::fourPanes, Glyph::fourPanes, "layout-four-panes",
+constexpr std::array kLayoutButtons{LayoutButton{scene::Layout::fourPanes, Glyph::fourPanes, "layout-four-panes",
                                         QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Four Panes")},
-                              LayoutRow{scene::Layout::volume, Glyph::volume, "layout-volume",
+                              LayoutButton{scene::Layout::volume, Glyph::volume, "layout-volume",
                                         QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "3D Only")},
-                              LayoutRow{scene::Layout::axial, Glyph::axial, "layout-axial",
+                              LayoutButton{scene::Layout::axial, Glyph::axial, "layout-axial",
                                         QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Axial Only")},
-                              LayoutRow{scene::Layout::coronal, Glyph::coronal, "layout-coronal",
+                              LayoutButton{scene::Layout::coronal, Glyph::coronal, "layout-coronal",
                                         QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Coronal Only")},
-                              LayoutRow{scene::Layout::sagittal, Glyph::sagittal, "layout-sagittal",
+                              LayoutButton{scene::Layout::sagittal, Glyph::sagittal, "layout-sagittal",
                                         QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Sagittal Only")}};
 
 }  // namespace
@@ -168,12 +169,19 @@ void ToolBox::addShownAs() {
     connect(acquired_, &QAction::triggered, this, [this](bool on) {
         session_.change(tr("Acquired Planes"), [&](scene::StudyState& next) { next.slices.asAcquired = on; });
     });
+    straight_ = add(Glyph::straight, "slices-straight", tr("Straight Planes"),
+                    tr("Planes that were turned are straight again"));
+    straight_->setCheckable(false);
+    straight_->setShortcut(keyOf(KeyAction::straightPlanes));
+    connect(straight_, &QAction::triggered, this, [this] {
+        session_.change(tr("Straight Planes"), [](scene::StudyState& next) { next.slices.turn.reset(); });
+    });
     cine_ = add(Glyph::cine, "slices-cine", tr("Cine"), tr("Run through the slices, or stop"));
     connect(cine_, &QAction::triggered, this, &ToolBox::cineToggled);
 }
 
 void ToolBox::addLayouts() {
-    for (const LayoutRow& row : kLayouts) {
+    for (const LayoutButton& row : kLayoutButtons) {
         QAction* action = add(row.glyph, row.name, tr(row.title), tr(row.title));
         action->setData(int(row.layout));
         layouts_->addAction(action);
@@ -210,6 +218,7 @@ void ToolBox::showState() {
     showSlab(state.slices.slab);
     invert_->setChecked(state.slices.isInverted);
     acquired_->setChecked(state.slices.asAcquired);
+    straight_->setEnabled(hasStudy && state.slices.turn.has_value());
     for (QAction* action : layouts_->actions())
         action->setChecked(action->data().toInt() == int(state.layout));
 }

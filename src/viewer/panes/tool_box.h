@@ -53,6 +53,7 @@ class ToolBox : public QToolBar {
     QActionGroup* projections_;
     QAction* invert_ = nullptr;
     QAction* acquired_ = nullptr;
+    QAction* straight_ = nullptr;
     QActionGroup* layouts_;
     QAction* cine_ = nullptr;
 };

@@ -93,13 +93,36 @@ slices::SliceFrame frameOf(const PaneView& view, const SliceSteps& steps, int sl
 PaneContent::PaneContent(const StudyEditor& session, slices::Orientation orientation, PaneRole role)
     : session_(session), orientation_(orientation), role_(role) {}
 
+void PaneContent::clear() {
+    steps_.reset();
+    setPhase(nullptr, {});
+}
+
+void PaneContent::setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text) {
+    phase_ = std::move(phase);
+    phaseText_ = text;
+}
+
 void PaneContent::takeStudy() {
     usualWindow_ = seriesWindow(volume());
     turnPlanes();
 }
 
 void PaneContent::turnPlanes() {
-    steps_.emplace(volume(), orientation_, state().slices.asAcquired);
+    std::optional<PlaneTurn> turn;
+    if (state().slices.turn) turn = PlaneTurn{.turn = *state().slices.turn, .aboutMm = crosshairMm()};
+    steps_.emplace(volume(), orientation_, state().slices.asAcquired, turn);
+}
+
+bool PaneContent::wantsTurn(const scene::SliceState& before) const {
+    const scene::SliceState& now = state().slices;
+    return now.asAcquired != before.asAcquired || now.turn != before.turn ||
+           (now.turn && now.crosshairMm != before.crosshairMm);
+}
+
+glm::dvec3 PaneContent::normalOf(slices::Orientation orientation) const {
+    const glm::dvec3 before = planeBeforeTurn(volume(), orientation, state().slices.asAcquired).normal();
+    return state().slices.turn ? *state().slices.turn * before : before;
 }
 
 glm::dvec3 PaneContent::crosshairMm() const {

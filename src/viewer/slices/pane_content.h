@@ -1,6 +1,7 @@
 // The study, second volume, slice and display window that a pane of slices is to show.
 #pragma once
 
+#include <QString>
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
@@ -60,14 +61,24 @@ class PaneContent {
     slices::Orientation orientation() const { return orientation_; }
     PaneRole role() const { return role_; }
 
-    void clear() { steps_.reset(); }  // no study until takeStudy()
-    void takeStudy();                 // takes over the session's study
-    void turnPlanes();                // straight or as acquired, as the state says
+    void clear();      // no study until takeStudy()
+    void takeStudy();  // takes over the session's study
+    void turnPlanes();  // straight, as acquired, or by hand, as the state says
     bool hasStudy() const { return steps_.has_value(); }
-    const study::OpenedStudy& study() const { return session_.study(); }
+    // Another phase of the study, on its grid, that is shown in its place, and a text that says which; null:
+    // the study.
+    void setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text);
+    bool showsOtherPhase() const { return phase_ != nullptr; }
+    const QString& phaseText() const { return phaseText_; }
+    const study::OpenedStudy& study() const { return phase_ ? *phase_ : session_.study(); }
     const scene::StudyState& state() const { return session_.state(); }
     const Volume& volume() const { return *study().measured(); }
     const SliceSteps& steps() const { return *steps_; }
+
+    // Whether turnPlanes() would change the steps, if the state was that before.
+    bool wantsTurn(const scene::SliceState& before) const;
+    // The normal of another pane's plane, in the directions of steps().
+    glm::dvec3 normalOf(slices::Orientation orientation) const;
 
     // The middle of the volume until a person chooses another point.
     glm::dvec3 crosshairMm() const;
@@ -95,6 +106,8 @@ class PaneContent {
     PaneRole role_;
     DisplayWindow usualWindow_;  // the study's seriesWindow
     std::optional<SliceSteps> steps_;
+    std::shared_ptr<const study::OpenedStudy> phase_;
+    QString phaseText_;
     std::shared_ptr<const SecondVolumeTexts> second_;
 };
 

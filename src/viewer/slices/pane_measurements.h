@@ -73,7 +73,8 @@ class PaneMeasurements {
   public:
     PaneMeasurements(StudyEditor& session, const PaneContent& content);  // both outlive this
 
-    void forget();  // drops selection and texts, for another study
+    void forget();                              // drops selection and texts, for another study
+    void forgetValues() { texts_.forget(); }  // for another phase of the study
     // Keeps the same measurement selected after a change of the state. Returns whether it is gone.
     bool follow(const scene::StudyState& before);
 

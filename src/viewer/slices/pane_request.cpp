@@ -49,6 +49,7 @@ void showSecond(const PaneContent& content, const scene::SecondVolumeState& stat
     request.shows = state.isLinked() ? SliceShows::second : SliceShows::secondByHand;
     request.window = content.secondWindow();
     request.isInverted = content.state().slices.isInverted != second.study.isLowBright;
+    request.colours = slices::ColourTable::grey;
     request.isLowBright = second.study.isLowBright;
     request.segments.reset();  // segments belong to the study's voxels
     request.positionText = secondPositionText(content, state, request);
@@ -95,6 +96,13 @@ void addSecond(const PaneContent& content, SliceRequest& request) {
     if (!content.second()->patientNote.isEmpty()) request.secondNotes.prepend(content.second()->patientNote);
 }
 
+void addPhase(const PaneContent& content, SliceRequest& request) {
+    if (!content.phaseText().isEmpty()) request.tags.push_back(content.phaseText());
+    if (!content.showsOtherPhase()) return;
+    if (request.segments) request.secondNotes.push_back(PaneRequest::tr("Segments are of another phase"));
+    request.segments.reset();
+}
+
 }  // namespace
 
 SliceRequest requestFor(const PaneContent& content, const PaneView& view,
@@ -110,6 +118,7 @@ SliceRequest requestFor(const PaneContent& content, const PaneView& view,
         .slab = state.slab,
         .window = content.studyWindow(),
         .isInverted = state.isInverted != study.isLowBright,
+        .colours = state.colours.value_or(slices::ColourTable::grey),
         .segments = std::move(segments),
         .positionText = positionText(content.orientation(), steps, slice, imageNumber(study, steps, slice)),
         .isInterpolated = isInterpolated(content.volume(), steps, slice),
@@ -117,6 +126,7 @@ SliceRequest requestFor(const PaneContent& content, const PaneView& view,
         .pixelRatio = pixelRatio,
         .crosshairMm = content.crosshairMm()};
     addSecond(content, request);
+    if (request.showsStudy()) addPhase(content, request);
     return request;
 }
 

@@ -14,7 +14,8 @@ constexpr double kDragZoomPerHeight = 6.0;  // magnification by a drag up over t
 }  // namespace
 
 bool SliceHand::isUndoStep(Drag drag) {
-    return drag == Drag::crosshair || drag == Drag::window || drag == Drag::handle || drag == Drag::clip;
+    return drag == Drag::crosshair || drag == Drag::window || drag == Drag::handle || drag == Drag::clip ||
+           drag == Drag::turn || drag == Drag::curve;
 }
 
 // False for tools that act on the whole picture.
@@ -48,8 +49,9 @@ void SliceHand::pressLeft(const QPointF& place, const SliceRequest& shown) {
         drag_ = measurements.isDrawing() ? Drag::draw : Drag::none;
         return;
     }
-    if (takeClip(place, shown) || takeMeasurement(place, shown)) return;
+    if (takeClip(place, shown) || takeMeasurement(place, shown) || takeRing(place, shown)) return;
     measurements.deselect();
+    if (tool_ == SliceTool::curve && shown.showsStudy()) parts_.curve.hold(place, shown);
     if (measures(tool_)) {
         if (!shown.showsStudy()) return;  // measurements are stored with the study
         measurements.beginDrawing(tool_, place, shown);
@@ -70,6 +72,8 @@ SliceHand::Drag SliceHand::dragOfTool() const {
             return Drag::pan;
         case SliceTool::probe:
             return Drag::probe;
+        case SliceTool::curve:
+            return Drag::curve;
         case SliceTool::distance:
         case SliceTool::angle:
         case SliceTool::ellipse:
@@ -97,6 +101,14 @@ bool SliceHand::takeMeasurement(const QPointF& place, const SliceRequest& shown)
     return true;
 }
 
+bool SliceHand::takeRing(const QPointF& place, const SliceRequest& shown) {
+    if (tool_ != SliceTool::crosshair || !parts_.turn.hasRingAt(place, shown)) return false;
+    parts_.turn.hold(place, shown);
+    drag_ = Drag::turn;
+    parts_.session.endDrag();
+    return true;
+}
+
 bool SliceHand::selectAt(const QPointF& place, const SliceRequest& shown) {
     return takesHold() && parts_.measurements.selectAt(place, shown).has_value();
 }
@@ -106,24 +118,31 @@ Qt::CursorShape SliceHand::usualCursor() const {
 }
 
 std::optional<Qt::CursorShape> SliceHand::cursorAt(const QPointF& place, const SliceRequest& shown) const {
-    if (isHolding() || parts_.measurements.isDrawing() || !parts_.clip.hasHandles()) return std::nullopt;
-    const auto handle = takesHold() ? parts_.clip.handleAt(place, shown) : std::nullopt;
-    return handle ? cursorOf(*handle, shown.frame.plane) : usualCursor();
+    if (isHolding() || parts_.measurements.isDrawing()) return std::nullopt;
+    if (parts_.clip.hasHandles() && takesHold()) {
+        if (const auto handle = parts_.clip.handleAt(place, shown))
+            return cursorOf(*handle, shown.frame.plane);
+    }
+    const bool isOnMark = (tool_ == SliceTool::crosshair && parts_.turn.hasRingAt(place, shown)) ||
+                          (tool_ == SliceTool::curve && parts_.curve.hasPointAt(place, shown));
+    return isOnMark ? Qt::PointingHandCursor : usualCursor();
 }
 
-void SliceHand::move(const QPointF& place, Qt::MouseButtons buttons, const SliceRequest& shown,
-                     const glm::ivec2& sizePx) {
+void SliceHand::move(const Pointer& pointer, const SliceRequest& shown, const glm::ivec2& sizePx) {
     // The button went up elsewhere, without an event here.
-    if (isHolding() && !buttons.testFlag(button_)) {
+    if (isHolding() && !pointer.buttons.testFlag(button_)) {
         drag_ = Drag::none;
         parts_.clip.letGo();
+        parts_.turn.letGo();
+        parts_.curve.letGo();
         parts_.session.endDrag();
     }
-    dragTo(place, shown, sizePx);
-    lastAt_ = place;
+    dragTo(pointer, shown, sizePx);
+    lastAt_ = pointer.place;
 }
 
-void SliceHand::dragTo(const QPointF& place, const SliceRequest& shown, const glm::ivec2& sizePx) {
+void SliceHand::dragTo(const Pointer& pointer, const SliceRequest& shown, const glm::ivec2& sizePx) {
+    const QPointF& place = pointer.place;
     const QPointF by = place - lastAt_;
     const double heightPx = std::max(sizePx.y, 1);
     if (isStillClick(place)) return;
@@ -141,6 +160,10 @@ void SliceHand::dragTo(const QPointF& place, const SliceRequest& shown, const gl
             return parts_.measurements.moveHandle(heldHandle_, shown.worldFromPane(place));
         case Drag::clip:
             return parts_.clip.dragTo(place, shown);
+        case Drag::curve:
+            return parts_.curve.dragTo(place, shown);
+        case Drag::turn:
+            return parts_.turn.dragTo(place, shown, pointer.modifiers.testFlag(Qt::ShiftModifier));
         case Drag::draw:
         case Drag::none:
             return parts_.measurements.moveDrawing(shown.worldFromPane(place));
@@ -159,6 +182,8 @@ bool SliceHand::release(Qt::MouseButton button, const QPointF& place, const Slic
     if (!isHolding() || button != button_) return false;
     const Drag ended = std::exchange(drag_, Drag::none);
     parts_.clip.letGo();
+    parts_.turn.letGo();
+    parts_.curve.letGo();
     if (ended == Drag::draw && shown != nullptr)
         parts_.measurements.releaseDrawing(shown->worldFromPane(place));
     if (isUndoStep(ended)) parts_.session.endDrag();
@@ -173,6 +198,8 @@ void SliceHand::end() {
     if (isUndoStep(drag_)) parts_.session.endDrag();
     drag_ = Drag::none;
     parts_.clip.letGo();
+    parts_.turn.letGo();
+    parts_.curve.letGo();
     parts_.measurements.dropDrawing();
 }
 

@@ -10,7 +10,9 @@
 #include "viewer/editor/study_editor.h"
 #include "viewer/keys/slice_tool.h"
 #include "viewer/slices/pane_clip.h"
+#include "viewer/slices/pane_curve.h"
 #include "viewer/slices/pane_measurements.h"
+#include "viewer/slices/pane_turn.h"
 #include "viewer/slices/pane_zoom.h"
 #include "viewer/slices/slice_sampler.h"
 #include "viewer/slices/slice_travel.h"
@@ -29,6 +31,8 @@ class SliceHand {
         SliceWindowing& windowing;
         PaneMeasurements& measurements;
         PaneClip& clip;
+        PaneTurn& turn;
+        PaneCurve& curve;
     };
     explicit SliceHand(const Parts& parts) : parts_(parts) {}
 
@@ -39,8 +43,12 @@ class SliceHand {
     bool holdsClip() const { return drag_ == Drag::clip; }
     // False: the button means nothing here.
     bool press(Qt::MouseButton button, const QPointF& place, const SliceRequest& shown);
-    void move(const QPointF& place, Qt::MouseButtons buttons, const SliceRequest& shown,
-              const glm::ivec2& sizePx);
+    struct Pointer {
+        QPointF place;
+        Qt::MouseButtons buttons;
+        Qt::KeyboardModifiers modifiers;
+    };
+    void move(const Pointer& pointer, const SliceRequest& shown, const glm::ivec2& sizePx);
     // `shown` null: no picture is on screen any more. Returns true for a click with the right button.
     bool release(Qt::MouseButton button, const QPointF& place, const SliceRequest* shown);
 
@@ -55,16 +63,17 @@ class SliceHand {
     std::optional<Qt::CursorShape> cursorAt(const QPointF& place, const SliceRequest& shown) const;
 
   private:
-    enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe, clip };
+    enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe, clip, turn, curve };
 
     static bool isUndoStep(Drag drag);
     bool takesHold() const;
     void pressLeft(const QPointF& place, const SliceRequest& shown);
     bool takeClip(const QPointF& place, const SliceRequest& shown);
     bool takeMeasurement(const QPointF& place, const SliceRequest& shown);
+    bool takeRing(const QPointF& place, const SliceRequest& shown);
     Drag dragOfTool() const;
     bool isStillClick(const QPointF& place) const;
-    void dragTo(const QPointF& place, const SliceRequest& shown, const glm::ivec2& sizePx);
+    void dragTo(const Pointer& pointer, const SliceRequest& shown, const glm::ivec2& sizePx);
 
     Parts parts_;
     SliceTool tool_ = SliceTool::crosshair;

@@ -11,6 +11,7 @@ bool SliceKeys::press(const QKeyEvent& event, const Pane& pane) {
     const Qt::KeyboardModifiers others = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
     if (others == Qt::AltModifier && event.key() >= Qt::Key_1 && event.key() <= Qt::Key_9)
         return parts_.windowing.applyOwn(event.key() - Qt::Key_0), true;
+    if (event.matches(QKeySequence::Copy)) return parts_.popups.copyPicture(), true;
     if (actionOf(event) == KeyAction::fit) return parts_.zoom.fit(), true;
     return others == Qt::NoModifier &&
            pressPlain(event.key(), event.modifiers().testFlag(Qt::ShiftModifier), pane);
@@ -60,7 +61,8 @@ bool SliceKeys::pressOfMeasurements(int key) {
     switch (key) {
         case Qt::Key_Delete:
         case Qt::Key_Backspace:
-            return selected && (parts_.measurements.removeSelected(), true);
+            if (selected) return parts_.measurements.removeSelected(), true;
+            return parts_.hand.tool() == SliceTool::curve && parts_.curve.removeLast();
         case Qt::Key_Return:
         case Qt::Key_Enter:
             return selected && (parts_.popups.editLabel(*selected), true);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "viewer/editor/study_editor.h"
+#include "viewer/slices/pane_curve.h"
 #include "viewer/slices/pane_measurements.h"
 #include "viewer/slices/pane_zoom.h"
 #include "viewer/slices/slice_hand.h"
@@ -33,6 +34,7 @@ class SliceKeys {
         SliceCine& cine;
         SliceHand& hand;
         SlicePopups& popups;
+        PaneCurve& curve;
     };
     explicit SliceKeys(const Parts& parts) : parts_(parts) {}
 

@@ -32,7 +32,7 @@ void SlicePainting::setLines(const QStringList& lines) {
 }
 
 void SlicePainting::paint(QPainter& painter, const QRect& pane, const QStringList& notes,
-                          const std::optional<QPointF>& pointedAt) {
+                          const std::optional<QPointF>& pointedAt, bool turns) {
     painter.fillRect(pane, Qt::black);
     if (!parts_.content.hasStudy()) {
         painter.setPen(kQuietInk);
@@ -46,7 +46,9 @@ void SlicePainting::paint(QPainter& painter, const QRect& pane, const QStringLis
     if (!shown.segments.isNull()) painter.drawImage(whole, shown.segments);
     if (!shown.colours.isNull()) painter.drawImage(whole, shown.colours);
     parts_.clip.paint(painter, pane.size(), shown.of, pointedAt);
-    paintOverlay(painter, pane.size(), overlay(notes, pointedAt));
+    parts_.curve.paint(painter, shown.of);
+    paintOverlay(painter, pane.size(), overlay(notes, pointedAt, turns));
+    if (turns) parts_.turn.paint(painter, shown.of, pointedAt);
     // Marks the second volume, so that nobody mistakes it for the study at a glance.
     if (!shown.of.showsStudy()) paintEdge(painter, pane, kSecondInk, kSecondPx, kFocusPx + kSecondPx / 2);
 }
@@ -55,10 +57,14 @@ void SlicePainting::paintFocus(QPainter& painter, const QRect& pane, const QColo
     paintEdge(painter, pane, ink, kFocusPx, kFocusPx / 2);
 }
 
-SliceOverlay SlicePainting::overlay(const QStringList& notes, const std::optional<QPointF>& pointedAt) {
+SliceOverlay SlicePainting::overlay(const QStringList& notes, const std::optional<QPointF>& pointedAt,
+                                    bool turns) {
     const SliceRequest& shown = *parts_.picture.shownRequest();
     SliceOverlay overlay = overlayOf(shown, parts_.content.orientation(), pointedAt);
     overlay.notes = notes;
+    overlay.lines = parts_.turn.linesOn(shown.frame.plane);
+    if (const QString angle = turns ? parts_.turn.angleText(shown, pointedAt) : QString(); !angle.isEmpty())
+        overlay.facts.prepend(angle);
     overlay.measurements = parts_.measurements.seenOn(shown);
     if (namesShown_) overlay.names = shown.showsStudy() ? lines_ : shown.names;
     // Shows the session's cross-hair, unless its slice may not be on screen yet.

@@ -11,8 +11,10 @@
 #include "viewer/overlay/slice_overlay.h"
 #include "viewer/slices/pane_clip.h"
 #include "viewer/slices/pane_content.h"
+#include "viewer/slices/pane_curve.h"
 #include "viewer/slices/pane_measurements.h"
 #include "viewer/slices/pane_picture.h"
+#include "viewer/slices/pane_turn.h"
 
 namespace macula::viewer {
 
@@ -26,6 +28,8 @@ class SlicePainting {
         const PanePicture& picture;
         PaneMeasurements& measurements;
         PaneClip& clip;
+        const PaneTurn& turn;
+        PaneCurve& curve;
     };
     explicit SlicePainting(const Parts& parts) : parts_(parts) {}
 
@@ -33,14 +37,15 @@ class SlicePainting {
     void setLines(const QStringList& lines);
     void showNames(bool shown) { namesShown_ = shown; }
 
-    // `pane` in logical pixels; `notes` are over the picture; `pointedAt`: the pointer, if it is in the pane.
+    // `pane` in logical pixels; `notes` are over the picture; `pointedAt`: the pointer, if it is in the pane;
+    // `turns`: whether the left button turns the planes.
     void paint(QPainter& painter, const QRect& pane, const QStringList& notes,
-               const std::optional<QPointF>& pointedAt);
+               const std::optional<QPointF>& pointedAt, bool turns);
     static void paintFocus(QPainter& painter, const QRect& pane, const QColor& ink);
     static QString noStudyText();
 
   private:
-    SliceOverlay overlay(const QStringList& notes, const std::optional<QPointF>& pointedAt);
+    SliceOverlay overlay(const QStringList& notes, const std::optional<QPointF>& pointedAt, bool turns);
 
     Parts parts_;
     QStringList lines_;

@@ -1,6 +1,7 @@
 // The popups of a pane of slices: its context menu, and the editor of a measurement's label.
 #pragma once
 
+#include <QImage>
 #include <QLineEdit>
 #include <QObject>
 #include <QPointF>
@@ -63,6 +64,10 @@ class SlicePopups : public QObject {
     void openMenu(const QPointF& place);
     void editLabel(std::size_t measurement);  // an index into the state's measurements
     void closeLabel();                        // drops the edited text
+    void copyPicture();                       // the pane to the clipboard
+
+  Q_SIGNALS:
+    void savePictureAsked(const QImage& picture);  // the pane, as it is on screen
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;  // watches the menu

@@ -24,6 +24,17 @@ QImage imageOf(const std::vector<std::uint8_t>& grey, const glm::ivec2& sizePx) 
     return image;
 }
 
+void colour(QImage& grey, slices::ColourTable table) {
+    if (table == slices::ColourTable::grey || grey.isNull()) return;
+    QList<QRgb> colours;
+    for (int value = 0; value < 256; ++value) {
+        const slices::Rgb rgb = slices::colourOf(table, std::uint8_t(value));
+        colours.push_back(qRgb(rgb.red, rgb.green, rgb.blue));
+    }
+    grey.reinterpretAsFormat(QImage::Format_Indexed8);
+    grey.setColorTable(colours);
+}
+
 QImage imageOf(const std::vector<std::uint32_t>& colours, const glm::ivec2& sizePx) {
     QImage image(sizePx.x, sizePx.y, QImage::Format_ARGB32_Premultiplied);
     if (image.isNull()) throw std::bad_alloc();
@@ -84,6 +95,7 @@ SlicePicture SliceSampler::make(const SliceRequest& request) {
         if (slice == nullptr) return picture;
         picture.grey =
             imageOf(slices::toGrey(slice->values, request.window, request.isInverted), request.frame.sizePx);
+        colour(picture.grey, request.colours);
         paintSegments(request);
         picture.segments = segments_;
         if (!request.over) {

@@ -47,6 +47,7 @@ struct SliceRequest {
     slices::Slab slab;
     DisplayWindow window;
     bool isInverted = false;
+    slices::ColourTable colours = slices::ColourTable::grey;
     std::shared_ptr<const slices::ShownSegments> segments = {};  // over the picture; null: none
     // Passed through to the picture.
     QString positionText;

@@ -19,11 +19,13 @@ SliceView::SliceView(StudyEditor& session, slices::Orientation orientation, QWid
       windowing_(session, content_),
       measurements_(session, content_),
       clip_(session),
+      turn_(session, content_),
+      curve_(session, content_),
       cine_(session, content_, [this] { return isUpToDate(); }),
-      hand_({session, zoom_, travel_, windowing_, measurements_, clip_}),
+      hand_({session, zoom_, travel_, windowing_, measurements_, clip_, turn_, curve_}),
       popups_(*this, {session, content_, picture_, zoom_, windowing_, measurements_, hand_}),
-      keys_({session, content_, zoom_, travel_, windowing_, measurements_, cine_, hand_, popups_}),
-      painting_({content_, picture_, measurements_, clip_}) {
+      keys_({session, content_, zoom_, travel_, windowing_, measurements_, cine_, hand_, popups_, curve_}),
+      painting_({content_, picture_, measurements_, clip_, turn_, curve_}) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -45,6 +47,7 @@ void SliceView::listen() {
     connect(&zoom_, &PaneZoom::changed, this, &SliceView::request);
     connect(&zoom_, &PaneZoom::settled, this, &SliceView::viewChanged);
     connect(&picture_, &PanePicture::arrived, this, &SliceView::onPicture);
+    connect(&popups_, &SlicePopups::savePictureAsked, this, &SliceView::savePictureAsked);
     connect(&cine_, &SliceCine::changed, this, &SliceView::cineChanged);
 }
 
@@ -87,6 +90,13 @@ void SliceView::setSecond(std::shared_ptr<const SecondVolumeTexts> second) {
     update();
 }
 
+void SliceView::setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text) {
+    content_.setPhase(std::move(phase), text);
+    measurements_.forgetValues();
+    request();
+    update();
+}
+
 void SliceView::showArea(const scene::SliceArea& area) {
     zoom_.showArea(area, sizePx());
 }
@@ -124,7 +134,7 @@ void SliceView::onStudyShown() {
 
 void SliceView::onChanged(const scene::StudyState& before) {
     if (!content_.hasStudy()) return;
-    if (session_.state().slices.asAcquired != before.slices.asAcquired) content_.turnPlanes();
+    if (content_.wantsTurn(before.slices)) content_.turnPlanes();
     if (measurements_.follow(before)) hand_.loseHandle();
     request();
     update();
@@ -181,7 +191,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     const SliceRequest* wanted = picture_.wanted();
     if (wanted != nullptr && wanted->pixelRatio != devicePixelRatioF()) request();  // on another screen
     QPainter painter(this);
-    painting_.paint(painter, rect(), notes(), hoverAt_);
+    painting_.paint(painter, rect(), notes(), hoverAt_, hand_.tool() == SliceTool::crosshair);
     if (hasFocus()) SlicePainting::paintFocus(painter, rect(), palette().color(QPalette::Highlight));
 }
 

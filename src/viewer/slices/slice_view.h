@@ -52,6 +52,8 @@ class SliceView : public QWidget {
     // Segments over the slices of the open study; null: none.
     void setSegments(std::shared_ptr<const slices::ShownSegments> segments);
 
+    // Another phase of the study in its place, and a text that says which; null: the study itself.
+    void setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text);
     // Null: no second volume. The session says how to show it (scene::SecondVolumeState).
     void setSecond(std::shared_ptr<const SecondVolumeTexts> second);
     void setPaneView(const PaneView& view) { zoom_.follow(view); }  // follows the pane beside it
@@ -87,6 +89,7 @@ class SliceView : public QWidget {
 
   Q_SIGNALS:
     void maximizeAsked();
+    void savePictureAsked(const QImage& picture);  // the pane, as it is on screen
     void cineChanged(bool on);
     void pictureShown();
     void viewChanged(const macula::viewer::PaneView& view);  // by a person, or by fitting
@@ -126,6 +129,8 @@ class SliceView : public QWidget {
     SliceWindowing windowing_;
     PaneMeasurements measurements_;
     PaneClip clip_;
+    PaneTurn turn_;
+    PaneCurve curve_;
     SliceCine cine_;
     SliceHand hand_;
     SlicePopups popups_;

@@ -55,7 +55,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     const SliceRequest* shown = picture_.shownRequest();
     if (shown == nullptr) return;
     if (const auto cursor = hand_.cursorAt(event->position(), *shown)) setCursor(*cursor);
-    hand_.move(event->position(), event->buttons(), *shown, sizePx());
+    hand_.move({event->position(), event->buttons(), event->modifiers()}, *shown, sizePx());
     update();
 }
 

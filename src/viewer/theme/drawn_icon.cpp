@@ -114,6 +114,22 @@ void drawAcquired(QPainter& painter) {
     for (const double y : {6.0, 12.0, 18.0}) painter.drawLine(QPointF(4, y + 2), QPointF(20, y - 3));
 }
 
+// A turned cross, and the straight one that it returns to.
+void drawStraight(QPainter& painter) {
+    painter.drawLine(QPointF(12, 3), QPointF(12, 21));
+    painter.drawLine(QPointF(3, 12), QPointF(21, 12));
+    painter.drawArc(QRectF(5, 5, 14, 14), 20 * 16, 50 * 16);
+    painter.drawArc(QRectF(5, 5, 14, 14), 200 * 16, 50 * 16);
+}
+
+void drawCurve(QPainter& painter) {
+    QPainterPath path(QPointF(4, 19));
+    path.cubicTo(QPointF(6, 4), QPointF(16, 22), QPointF(20, 5));
+    painter.drawPath(path);
+    for (const QPointF& at : {QPointF(4, 19), QPointF(12, 12.5), QPointF(20, 5)})
+        painter.drawEllipse(at, 1.5, 1.5);
+}
+
 void drawFourPanes(QPainter& painter) {
     painter.drawRect(QRectF(3, 3, 18, 18));
     painter.drawLine(QPointF(12, 3), QPointF(12, 21));
@@ -170,6 +186,10 @@ void drawGlyph(QPainter& painter, Glyph glyph) {
             return drawInvert(painter);
         case Glyph::acquired:
             return drawAcquired(painter);
+        case Glyph::straight:
+            return drawStraight(painter);
+        case Glyph::curve:
+            return drawCurve(painter);
         case Glyph::fourPanes:
             return drawFourPanes(painter);
         case Glyph::volume:

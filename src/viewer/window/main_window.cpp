@@ -17,6 +17,8 @@
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_handles_tool.h"
 #include "viewer/clip/clips_controller.h"
+#include "viewer/curve/curve_controller.h"
+#include "viewer/curve/curve_panel.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/editor/undo_actions.h"
 #include "viewer/headset/headset_controller.h"
@@ -38,6 +40,8 @@
 #include "viewer/panes/panels_controller.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/pick/pick_controller.h"
+#include "viewer/phases/phase_bar.h"
+#include "viewer/phases/phases_controller.h"
 #include "viewer/planar/planar_controller.h"
 #include "viewer/presets/preset_gallery.h"
 #include "viewer/presets/presets_controller.h"
@@ -127,6 +131,7 @@ void MainWindow::makeStudy() {
     opening_ = new OpeningController(context_, *states_, keeper_);
     panes_ = new PanesController(context_);
     planar_ = new PlanarController(context_, panes_->grid());
+    phases_ = new PhasesController(context_, *opening_, panes_->allSlices());
     undo_ = new UndoActions(session_, this);
     table_ = new TableController(context_);
     table_->endAt(undo_->undo());
@@ -144,6 +149,7 @@ void MainWindow::makeStudy() {
     column->setSpacing(0);
     column->addWidget(&panes_->grid(), 1);
     column->addWidget(&planar_->widget(), 1);
+    column->addWidget(&phases_->bar());
     column->addWidget(&watch_->bar());
     column->addWidget(&notes_->bar());
     column->addWidget(&notifications_->bar());
@@ -182,6 +188,9 @@ void MainWindow::makePanels() {
                                          "segments-panel", QKeySequence(Qt::Key_F11));
     QDockWidget* lights = panels_->add(kRight, lights_->panel(), tr("Lights"), "lights-panel", key(4));
     lights_->setDock(*lights);
+    curve_ = new CurveController(context_);
+    panels_->add(Qt::BottomDockWidgetArea, &curve_->panel(), tr("Curved Plane"), "curve-dock",
+                 keyOf(KeyAction::curve));
     panels_->sharePlace(first, presets);
     panels_->sharePlace(second, segments);
     panels_->sharePlace(second, lights);

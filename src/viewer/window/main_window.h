@@ -31,6 +31,7 @@ namespace macula::viewer {
 class ArchiveController;
 class BrowserController;
 class ClipsController;
+class CurveController;
 class HeadsetController;
 class LightsController;
 class LinksController;
@@ -41,6 +42,7 @@ class ModelsController;
 class MoviesController;
 class PaneGrid;
 class PanelsController;
+class PhasesController;
 class PickController;
 class PicturesController;
 class PlanarController;
@@ -189,6 +191,7 @@ class MainWindow : public QMainWindow {
     OpeningController* opening_ = nullptr;
     PanesController* panes_ = nullptr;
     PlanarController* planar_ = nullptr;
+    PhasesController* phases_ = nullptr;
     std::shared_ptr<const study::FoundVolumes> foundBefore_;  // in the list, when the last opening began
     PanelsController* panels_ = nullptr;
     UndoActions* undo_ = nullptr;
@@ -199,6 +202,7 @@ class MainWindow : public QMainWindow {
     PresetsController* presets_ = nullptr;
     TransferFunctionEditor* transfer_ = nullptr;
     SegmentationsController* segmentations_ = nullptr;
+    CurveController* curve_ = nullptr;
     ArchiveController* archive_ = nullptr;
     LinksController* links_ = nullptr;
     ManifestsController* manifests_ = nullptr;

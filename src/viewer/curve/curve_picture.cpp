@@ -1,0 +1,59 @@
+#include "viewer/curve/curve_picture.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "slices/grey.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kSectionMm = 40.0;
+
+QImage greyOf(const slices::SampledSlice& slice, const CurveRequest& request) {
+    const std::vector<std::uint8_t> grey = slices::toGrey(slice.values, request.window, request.isInverted);
+    QImage image(slice.sizePx.x, slice.sizePx.y, QImage::Format_Grayscale8);
+    if (image.isNull()) throw std::bad_alloc();
+    for (int y = 0; y < slice.sizePx.y; ++y)
+        std::memcpy(image.scanLine(y), grey.data() + std::size_t(y) * std::size_t(slice.sizePx.x),
+                    std::size_t(slice.sizePx.x));
+    return image;
+}
+
+double smallestSideMm(const Volume& volume) {
+    const glm::dmat4& m = volume.worldFromVoxel();
+    return std::min({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])),
+                     glm::length(glm::dvec3(m[2]))});
+}
+
+}  // namespace
+
+// Pixels are as small as the width allows, but not smaller than a quarter of a voxel, which would show no
+// more.
+Result<CurvePicture> makeCurvePicture(const CurveRequest& request, const CancelToken& token) {
+    slices::Curve curve(request.pointsMm);
+    MACULA_CHECK(curve.isUsable());
+    const double mmPerPixel = std::max(curve.lengthMm() / std::max(request.widthPx, 1),
+                                       0.25 * smallestSideMm(*request.volume));
+    CurvePicture picture{.of = request, .sectionFrame = {}};
+    picture.sectionFrame = {.plane = curve.at(request.sectionAtMm).section(),
+                            .mmPerPixel = kSectionMm / std::max(request.sectionPx, 1),
+                            .sizePx = glm::ivec2(std::max(request.sectionPx, 1))};
+    picture.frame = std::make_shared<const slices::CurvedFrame>(
+        std::move(curve), request.look.kind, request.look.turnDeg, request.look.heightMm, mmPerPixel);
+    const auto cancelled = [&] { return token.cancelled(); };
+    const slices::SampledSlice curved =
+        slices::sampleCurved(*request.volume, *picture.frame, request.slab, cancelled);
+    const slices::SampledSlice section = slices::sampleSlice(
+        *request.volume, picture.sectionFrame, request.slab, slices::Filter::linear, cancelled);
+    if (cancelled())
+        return Error{ErrorCode::cancelled, Text("The curved plane was cancelled."), {}, {}};
+    picture.curved = greyOf(curved, request);
+    picture.section = greyOf(section, request);
+    return picture;
+}
+
+}  // namespace macula::viewer

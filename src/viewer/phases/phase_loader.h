@@ -1,0 +1,56 @@
+// Decodes the phases of the open study in the background, and keeps those that fit.
+#pragma once
+
+#include <QObject>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "study/open/opened_study.h"
+#include "viewer/jobs/background_job.h"
+
+namespace macula::viewer {
+
+// One phase at a time, nearest to the one that is asked for first. Numbers are places in the list of phases.
+// Lives on the UI thread.
+class PhaseLoader : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit PhaseLoader(QObject* parent = nullptr);
+
+    // `volumes`: of each phase, in `found`. Keeps what it has of the same `found`.
+    void setPhases(std::shared_ptr<const study::FoundVolumes> found, std::vector<std::size_t> volumes);
+    // The open study is one of them, and need not be decoded again.
+    void keep(std::size_t phase, std::shared_ptr<const study::OpenedStudy> study);
+    // `loaded` follows for it, and for further ones while they fit. Forget nothing else.
+    void ask(std::size_t phase);
+    // Null: not decoded yet.
+    std::shared_ptr<const study::OpenedStudy> phase(std::size_t phase) const;
+    std::size_t count() const { return volumes_.size(); }
+    std::size_t loadedCount() const { return loaded_.size(); }
+    bool hasAll() const { return loaded_.size() == volumes_.size(); }
+    bool fits() const { return fits_; }  // false: memory is not enough for all phases
+
+  Q_SIGNALS:
+    void loaded(std::size_t phase);
+    void failed(std::size_t phase, const macula::Error& error);
+
+  private:
+    void startNext();
+    std::optional<std::size_t> next() const;
+    void take(const Result<study::OpenedStudy>& study);
+
+    std::shared_ptr<const study::FoundVolumes> found_;
+    std::vector<std::size_t> volumes_;
+    std::map<std::size_t, std::shared_ptr<const study::OpenedStudy>> loaded_;  // by phase
+    std::vector<std::size_t> failed_;
+    std::size_t asked_ = 0;
+    std::optional<std::size_t> loading_;
+    bool fits_ = true;
+    BackgroundJob<study::OpenedStudy> job_;
+};
+
+}  // namespace macula::viewer

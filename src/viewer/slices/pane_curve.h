@@ -1,0 +1,50 @@
+// The points of a curved plane on a pane of slices: sets, moves and removes them, and draws the curve.
+#pragma once
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPointF>
+#include <cstddef>
+#include <optional>
+
+#include "slices/curve.h"
+#include "viewer/editor/study_editor.h"
+#include "viewer/slices/pane_content.h"
+#include "viewer/slices/slice_sampler.h"
+
+namespace macula::viewer {
+
+// Proposes changes of the state's curve. `shown` is the request of the picture on screen; places are logical
+// pixels of the pane.
+class PaneCurve {
+    Q_DECLARE_TR_FUNCTIONS(PaneCurve)
+
+  public:
+    PaneCurve(StudyEditor& session, const PaneContent& content);  // both outlive this
+
+    bool hasPointAt(const QPointF& place, const SliceRequest& shown) const;
+    // Holds the point there. Without one sets a new point: between two others if the curve passes there,
+    // otherwise at its end.
+    void hold(const QPointF& place, const SliceRequest& shown);
+    void dragTo(const QPointF& place, const SliceRequest& shown);  // moves it in the plane
+    void letGo() { isHeld_ = false; }
+    bool removeLast();  // the point that was held last; false without one
+
+    // Faint where the curve is away from the plane.
+    void paint(QPainter& painter, const SliceRequest& shown);
+
+  private:
+    std::optional<std::size_t> pointAt(const QPointF& place, const SliceRequest& shown) const;
+    std::size_t placeInOrder(const QPointF& place, const SliceRequest& shown);
+    const slices::Curve& curve();
+    double nearMm() const;  // a point closer to the plane lies in it
+
+    StudyEditor& session_;
+    const PaneContent& content_;
+    std::optional<std::size_t> last_;  // held last
+    bool isHeld_ = false;
+    std::vector<glm::dvec3> curveOf_;  // the points of curve_
+    slices::Curve curve_{{}};
+};
+
+}  // namespace macula::viewer

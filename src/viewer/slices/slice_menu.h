@@ -1,0 +1,31 @@
+// The context menu of a pane of slices.
+#pragma once
+
+#include <functional>
+
+#include "base/volume.h"
+#include "viewer/editor/study_editor.h"
+#include "viewer/slices/slice_windowing.h"
+
+class QMenu;
+class QWidget;
+
+namespace macula::viewer {
+
+struct SliceMenuOf {
+    StudyEditor* session = nullptr;     // with an open study
+    OwnWindowList* own = nullptr;       // null: no own windows
+    DisplayWindow window = {};          // the current window
+    std::function<void()> editLabel;    // edits the label of the measurement there; empty: no entry
+    std::function<void()> fit;          // fits the pane that was clicked
+    std::function<void()> copyPicture;  // to the clipboard
+    std::function<void()> savePicture;  // to a file
+};
+
+// Deletes itself when it is closed.
+QMenu* makeSliceMenu(const SliceMenuOf& of, QWidget* parent);
+
+// Asks for width and level, and applies them while a person types; Cancel takes them back.
+void askForWindow(StudyEditor& session, QWidget* parent);
+
+}  // namespace macula::viewer

@@ -1,0 +1,144 @@
+// Phases in the window: chosen, played, measured over time, opened.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QClipboard>
+#include <QDialog>
+#include <QSlider>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include "dicom/support.h"
+#include "dicom/synthetic.h"
+#include "viewer/phases/phase_bar.h"
+#include "viewer/slices/slice_view.h"
+#include "viewer/window_fixture.h"
+
+namespace macula::viewer {
+namespace {
+
+constexpr int kPhases = 4;
+constexpr double kStep = 1000.0;  // values of a phase above those of the one before
+
+class PhasesWindowTest : public WindowTest {
+  protected:
+    PhasesWindowTest() {
+        refusesRaw_ = false;
+        layout_ = scene::Layout::fourPanes;
+    }
+
+    void openPhases() {
+        dicom::test::SyntheticSeries series;
+        series.phases = kPhases;
+        series.phaseStep = kStep;
+        std::vector<dicom::test::Slice> slices = slicesOf(series);
+        for (dicom::test::Slice& slice : slices)
+            slice.edits.push_back([ms = 100 * slice.phase](DcmItem& item) {
+                dicom::test::put(item, DCM_TriggerTime, std::to_string(ms).c_str());
+            });
+        writeFiles(folder_.path(), series, slices);
+        window_->open(folder_.path());
+        ASSERT_TRUE(waitUntil([this] { return window_->hasStudy() && !window_->loading(); }));
+        ASSERT_TRUE(waitUntil([this] { return axial().isUpToDate() && axial().shownFrame(); }));
+    }
+    SliceView& axial() { return window_->slices(slices::Orientation::axial); }
+    PhaseBar& bar() { return *window_->findChild<PhaseBar*>(QStringLiteral("phase-bar")); }
+    void choose(int phase) {
+        bar().findChild<QSlider*>(QStringLiteral("phases-slider"))->setValue(phase);
+    }
+    void click(const char* name) { bar().findChild<QAbstractButton*>(QLatin1String(name))->click(); }
+    bool shows(const QString& words) {
+        return waitUntil([&] {
+            return axial().isUpToDate() && axial().tags().join(QLatin1Char(' ')).contains(words);
+        });
+    }
+    // The value in the middle of the pane.
+    double probed() {
+        QMouseEvent event(QEvent::MouseMove, QPointF(axial().rect().center()),
+                          axial().mapToGlobal(axial().rect().center()), Qt::NoButton, Qt::NoButton,
+                          Qt::NoModifier);
+        QApplication::sendEvent(&axial(), &event);
+        return axial().probedText().split(QLatin1Char(' ')).first().toDouble();
+    }
+
+    dicom::test::TemporaryFolder folder_;
+};
+
+TEST_F(PhasesWindowTest, SlicesShowThePhaseThatIsChosen) {
+    openPhases();
+    EXPECT_TRUE(bar().isVisible());
+    ASSERT_TRUE(shows(QStringLiteral("Phase 1 of 4")));
+    const double first = probed();
+    choose(2);
+    ASSERT_TRUE(shows(QStringLiteral("Phase 3 of 4")));
+    EXPECT_TRUE(axial().tags().join(QLatin1Char(' ')).contains(QStringLiteral("saved values: phase 1")));
+    EXPECT_NEAR(probed() - first, 2.0 * kStep, 1.0);
+    choose(0);
+    ASSERT_TRUE(shows(QStringLiteral("Phase 1 of 4")));
+    EXPECT_NEAR(probed(), first, 0.5);
+    EXPECT_FALSE(window_->session().canUndo()) << "which phase is seen is no change of the study";
+
+    window_->open(std::nullopt);  // the phantom has no phases
+    ASSERT_TRUE(waitUntil([this] { return !bar().isVisible(); }));
+    EXPECT_FALSE(axial().tags().join(QLatin1Char(' ')).contains(QStringLiteral("Phase")));
+}
+
+TEST_F(PhasesWindowTest, PlayingLeavesNoneOut) {
+    openPhases();
+    ASSERT_TRUE(shows(QStringLiteral("Phase 1 of 4")));
+    QStringList seen;
+    QObject::connect(&axial(), &SliceView::pictureShown, &*window_, [&] {
+        const QString tags = axial().tags().join(QLatin1Char(' '));
+        const QString phase = tags.mid(tags.indexOf(QStringLiteral("Phase ")), 7);
+        if (seen.isEmpty() || seen.back() != phase) seen << phase;
+    });
+    click("phases-play");
+    ASSERT_TRUE(waitUntil([&] { return seen.size() >= 9; }));
+    click("phases-play");
+    for (int i = 1; i < 9; ++i) {
+        const int before = seen[i - 1].last(1).toInt();
+        EXPECT_EQ(seen[i].last(1).toInt(), before % kPhases + 1) << seen.join(QLatin1Char('|')).toStdString();
+    }
+}
+
+TEST_F(PhasesWindowTest, TheCurveHasTheMeanOfEachPhase) {
+    openPhases();
+    click("phases-curve");
+    ASSERT_TRUE(waitUntil([this] { return window_->message().contains(QStringLiteral("No ellipse")); }));
+    window_->session().change(QStringLiteral("Ellipse"), [this](scene::StudyState& next) {
+        slices::Ellipse ellipse{.plane = axial().shownFrame()->plane, .radiiMm = {2.0, 2.0}};
+        ellipse.plane.centreMm = axial().shownFrame()->worldFromPicture(
+            0.5 * glm::dvec2(axial().shownFrame()->sizePx));
+        next.measurements = {{.label = "aorta", .shape = ellipse}};
+    });
+    click("phases-curve");
+    QDialog* dialog = nullptr;
+    ASSERT_TRUE(waitUntil([&] {
+        dialog = window_->findChild<QDialog*>(QStringLiteral("curve-dialog"));
+        return dialog != nullptr;
+    }));
+    dialog->findChild<QAbstractButton*>(QStringLiteral("curve-copy"))->click();
+    const QStringList lines = QGuiApplication::clipboard()->text().split(QStringLiteral("\r\n"));
+    ASSERT_EQ(lines.size(), kPhases + 2);
+    EXPECT_TRUE(lines[0].contains(QStringLiteral("aorta mean")));
+    const double first = lines[1].split(QLatin1Char(',')).at(3).toDouble();
+    for (int phase = 1; phase < kPhases; ++phase)
+        EXPECT_NEAR(lines[phase + 1].split(QLatin1Char(',')).at(3).toDouble() - first, phase * kStep, 1.0);
+    dialog->close();
+}
+
+TEST_F(PhasesWindowTest, APhaseIsOpened) {
+    openPhases();
+    choose(3);
+    ASSERT_TRUE(shows(QStringLiteral("Phase 4 of 4")));
+    click("phases-open");
+    ASSERT_TRUE(waitUntil([this] {
+        return !window_->loading() &&
+               !axial().tags().join(QLatin1Char(' ')).contains(QStringLiteral("saved values"));
+    }));
+    EXPECT_TRUE(shows(QStringLiteral("Phase 4 of 4")));
+}
+
+}  // namespace
+}  // namespace macula::viewer
