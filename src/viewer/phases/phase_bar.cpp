@@ -48,7 +48,7 @@ PhaseBar::PhaseBar(QWidget* parent) : QWidget(parent) {
                       tr("3D shows this phase too; measurements and changes are then those of this phase"));
     connect(open_, &QToolButton::clicked, this, &PhaseBar::openAsked);
     curve_ = addButton("phases-curve", tr("Curve over Phases…"),
-                       tr("The mean within the ellipse that is selected, or within all, in each phase"));
+                       tr("The mean within each ellipse, in each phase"));
     connect(curve_, &QToolButton::clicked, this, &PhaseBar::curveAsked);
     hide();
 }

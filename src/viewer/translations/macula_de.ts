@@ -29,6 +29,13 @@
     </message>
 </context>
 <context>
+    <name>CurveDialog</name>
+    <message>
+        <source>Mean in each phase</source>
+        <translation>Mittelwert in jeder Phase</translation>
+    </message>
+</context>
+<context>
     <name>Fidelity</name>
     <message>
         <source>, values on cut faces only coarsely</source>
@@ -430,6 +437,13 @@
     </message>
 </context>
 <context>
+    <name>PaneCurve</name>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+</context>
+<context>
     <name>PaneMeasurements</name>
     <message>
         <source>%1 mm²</source>
@@ -481,6 +495,21 @@
     <message>
         <source>Not in a plane of the study</source>
         <translation>Nicht in einer Ebene der Studie</translation>
+    </message>
+    <message>
+        <source>Segments are of another phase</source>
+        <translation>Die Segmente gehören zu einer anderen Phase</translation>
+    </message>
+</context>
+<context>
+    <name>PaneTurn</name>
+    <message>
+        <source>Turn Planes</source>
+        <translation>Ebenen drehen</translation>
+    </message>
+    <message>
+        <source>Lines turned by %1</source>
+        <translation>Linien um %1 gedreht</translation>
     </message>
 </context>
 <context>
@@ -883,6 +912,58 @@
         <source>The whole slice is seen, in the middle of the pane</source>
         <translation>Die ganze Schicht ist zu sehen, in der Mitte des Bildfelds</translation>
     </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Hot iron</source>
+        <translation>Glühendes Eisen</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Type a Window…	%1</source>
+        <translation>Fensterung ein&amp;geben…	%1</translation>
+    </message>
+    <message>
+        <source>Width and level as numbers</source>
+        <translation>Weite und Lage als Zahlen</translation>
+    </message>
+    <message>
+        <source>C&amp;opy the Picture	Ctrl+C</source>
+        <translation>Bild &amp;kopieren	Strg+C</translation>
+    </message>
+    <message>
+        <source>This pane as it is on screen, with its measurements and names</source>
+        <translation>Dieses Bildfeld, wie es auf dem Bildschirm ist, mit seinen Messungen und Namen</translation>
+    </message>
+    <message>
+        <source>&amp;Save the Picture…</source>
+        <translation>Bild &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Window of the Slices</source>
+        <translation>Fensterung der Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Weite</translation>
+    </message>
+    <message>
+        <source>&amp;Level</source>
+        <translation>&amp;Lage</translation>
+    </message>
 </context>
 <context>
     <name>SlicePainting</name>
@@ -956,6 +1037,14 @@
     <message>
         <source>Read the value of the voxel that is pointed at, in its unit</source>
         <translation>Den Wert des Voxels unter dem Zeiger ablesen, in seiner Einheit</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Set the points that a curved plane runs through</source>
+        <translation>Punkte setzen, durch die eine gekrümmte Ebene verläuft</translation>
     </message>
 </context>
 <context>
@@ -1046,6 +1135,10 @@
     <message>
         <source>%1, interpolated,</source>
         <translation>%1, interpoliert,</translation>
+    </message>
+    <message>
+        <source>%1, turned by %2</source>
+        <translation>%1, um %2 gedreht</translation>
     </message>
 </context>
 <context>
@@ -6234,14 +6327,6 @@
     <message>
         <source>To the next pane or control, or back</source>
         <translation>Zum nächsten Bildfeld oder Bedienelement, oder zurück</translation>
-    </message>
-    <message>
-        <source>C, W, Z, M, D, G, E, V</source>
-        <translation>C, W, Z, M, D, G, E, V</translation>
-    </message>
-    <message>
-        <source>Left button on slices: cross-hair, window, zoom, move, distance, angle, ellipse, probe</source>
-        <translation>Linke Taste auf Schichten: Fadenkreuz, Fensterung, Zoom, Verschieben, Strecke, Winkel, Ellipse, Messpunkt</translation>
     </message>
     <message>
         <source>I on slices</source>
@@ -11563,6 +11648,94 @@
         <source>{} regions have no number of their own, and are left out.</source>
         <translation>Ohne eigene Nummer, und deshalb ausgelassen: {} Regionen.</translation>
     </message>
+    <message>
+        <source>The phases have values of different units.</source>
+        <translation>Die Phasen haben Werte in verschiedenen Einheiten.</translation>
+    </message>
+    <message>
+        <source>Measure each phase by itself.</source>
+        <translation>Messen Sie jede Phase für sich.</translation>
+    </message>
+    <message>
+        <source>The curve was cancelled.</source>
+        <translation>Die Kurve wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>No ellipse is drawn.</source>
+        <translation>Es ist keine Ellipse gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Draw an ellipse (E) on a slice: the curve has the mean of the values in it.</source>
+        <translation>Zeichnen Sie auf einer Schicht eine Ellipse (E): Die Kurve zeigt den Mittelwert darin.</translation>
+    </message>
+    <message>
+        <source>a turn, not all zeros</source>
+        <translation>eine Drehung, nicht nur Nullen</translation>
+    </message>
+    <message>
+        <source>The places are too far apart to look for a way between them.</source>
+        <translation>Die Stellen liegen zu weit auseinander, um einen Weg zwischen ihnen zu suchen.</translation>
+    </message>
+    <message>
+        <source>Set a place between them.</source>
+        <translation>Setzen Sie eine Stelle dazwischen.</translation>
+    </message>
+    <message>
+        <source>Looking for the way of the vessel was cancelled.</source>
+        <translation>Die Suche nach dem Verlauf des Gefäßes wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>A way needs two places in the volume.</source>
+        <translation>Ein Weg braucht zwei Stellen im Volumen.</translation>
+    </message>
+    <message>
+        <source>Set a place at each end of the vessel with the curve tool.</source>
+        <translation>Setzen Sie mit dem Kurvenwerkzeug an jedes Ende des Gefäßes eine Stelle.</translation>
+    </message>
+    <message>
+        <source>The curved plane was cancelled.</source>
+        <translation>Die gekrümmte Ebene wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is no memory for this picture.</source>
+        <translation>Für dieses Bild ist kein Speicher da.</translation>
+    </message>
+    <message>
+        <source>C, W, Z, M, D, G, E, V, U</source>
+        <translation>C, W, Z, M, D, G, E, V, U</translation>
+    </message>
+    <message>
+        <source>Left button on slices: cross-hair, window, zoom, move, distance, angle, ellipse, probe, curve</source>
+        <translation>Linke Taste auf Schichten: Fadenkreuz, Fensterung, Zoom, Verschieben, Abstand, Winkel, Ellipse, Sonde, Kurve</translation>
+    </message>
+    <message>
+        <source>Drag a ring on the cross-hair</source>
+        <translation>Einen Ring am Fadenkreuz ziehen</translation>
+    </message>
+    <message>
+        <source>Turn the planes about the cross-hair; with Shift, in steps of 15 degrees</source>
+        <translation>Die Ebenen um das Fadenkreuz drehen; mit Umschalt in Schritten von 15 Grad</translation>
+    </message>
+    <message>
+        <source>Planes that were turned are straight again</source>
+        <translation>Gedrehte Ebenen sind wieder gerade</translation>
+    </message>
+    <message>
+        <source>Panel: curved plane along the points of the curve tool</source>
+        <translation>Feld: gekrümmte Ebene entlang der Punkte des Kurvenwerkzeugs</translation>
+    </message>
+    <message>
+        <source>Type the width and the level of the window</source>
+        <translation>Weite und Lage der Fensterung eingeben</translation>
+    </message>
+    <message>
+        <source>Ctrl+C on slices</source>
+        <translation>Strg+C auf Schichten</translation>
+    </message>
+    <message>
+        <source>Copy the pane as a picture, with its measurements</source>
+        <translation>Das Bildfeld als Bild kopieren, mit seinen Messungen</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -12137,6 +12310,154 @@
             <numerusform>Das Bild ist endgültig: %Ln Abtastung.</numerusform>
             <numerusform>Das Bild ist endgültig: %Ln Abtastungen.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::CurveController</name>
+    <message>
+        <source>Follow the Vessel</source>
+        <translation>Dem Gefäß folgen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::CurveDialog</name>
+    <message>
+        <source>Curve over Phases</source>
+        <translation>Verlauf über die Phasen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as a Table</source>
+        <translation>Als Tabelle &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Save as a Table…</source>
+        <translation>Als Tabelle &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Save the curve</source>
+        <translation>Die Kurve speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>The curve is written to %1.</source>
+        <translation>Die Kurve ist in %1 geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::CurvePanel</name>
+    <message>
+        <source>Along the Curve</source>
+        <translation>Entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Kind of curved plane</source>
+        <translation>Art der gekrümmten Ebene</translation>
+    </message>
+    <message>
+        <source>Straightened: the curve is a straight line. Stretched: the surface along it is unrolled</source>
+        <translation>Begradigt: Die Kurve ist eine gerade Linie. Gestreckt: Die Fläche entlang der Kurve ist abgerollt</translation>
+    </message>
+    <message>
+        <source>Straightened</source>
+        <translation>Begradigt</translation>
+    </message>
+    <message>
+        <source>Stretched</source>
+        <translation>Gestreckt</translation>
+    </message>
+    <message>
+        <source>Turn the plane about the curve</source>
+        <translation>Die Ebene um die Kurve drehen</translation>
+    </message>
+    <message>
+        <source>Height of the picture across the curve</source>
+        <translation>Höhe des Bildes quer zur Kurve</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the Vessel</source>
+        <translation>Dem Gefäß &amp;folgen</translation>
+    </message>
+    <message>
+        <source>Looks for the way of a vessel, or another tube, through all points of the curve</source>
+        <translation>Sucht den Verlauf eines Gefäßes oder einer anderen Röhre durch alle Punkte der Kurve</translation>
+    </message>
+    <message>
+        <source>Planes &amp;Across</source>
+        <translation>Ebenen &amp;quer</translation>
+    </message>
+    <message>
+        <source>Turns the planes of all panes: the axial one is then across the curve</source>
+        <translation>Dreht die Ebenen aller Bildfelder: Die axiale steht dann quer zur Kurve</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the Curve</source>
+        <translation>Kurve &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Removes all points of the curve</source>
+        <translation>Entfernt alle Punkte der Kurve</translation>
+    </message>
+    <message>
+        <source>Remove the Curve</source>
+        <translation>Kurve entfernen</translation>
+    </message>
+    <message>
+        <source>Looking for the vessel…</source>
+        <translation>Das Gefäß wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Choose the curve tool (U), and click the points of the curve on slices.</source>
+        <translation>Wählen Sie das Kurvenwerkzeug (U), und klicken Sie auf Schichten die Punkte der Kurve an.</translation>
+    </message>
+    <message>
+        <source>Planes Across</source>
+        <translation>Ebenen quer</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::CurveView</name>
+    <message>
+        <source>Curved plane</source>
+        <translation>Gekrümmte Ebene</translation>
+    </message>
+    <message>
+        <source>Click: the slices go there. Wheel, Left and Right: along the curve</source>
+        <translation>Klick: Die Schichten gehen dorthin. Rad, Links und Rechts: entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>%1 mm along the curve, of %2 mm</source>
+        <translation>%1 mm entlang der Kurve, von %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2 mm along the curve</source>
+        <translation>%1 von %2 mm entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>here %1 mm</source>
+        <translation>hier %1 mm</translation>
+    </message>
+    <message>
+        <source>the size of pixels is not calibrated</source>
+        <translation>die Größe der Pixel ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Straightened: lengths hold along the line</source>
+        <translation>Begradigt: Längen gelten entlang der Linie</translation>
+    </message>
+    <message>
+        <source>Stretched: lengths hold along the curve and across it</source>
+        <translation>Gestreckt: Längen gelten entlang der Kurve und quer zu ihr</translation>
     </message>
 </context>
 <context>
@@ -12977,6 +13298,10 @@
         <source>Archive</source>
         <translation>Archiv</translation>
     </message>
+    <message>
+        <source>Curved Plane</source>
+        <translation>Gekrümmte Ebene</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ManifestsController</name>
@@ -13606,12 +13931,102 @@
         <source>Panes</source>
         <translation>Bildfelder</translation>
     </message>
+    <message>
+        <source>Type a &amp;Window…</source>
+        <translation>&amp;Fensterung eingeben…</translation>
+    </message>
+    <message>
+        <source>Width and level of the slices as numbers</source>
+        <translation>Weite und Lage der Schichten als Zahlen</translation>
+    </message>
+    <message>
+        <source>Save the picture of the slice</source>
+        <translation>Das Bild der Schicht speichern</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture is written to %1.</source>
+        <translation>Das Bild ist in %1 geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::PatientMmBox</name>
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PhaseBar</name>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play the phases on slices, or stop</source>
+        <translation>Die Phasen auf Schichten abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Which phase the slices show</source>
+        <translation>Welche Phase die Schichten zeigen</translation>
+    </message>
+    <message>
+        <source>Phases a second</source>
+        <translation>Phasen je Sekunde</translation>
+    </message>
+    <message>
+        <source>How many phases are shown in a second</source>
+        <translation>Wie viele Phasen in einer Sekunde gezeigt werden</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>Open This Phase</source>
+        <translation>Diese Phase öffnen</translation>
+    </message>
+    <message>
+        <source>3D shows this phase too; measurements and changes are then those of this phase</source>
+        <translation>3D zeigt auch diese Phase; Messungen und Änderungen sind dann die dieser Phase</translation>
+    </message>
+    <message>
+        <source>Curve over Phases…</source>
+        <translation>Verlauf über die Phasen…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>The mean within each ellipse, in each phase</source>
+        <translation>Der Mittelwert in jeder Ellipse, in jeder Phase</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PhasesController</name>
+    <message>
+        <source>Phase %1 of %2, %3</source>
+        <translation>Phase %1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>%1; 3D and saved values: phase %2</source>
+        <translation>%1; 3D und gespeicherte Werte: Phase %2</translation>
+    </message>
+    <message>
+        <source>Memory is not enough for all phases</source>
+        <translation>Der Speicher reicht nicht für alle Phasen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 decoded</source>
+        <translation>%1 von %2 dekodiert</translation>
     </message>
 </context>
 <context>
@@ -16577,6 +16992,14 @@
     <message>
         <source>What is shown of the values across the slab: %1</source>
         <translation>Was von den Werten durch den Slab gezeigt wird: %1</translation>
+    </message>
+    <message>
+        <source>Straight Planes</source>
+        <translation>Gerade Ebenen</translation>
+    </message>
+    <message>
+        <source>Planes that were turned are straight again</source>
+        <translation>Gedrehte Ebenen sind wieder gerade</translation>
     </message>
 </context>
 <context>
