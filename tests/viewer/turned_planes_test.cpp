@@ -10,6 +10,7 @@
 #include "viewer/curve/curve_view.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/slice_view_fixture.h"
+#include "viewer/slices/measurement_list.h"
 #include "viewer/slices/slice_menu.h"
 
 namespace macula::viewer {
@@ -189,6 +190,46 @@ TEST_F(TurnedPlanesTest, ThePanelShowsTheCurvedPlaneAndGoesAlongIt) {
     panel.findChild<QPushButton*>("curve-remove")->click();
     EXPECT_TRUE(state().slices.curveMm.empty());
     EXPECT_FALSE(panel.view().picture());
+}
+
+TEST_F(TurnedPlanesTest, TheListGoesToAMeasurementEvenOnATurnedPlane) {
+    showStudy();
+    const glm::dquat turn = glm::angleAxis(0.5, glm::dvec3(1.0, 0.0, 0.0));
+    const slices::SlicePlane plane =
+        slices::tilted(slices::planeOf(Orientation::axial, {2.0, 3.0, -4.0}), turn);
+    session_->change("Drawn", [&](scene::StudyState& next) {
+        next.measurements = {{.label = "straight", .shape = slices::Distance{{glm::dvec3(-5, 0, 8), {5, 0, 8}}}},
+                             {.label = "turned",
+                              .shape = slices::Ellipse{.plane = plane, .radiiMm = {3.0, 2.0}},
+                              .normal = plane.normal()}};
+    });
+    const auto axial = pane(Orientation::axial);
+    MeasurementList list(*session_);
+    list.resize(400, 200);
+    list.show();
+    ASSERT_EQ(list.topLevelItemCount(), 2);
+    EXPECT_EQ(list.topLevelItem(0)->text(1), "10.0 mm");
+    EXPECT_EQ(list.topLevelItem(0)->text(2), "15");
+    const auto clickOn = [&](int row) {
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {},
+                          list.visualItemRect(list.topLevelItem(row)).center());
+    };
+    clickOn(1);
+    ASSERT_TRUE(state().slices.turn);
+    EXPECT_LT(glm::distance(crosshair(), plane.centreMm), 1e-9);
+    ASSERT_TRUE(settled(*axial));
+    EXPECT_NEAR(std::abs(glm::dot(axial->shownFrame()->plane.normal(), plane.normal())), 1.0, 1e-9);
+    clickOn(0);
+    EXPECT_FALSE(state().slices.turn) << "straight again: it was drawn on a straight plane";
+    EXPECT_EQ(crosshair(), glm::dvec3(0, 0, 8));
+    list.topLevelItem(0)->setText(0, "aorta");
+    EXPECT_TRUE(waitUntil([&] { return state().measurements[0].label == "aorta"; }));
+    list.setCurrentItem(list.topLevelItem(1));
+    QTest::keyClick(&list, Qt::Key_Delete);
+    ASSERT_EQ(state().measurements.size(), 1u);
+    EXPECT_EQ(list.topLevelItemCount(), 1);
+    session_->undo();
+    EXPECT_EQ(list.topLevelItemCount(), 2);
 }
 
 TEST_F(TurnedPlanesTest, APaneIsCopiedAsItIsOnScreen) {

@@ -53,6 +53,7 @@
 #include "viewer/segmentation/segmentations_controller.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/settings/window_place.h"
+#include "viewer/slices/measurement_list.h"
 #include "viewer/slices/measurements_controller.h"
 #include "viewer/status/status_widgets.h"
 #include "viewer/transfer/transfer_function_editor.h"
@@ -191,6 +192,8 @@ void MainWindow::makePanels() {
     curve_ = new CurveController(context_);
     panels_->add(Qt::BottomDockWidgetArea, &curve_->panel(), tr("Curved Plane"), "curve-dock",
                  keyOf(KeyAction::curve));
+    panels_->add(kRight, new MeasurementList(session_), tr("Measurements"), "measurements-panel",
+                 keyOf(KeyAction::measurementList));
     panels_->sharePlace(first, presets);
     panels_->sharePlace(second, segments);
     panels_->sharePlace(second, lights);
