@@ -153,7 +153,7 @@ void CurvePanel::refresh() {
     if (!hasCurve) {
         job_.cancel();
         isStale_ = false;
-        return view_->clear(tr("Choose the curve tool (U), and click the points of the curve on slices."));
+        return view_->clear(tr("Choose the curve tool (Y), and click the points of the curve on slices."));
     }
     if (!isVisible()) return;
     if (job_.running()) {

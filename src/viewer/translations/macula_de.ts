@@ -11701,8 +11701,8 @@
         <translation>Für dieses Bild ist kein Speicher da.</translation>
     </message>
     <message>
-        <source>C, W, Z, M, D, G, E, V, U</source>
-        <translation>C, W, Z, M, D, G, E, V, U</translation>
+        <source>C, W, Z, M, D, G, E, V, U, Y</source>
+        <translation>C, W, Z, M, D, G, E, V, U, Y</translation>
     </message>
     <message>
         <source>Left button on slices: cross-hair, window, zoom, move, distance, angle, ellipse, probe, curve</source>
@@ -12417,8 +12417,8 @@
         <translation>Das Gefäß wird gesucht…</translation>
     </message>
     <message>
-        <source>Choose the curve tool (U), and click the points of the curve on slices.</source>
-        <translation>Wählen Sie das Kurvenwerkzeug (U), und klicken Sie auf Schichten die Punkte der Kurve an.</translation>
+        <source>Choose the curve tool (Y), and click the points of the curve on slices.</source>
+        <translation>Wählen Sie das Kurvenwerkzeug (Y), und klicken Sie auf Schichten die Punkte der Kurve an.</translation>
     </message>
     <message>
         <source>Planes Across</source>
