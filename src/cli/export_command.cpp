@@ -21,6 +21,7 @@
 #include "pictures/output_files.h"
 #include "study/export/volume_export.h"
 #include "study/open/loaded_study.h"
+#include "study/open/scanned_place.h"
 
 namespace macula::cli {
 
@@ -101,7 +102,8 @@ Result<void> exportSeries(const ExportOptions& options) {
                                     study::PetUnit::asInImages));
         return exportVolume(options, std::move(study), secondsSince(start), progress);
     }
-    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
+    MACULA_TRY(const study::ScannedPlace place, study::scanPlace(options.path, progress, options.how));
+    const dicom::Scan& scan = place.scan;
     const dicom::Series* series = study::seriesMeant(scan, options.series);
     if (series != nullptr && study::isSegmentationSeries(*series)) {
         if (dicom::findAllSeries(scan, options.series).empty() &&
@@ -123,7 +125,11 @@ void addExport(CLI::App& app, Action& action) {
     ExportOptions& o = *options;
     auto* command = app.add_subcommand(
         "export", "Write a series, of images or of segmentations, to a NIfTI, NRRD or MetaImage file");
-    command->add_option("PATH", o.path, "Folder with DICOM files, or a volume file to convert")->required();
+    command
+        ->add_option(
+            "PATH", o.path,
+            "Folder with DICOM files, a ZIP, tar or ISO 9660 file with one, or a volume file to convert")
+        ->required();
     auto* output = command->add_option(
         "-o,--output", o.output,
         "File to write: " + formats::volumeFileEndings() + "; values in units, patient left out");

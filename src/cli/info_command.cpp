@@ -21,6 +21,7 @@
 #include "formats/volume_file.h"
 #include "study/list/scan_json.h"
 #include "study/open/loaded_study.h"
+#include "study/open/scanned_place.h"
 
 namespace macula::cli {
 
@@ -178,7 +179,8 @@ Result<void> showWhatIsThere(const InfoOptions& options) {
         showPhantom(options.json);
         return {};
     }
-    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
+    MACULA_TRY(const study::ScannedPlace place, study::scanPlace(options.path, progress, options.how));
+    const dicom::Scan& scan = place.scan;
     const dicom::ChosenStack best = dicom::bestVolume(scan);
     if (!options.json) {
         printText(scan, best, options);
@@ -205,7 +207,8 @@ void addInfo(CLI::App& app, Action& action) {
         app.add_subcommand("info", "List the studies and series in a folder; * marks what is shown first");
     command
         ->add_option("PATH", options->path,
-                     "Folder with DICOM files, one file, a volume file (NIfTI, NRRD, MetaImage), or phantom:")
+                     "Folder with DICOM files, a ZIP, tar or ISO 9660 file with one, one file, a volume file "
+                     "(NIfTI, NRRD, MetaImage), or phantom:")
         ->required();
     command->add_flag("--json", options->json, "Print JSON");
     addJoin(*command, options->how);

@@ -14,6 +14,7 @@
 #include "pictures/output_files.h"
 #include "scene/drawing/shown_clip.h"
 #include "scene/presentation/presentation_file.h"
+#include "study/open/scanned_place.h"
 
 namespace macula::cli {
 
@@ -77,7 +78,8 @@ Result<void> exportPresentation(const PresentationExportRequest& options, const 
     usual.settings.shading = trace::Shading::headlight;
     MACULA_TRY(scene::StudyState state, pictures::stateOf(options.state, std::move(usual)));
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(study.path, progress, study.how));
+    MACULA_TRY(const study::ScannedPlace place, study::scanPlace(study.path, progress, study.how));
+    const dicom::Scan& scan = place.scan;
     MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(scan, study.series, study.volume));
     scene::PresentationRequest request;
     MACULA_TRY(request.images, scene::presentedImages(*chosen.series, *chosen.stack));
