@@ -166,8 +166,9 @@ TEST_F(ScannedPlaceTest, RealArchivesHoldTheirStudies) {
     std::ifstream truth(data / "truth/6_containers.json");
     const auto archives = nlohmann::json::parse(truth);
     for (const auto& [name, about] : archives.items()) {
-        if (!about.contains("files") || !fs::exists(data / name)) continue;
-        const auto& files = about["files"];
+        const char* const list = about.contains("files") ? "files" : "members";
+        if (!about.contains(list) || !fs::exists(data / name)) continue;
+        const auto& files = about[list];
         const auto dicomFiles = std::size_t(std::ranges::count_if(files, [](const auto& file) {
             return file["dicom"].template get<bool>() &&
                    !file["name"].template get<std::string>().ends_with("DICOMDIR");

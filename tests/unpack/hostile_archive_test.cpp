@@ -183,7 +183,7 @@ TEST_F(HostileArchive, KeepsWhatCameBeforeACut) {
         ASSERT_TRUE(made) << file << ": " << made.error().message;
         EXPECT_TRUE((*made)->facts().isCutOff) << file;
         EXPECT_GE((*made)->facts().files, 3u) << file;
-        EXPECT_LE((*made)->facts().files, 6u) << file;
+        EXPECT_LT((*made)->facts().files, members.size()) << file;
         for (const std::string& content : contentOf((*made)->folder())) {
             EXPECT_TRUE(std::ranges::any_of(members, [&](const Member& m) { return m.content == content; }))
                 << file << ": a part of a file was kept";
