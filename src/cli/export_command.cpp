@@ -103,17 +103,16 @@ Result<void> exportSeries(const ExportOptions& options) {
         return exportVolume(options, std::move(study), secondsSince(start), progress);
     }
     MACULA_TRY(const study::ScannedPlace place, study::scanPlace(options.path, progress, options.how));
-    const dicom::Scan& scan = place.scan;
-    const dicom::Series* series = study::seriesMeant(scan, options.series);
+    const dicom::Series* series = study::seriesMeant(place.scan, options.series);
     if (series != nullptr && study::isSegmentationSeries(*series)) {
-        if (dicom::findAllSeries(scan, options.series).empty() &&
+        if (dicom::findAllSeries(place.scan, options.series).empty() &&
             options.series.find('.') != std::string::npos) {
             return Error{ErrorCode::usage, Text("The series holds segmentations, and has no stacks."),
                          options.series, Text("Give its place alone, and which segmentation with --volume.")};
         }
-        return exportSegmentation(options, scan, *series, progress);
+        return exportSegmentation(options, place.scan, *series, progress);
     }
-    MACULA_TRY(study::LoadedStudy study, study::loadStudy(scan, options.path, options.series, progress,
+    MACULA_TRY(study::LoadedStudy study, study::loadStudy(place.scan, options.path, options.series, progress,
                                                           options.volume, study::PetUnit::asInImages));
     return exportVolume(options, std::move(study), secondsSince(start), progress);
 }
@@ -125,10 +124,7 @@ void addExport(CLI::App& app, Action& action) {
     ExportOptions& o = *options;
     auto* command = app.add_subcommand(
         "export", "Write a series, of images or of segmentations, to a NIfTI, NRRD or MetaImage file");
-    command
-        ->add_option(
-            "PATH", o.path,
-            "Folder with DICOM files, a ZIP, tar or ISO 9660 file with one, or a volume file to convert")
+    command->add_option("PATH", o.path, "Folder, ZIP, tar or ISO of DICOM files, or a volume file")
         ->required();
     auto* output = command->add_option(
         "-o,--output", o.output,

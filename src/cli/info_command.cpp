@@ -180,14 +180,13 @@ Result<void> showWhatIsThere(const InfoOptions& options) {
         return {};
     }
     MACULA_TRY(const study::ScannedPlace place, study::scanPlace(options.path, progress, options.how));
-    const dicom::Scan& scan = place.scan;
-    const dicom::ChosenStack best = dicom::bestVolume(scan);
+    const dicom::ChosenStack best = dicom::bestVolume(place.scan);
     if (!options.json) {
-        printText(scan, best, options);
+        printText(place.scan, best, options);
         return {};
     }
-    const auto json =
-        toJson(scan, best, options.patient ? study::PatientData::include : study::PatientData::leaveOut);
+    const auto json = toJson(place.scan, best,
+                             options.patient ? study::PatientData::include : study::PatientData::leaveOut);
     fmt::print("{}\n", jsonText(json));
     return {};
 }
@@ -207,8 +206,7 @@ void addInfo(CLI::App& app, Action& action) {
         app.add_subcommand("info", "List the studies and series in a folder; * marks what is shown first");
     command
         ->add_option("PATH", options->path,
-                     "Folder with DICOM files, a ZIP, tar or ISO 9660 file with one, one file, a volume file "
-                     "(NIfTI, NRRD, MetaImage), or phantom:")
+                     "Folder, ZIP, tar or ISO of DICOM files, one file, NIfTI, NRRD, MetaImage, or phantom:")
         ->required();
     command->add_flag("--json", options->json, "Print JSON");
     addJoin(*command, options->how);

@@ -79,12 +79,11 @@ Result<void> exportPresentation(const PresentationExportRequest& options, const 
     MACULA_TRY(scene::StudyState state, pictures::stateOf(options.state, std::move(usual)));
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const study::ScannedPlace place, study::scanPlace(study.path, progress, study.how));
-    const dicom::Scan& scan = place.scan;
-    MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(scan, study.series, study.volume));
+    MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(place.scan, study.series, study.volume));
     scene::PresentationRequest request;
     MACULA_TRY(request.images, scene::presentedImages(*chosen.series, *chosen.stack));
     MACULA_TRY(study::LoadedStudy input,
-               study::loadStudy(scan, study.path, study.series, progress, study.volume));
+               study::loadStudy(place.scan, study.path, study.series, progress, study.volume));
     bringTo16Bits(input);
     MACULA_TRY_VOID(pictures::completeState(state, options.state, input));
     state.seriesDigest = input.seriesDigest;

@@ -36,10 +36,9 @@ std::string helpOf(const scene::Parameter& p) {
 
 // What is drawn, and where to.
 void addInput(CLI::App& command, pictures::RenderRequest& o) {
-    command.add_option("PATH", o.path,
-                       "Folder with DICOM files, ZIP, tar or ISO 9660 file with one, volume file (NIfTI, "
-                       "NRRD, MetaImage), or "
-                       "phantom: (default)");
+    command.add_option(
+        "PATH", o.path,
+        "Folder, ZIP, tar or ISO of DICOM files, NIfTI, NRRD, MetaImage, or phantom: (default)");
     command
         .add_option("-o,--output", o.output,
                     "Picture to write: OUT.png for display, OUT.exr for linear light and depth")
