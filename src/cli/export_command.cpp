@@ -21,6 +21,7 @@
 #include "pictures/output_files.h"
 #include "study/export/volume_export.h"
 #include "study/open/loaded_study.h"
+#include "study/open/scanned_place.h"
 
 namespace macula::cli {
 
@@ -101,17 +102,17 @@ Result<void> exportSeries(const ExportOptions& options) {
                                     study::PetUnit::asInImages));
         return exportVolume(options, std::move(study), secondsSince(start), progress);
     }
-    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
-    const dicom::Series* series = study::seriesMeant(scan, options.series);
+    MACULA_TRY(const study::ScannedPlace place, study::scanPlace(options.path, progress, options.how));
+    const dicom::Series* series = study::seriesMeant(place.scan, options.series);
     if (series != nullptr && study::isSegmentationSeries(*series)) {
-        if (dicom::findAllSeries(scan, options.series).empty() &&
+        if (dicom::findAllSeries(place.scan, options.series).empty() &&
             options.series.find('.') != std::string::npos) {
             return Error{ErrorCode::usage, Text("The series holds segmentations, and has no stacks."),
                          options.series, Text("Give its place alone, and which segmentation with --volume.")};
         }
-        return exportSegmentation(options, scan, *series, progress);
+        return exportSegmentation(options, place.scan, *series, progress);
     }
-    MACULA_TRY(study::LoadedStudy study, study::loadStudy(scan, options.path, options.series, progress,
+    MACULA_TRY(study::LoadedStudy study, study::loadStudy(place.scan, options.path, options.series, progress,
                                                           options.volume, study::PetUnit::asInImages));
     return exportVolume(options, std::move(study), secondsSince(start), progress);
 }
@@ -123,7 +124,8 @@ void addExport(CLI::App& app, Action& action) {
     ExportOptions& o = *options;
     auto* command = app.add_subcommand(
         "export", "Write a series, of images or of segmentations, to a NIfTI, NRRD or MetaImage file");
-    command->add_option("PATH", o.path, "Folder with DICOM files, or a volume file to convert")->required();
+    command->add_option("PATH", o.path, "Folder, ZIP, tar or ISO of DICOM files, or a volume file")
+        ->required();
     auto* output = command->add_option(
         "-o,--output", o.output,
         "File to write: " + formats::volumeFileEndings() + "; values in units, patient left out");

@@ -21,6 +21,7 @@
 #include "formats/volume_file.h"
 #include "study/list/scan_json.h"
 #include "study/open/loaded_study.h"
+#include "study/open/scanned_place.h"
 
 namespace macula::cli {
 
@@ -178,14 +179,14 @@ Result<void> showWhatIsThere(const InfoOptions& options) {
         showPhantom(options.json);
         return {};
     }
-    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
-    const dicom::ChosenStack best = dicom::bestVolume(scan);
+    MACULA_TRY(const study::ScannedPlace place, study::scanPlace(options.path, progress, options.how));
+    const dicom::ChosenStack best = dicom::bestVolume(place.scan);
     if (!options.json) {
-        printText(scan, best, options);
+        printText(place.scan, best, options);
         return {};
     }
-    const auto json =
-        toJson(scan, best, options.patient ? study::PatientData::include : study::PatientData::leaveOut);
+    const auto json = toJson(place.scan, best,
+                             options.patient ? study::PatientData::include : study::PatientData::leaveOut);
     fmt::print("{}\n", jsonText(json));
     return {};
 }
@@ -205,7 +206,7 @@ void addInfo(CLI::App& app, Action& action) {
         app.add_subcommand("info", "List the studies and series in a folder; * marks what is shown first");
     command
         ->add_option("PATH", options->path,
-                     "Folder with DICOM files, one file, a volume file (NIfTI, NRRD, MetaImage), or phantom:")
+                     "Folder, ZIP, tar or ISO of DICOM files, one file, NIfTI, NRRD, MetaImage, or phantom:")
         ->required();
     command->add_flag("--json", options->json, "Print JSON");
     addJoin(*command, options->how);

@@ -14,6 +14,7 @@
 #include "pictures/output_files.h"
 #include "scene/drawing/shown_clip.h"
 #include "scene/presentation/presentation_file.h"
+#include "study/open/scanned_place.h"
 
 namespace macula::cli {
 
@@ -77,12 +78,12 @@ Result<void> exportPresentation(const PresentationExportRequest& options, const 
     usual.settings.shading = trace::Shading::headlight;
     MACULA_TRY(scene::StudyState state, pictures::stateOf(options.state, std::move(usual)));
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(study.path, progress, study.how));
-    MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(scan, study.series, study.volume));
+    MACULA_TRY(const study::ScannedPlace place, study::scanPlace(study.path, progress, study.how));
+    MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(place.scan, study.series, study.volume));
     scene::PresentationRequest request;
     MACULA_TRY(request.images, scene::presentedImages(*chosen.series, *chosen.stack));
     MACULA_TRY(study::LoadedStudy input,
-               study::loadStudy(scan, study.path, study.series, progress, study.volume));
+               study::loadStudy(place.scan, study.path, study.series, progress, study.volume));
     bringTo16Bits(input);
     MACULA_TRY_VOID(pictures::completeState(state, options.state, input));
     state.seriesDigest = input.seriesDigest;

@@ -38,7 +38,7 @@ std::string helpOf(const scene::Parameter& p) {
 void addInput(CLI::App& command, pictures::RenderRequest& o) {
     command.add_option(
         "PATH", o.path,
-        "Folder with DICOM files, volume file (NIfTI, NRRD, MetaImage), or phantom: (default)");
+        "Folder, ZIP, tar or ISO of DICOM files, NIfTI, NRRD, MetaImage, or phantom: (default)");
     command
         .add_option("-o,--output", o.output,
                     "Picture to write: OUT.png for display, OUT.exr for linear light and depth")

@@ -101,7 +101,9 @@ Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& 
     if (!scan.archiveKinds.empty()) {
         return fail(Text("There is no DICOM image here but perhaps in an archive ({}), which is not opened.",
                          fmt::format("{}", fmt::join(scan.archiveKinds, ", "))),
-                    Text("Unpack it, and open the folder with what was in it."));
+                    Text("Open the archive itself if it is a ZIP or tar file; otherwise unpack it, and open "
+                         "the folder "
+                         "with what was in it."));
     }
     std::error_code error;
     if (listing.files.empty())

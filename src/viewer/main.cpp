@@ -12,6 +12,7 @@
 #include "live/device/open_device.h"
 #include "live/quality/calibration.h"
 #include "live/quality/quality_front.h"
+#include "unpack/unpacked_archive.h"
 #include "viewer/language/language.h"
 #include "viewer/language/window_language.h"
 #include "viewer/links/link_socket.h"
@@ -95,6 +96,7 @@ int main(int argc, char** argv) {
         return kExitDone;
     }
     live::keepKernelsIn(live::usualKernelsFolder());
+    unpack::removeAbandoned();
     const ReadSettings read = readSettingsFor(*line);
     const CommandLine wanted = withSettings(*line, read.settings);
     if (wanted.calibrates) return calibrate(wanted);

@@ -37,7 +37,7 @@ const std::vector<Library> kLibraries{
     {"CLI11", {"CLI/"}},     {"VTK", {"vtk"}},
     {"pugixml", {"pugi"}},   {"SQLite", {"sqlite3", "SQLiteCpp/"}},
     {"OpenXR", {"openxr/"}}, {"Highway", {"hwy/"}},
-    {"libcurl", {"curl/"}}};
+    {"libcurl", {"curl/"}},  {"libarchive", {"archive.h", "archive_entry.h"}}};
 
 // ARCHITECTURE.md: the arrows of its diagram, and who may use which library.
 struct Rules {

@@ -13,6 +13,9 @@
 #include "base/paths.h"
 #include "hostile_studies.h"
 #include "support.h"
+#include "unpack/made_archive.h"
+#include "unpack/unpacked_archive.h"
+#include "viewer/browser/recent_menu.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -125,6 +128,44 @@ TEST_F(OpeningTest, TwoFoldersAtOnceAreAnsweredAndNothingIsEverMoved) {
         QCoreApplication::sendEvent(target, &move);
         EXPECT_FALSE(move.isAccepted());
     }
+}
+
+// A ZIP file is dropped, and its study shown; the private copy goes with the study.
+TEST_F(OpeningTest, ADroppedArchiveOpensLikeItsFolder) {
+    const auto copies = [] {
+        std::error_code none;
+        return std::distance(std::filesystem::directory_iterator(unpack::unpackedFolder(), none),
+                             std::filesystem::directory_iterator());
+    };
+    const dicom::test::TemporaryFolder folder;
+    dicom::test::write(dicom::test::smallVolume(), folder / "study");
+    const std::filesystem::path archive = folder / "study.zip";
+    unpack::test::writeArchive(archive, unpack::test::Format::zip, folder / "study");
+    int shown = 0;
+    QObject::connect(&*window_, &MainWindow::studyShown, &*window_, [&] { ++shown; });
+    QMimeData dropped;
+    dropped.setUrls({QUrl::fromLocalFile(QString::fromStdString(archive.string()))});
+    QDropEvent drop({5, 5}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&*window_, &drop);
+    ASSERT_TRUE(waitUntil([&] { return shown == 1; })) << window_->message().toStdString();
+    EXPECT_TRUE(waitForConverged());
+    EXPECT_EQ(copies(), 1);
+    const auto* recent = window_->findChild<RecentMenu*>();
+    ASSERT_NE(recent, nullptr);
+    ASSERT_FALSE(recent->paths().empty());
+    EXPECT_EQ(recent->paths().front(), archive);
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return shown == 2; }));
+    EXPECT_TRUE(waitUntil([&] { return copies() == 0; }));
+}
+
+TEST_F(OpeningTest, AFileThatOnlyPretendsToBeAnArchiveIsToldInASentence) {
+    const dicom::test::TemporaryFolder folder;
+    unpack::test::writeBytes(folder / "letter.zip", "Dear colleague");
+    window_->open(folder / "letter.zip");
+    ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
+    EXPECT_TRUE(window_->message().contains(QStringLiteral("no archive that Macula can open")))
+        << window_->message().toStdString();
 }
 
 TEST_F(OpeningTest, APresetForOtherValuesIsWarnedOfWhenItIsChosen) {

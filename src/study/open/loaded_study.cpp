@@ -13,6 +13,7 @@
 #include "dicom/scan.h"
 #include "formats/volume_file.h"
 #include "study/open/found_volumes.h"
+#include "study/open/scanned_place.h"
 
 namespace macula::study {
 
@@ -134,8 +135,8 @@ Result<LoadedStudy> loadStudy(const std::filesystem::path& path, const std::stri
         return input;
     }
 
-    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(path, progress, how));
-    return loadStudy(scan, path, series, progress, volume, petUnit);
+    MACULA_TRY(const ScannedPlace place, scanPlace(path, progress, how));
+    return loadStudy(place.scan, path, series, progress, volume, petUnit);
 }
 
 Result<LoadedStudy> loadStudy(const dicom::Scan& scan, const std::filesystem::path& path,
@@ -212,10 +213,10 @@ Result<ReadStudy> readStudy(const StudyPlace& place, bool needsSegmentations, Pr
         MACULA_TRY(study.input, loadStudy(place.path, place.series, progress, 0, place.how));
         return study;
     }
-    MACULA_TRY(dicom::Scan scan, dicom::scanFolder(place.path, progress, place.how));
-    MACULA_TRY(study.series, requestedSeries(place, scan));
-    MACULA_TRY(study.input, loadStudy(scan, place.path, study.series, progress));
-    if (needsSegmentations) study.found = std::make_shared<const FoundVolumes>(std::move(scan));
+    MACULA_TRY(ScannedPlace scanned, scanPlace(place.path, progress, place.how));
+    MACULA_TRY(study.series, requestedSeries(place, scanned.scan));
+    MACULA_TRY(study.input, loadStudy(scanned.scan, place.path, study.series, progress));
+    if (needsSegmentations) study.found = foundVolumesOf(std::move(scanned));
     return study;
 }
 

@@ -19,6 +19,8 @@
 #include "formats/volume_file.h"
 #include "study/open/found_volumes.h"
 #include "study/open/image_numbers.h"
+#include "study/open/scanned_place.h"
+#include "unpack/archive_name.h"
 
 namespace macula::study {
 
@@ -206,15 +208,17 @@ Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progr
         if (!how.series.empty()) return hasNoSeries(path);
         return openVolumeFile(path, progress);
     }
-    const bool isOneImage = isFile && !isMediaDirectory(path);
+    const bool isArchive = isFile && unpack::isArchive(path);
+    const bool isOneImage = isFile && !isArchive && !isMediaDirectory(path);
     dicom::ScanOptions scanning{.join = how.join};
     if (how.foundSoFar)
         scanning.glimpsed = [&](dicom::Scan seen) {
             how.foundSoFar(
                 std::make_shared<const FoundVolumes>(std::move(seen), FoundVolumes::Extent::soFar));
         };
-    MACULA_TRY(dicom::Scan scan, dicom::scanFolder(isFile ? path.parent_path() : path, progress, scanning));
-    const auto found = std::make_shared<const FoundVolumes>(std::move(scan));
+    MACULA_TRY(ScannedPlace scanned,
+               scanPlace(isFile && !isArchive ? path.parent_path() : path, progress, scanning));
+    const auto found = foundVolumesOf(std::move(scanned));
     if (auto question = joinQuestionOf(*found); !question.empty())
         return OpenedStudy{.volume = nullptr, .joinQuestion = std::move(question)};
     if (how.foundSoFar) how.foundSoFar(found);

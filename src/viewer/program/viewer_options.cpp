@@ -45,7 +45,8 @@ void ViewerOptions::addTo(QCommandLineParser& parser) const {
     parser.addPositionalArgument(
         QStringLiteral("FOLDER"),
         QStringLiteral("A folder with DICOM files, or a file: one of its images, its "
-                       "DICOMDIR, an imaging manifest, or NIfTI, NRRD or MetaImage; or a link, "
+                       "DICOMDIR, an imaging manifest, a ZIP, tar or ISO 9660 file with studies, or NIfTI, "
+                       "NRRD or MetaImage; or a link, "
                        "macula://open?study=UID."),
         QStringLiteral("[FOLDER]"));
     parser.addOptions({preset_, lights_, view_, device_, size_, layout_, language_, highContrast_, fontScale_,

@@ -91,7 +91,10 @@ void OpeningController::addActions(QMenu& file) {
     openFolder->setToolTip(tr("Open the best volume in a folder of DICOM files"));
     QAction* openFile = file.addAction(tr("Open &File…"), this, &OpeningController::askForFile);
     openFile->setShortcut(keyOf(KeyAction::openFile));
-    openFile->setToolTip(tr("Open the series of an image, a DICOMDIR, or a NIfTI, NRRD or MetaImage file"));
+    openFile->setToolTip(
+        tr("Open the series of an image, a DICOMDIR, a ZIP, tar or ISO 9660 file with studies, or a NIfTI, "
+           "NRRD or "
+           "MetaImage file"));
 }
 
 void OpeningController::addPhantomAction(QMenu& file) {
@@ -106,7 +109,8 @@ void OpeningController::askForFolder() {
 }
 
 void OpeningController::askForFile() {
-    auto* dialog = context_.files.toOpen(FolderKind::studies, tr("Open an image or a volume"));
+    auto* dialog =
+        context_.files.toOpen(FolderKind::studies, tr("Open an image, a volume, or an archive of studies"));
     context_.files.ask(dialog, FolderKind::studies,
                        [this](const QString& path) { open(path.toStdString()); });
 }
