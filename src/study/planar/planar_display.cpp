@@ -93,6 +93,10 @@ PlanarPicture pictureOf(const dicom::PlanarFrame& pixels, const dicom::PlanarHea
         return picture;
     }
     const bool isInverted = header.isLowBright != display.isInverted;
+    if (display.presented) {
+        picture.bytes = greyByTable(pixels.values, *display.presented, isInverted);
+        return picture;
+    }
     if (!display.table) {
         picture.bytes = slices::toGrey(pixels.values, display.window, isInverted);
         return picture;
@@ -100,6 +104,30 @@ PlanarPicture pictureOf(const dicom::PlanarFrame& pixels, const dicom::PlanarHea
     MACULA_CHECK(*display.table < header.tables.size());
     picture.bytes = greyByTable(pixels.values, header.tables[*display.table], isInverted);
     return picture;
+}
+
+void addShutter(PlanarPicture& picture, const dicom::DisplayShutter& shutter, double heightOverWidth) {
+    const std::size_t bytesOfPixel = picture.isColour ? 3 : 1;
+    const std::vector<bool> hidden = hiddenBy(shutter, picture.columns, picture.rows, heightOverWidth);
+    for (std::size_t i = 0; i < hidden.size(); ++i)
+        if (hidden[i])
+            std::fill_n(picture.bytes.begin() + std::ptrdiff_t(bytesOfPixel * i), bytesOfPixel, shutter.grey);
+}
+
+void addOverlay(PlanarPicture& picture, const dicom::OverlayMask& overlay) {
+    const std::size_t bytesOfPixel = picture.isColour ? 3 : 1;
+    // Only where both lie.
+    const int left = std::max(0, overlay.origin.x - 1);
+    const int top = std::max(0, overlay.origin.y - 1);
+    const int right = std::min(picture.columns, overlay.origin.x - 1 + overlay.columns);
+    const int bottom = std::min(picture.rows, overlay.origin.y - 1 + overlay.rows);
+    for (int j = top; j < bottom; ++j)
+        for (int i = left; i < right; ++i) {
+            if (!overlay.marks(i, j)) continue;
+            const std::size_t pixel = std::size_t(j) * std::size_t(picture.columns) + std::size_t(i);
+            std::fill_n(picture.bytes.begin() + std::ptrdiff_t(bytesOfPixel * pixel), bytesOfPixel,
+                        std::uint8_t{kWhite});
+        }
 }
 
 }  // namespace macula::study
