@@ -28,8 +28,7 @@ std::vector<std::uint8_t> bytesOf(const std::vector<std::uint16_t>& words) {
 // (row, column) in the file; SS, or a writer's IS.
 glm::ivec2 originOf(const Dataset& header, Tag tag) {
     const std::vector<std::uint16_t> words = header.words(tag);
-    if (words.size() == 2)
-        return {static_cast<std::int16_t>(words[1]), static_cast<std::int16_t>(words[0])};
+    if (words.size() == 2) return {static_cast<std::int16_t>(words[1]), static_cast<std::int16_t>(words[0])};
     const auto numbers = header.numbers(tag, 2);
     const auto isUsable = [](double value) { return value >= -kFarthest && value <= kFarthest; };
     if (!numbers || !isUsable((*numbers)[0]) || !isUsable((*numbers)[1])) return glm::ivec2(1);

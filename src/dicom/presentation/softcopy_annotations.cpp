@@ -90,7 +90,8 @@ std::optional<SoftcopyGraphic> graphicOf(const Dataset& item) {
         numbers.size() / 2 < kind->second.second || !std::ranges::all_of(numbers, isNear))
         return {};
     SoftcopyGraphic graphic{.kind = kind->second.first, .units = *units};
-    for (std::size_t i = 0; i < numbers.size(); i += 2) graphic.points.emplace_back(numbers[i], numbers[i + 1]);
+    for (std::size_t i = 0; i < numbers.size(); i += 2)
+        graphic.points.emplace_back(numbers[i], numbers[i + 1]);
     graphic.isFilled = item.shortText(kGraphicFilled) == "Y";
     return graphic;
 }
@@ -112,13 +113,11 @@ std::optional<SoftcopyText> textOf(const Dataset& item) {
     const auto topLeft = pointOf(item, kBoxTopLeft);
     const auto bottomRight = pointOf(item, kBoxBottomRight);
     const auto boxUnits = unitsOf(item, kBoxUnits);
-    if (topLeft && bottomRight && boxUnits)
-        text.box = SoftcopyText::Box{*topLeft, *bottomRight, *boxUnits};
+    if (topLeft && bottomRight && boxUnits) text.box = SoftcopyText::Box{*topLeft, *bottomRight, *boxUnits};
     const auto anchor = pointOf(item, kAnchorPoint);
     const auto anchorUnits = unitsOf(item, kAnchorUnits);
     if (anchor && anchorUnits)
-        text.anchor =
-            SoftcopyText::Anchor{*anchor, *anchorUnits, item.shortText(kAnchorVisibility) != "N"};
+        text.anchor = SoftcopyText::Anchor{*anchor, *anchorUnits, item.shortText(kAnchorVisibility) != "N"};
     if (!text.box && !text.anchor) return {};
     const std::string justification = item.shortText(kJustification);
     if (justification == "RIGHT") text.justification = SoftcopyText::Justification::right;

@@ -118,8 +118,7 @@ void noteTheRest(const Dataset& file, SoftcopyState& state) {
         state.leftOut.emplace_back(Text("an unreadable list of frames"));
     if (!file.items(kMaskSubtraction).empty()) state.leftOut.emplace_back(Text("a subtraction of images"));
     state.leftOutOfImages = state.leftOut;
-    if (state.annotations.hasOthers)
-        state.leftOutOfImages.emplace_back(Text("annotations of other kinds"));
+    if (state.annotations.hasOthers) state.leftOutOfImages.emplace_back(Text("annotations of other kinds"));
     if (file.has(kShutterShape) && !state.shutter)
         state.leftOutOfImages.emplace_back(Text("a shutter of another kind"));
     if (!file.items(tags::kGraphicAnnotations).empty()) state.leftOut.emplace_back(Text("annotations"));

@@ -180,7 +180,8 @@ int decimalsFor(double largest) {
 std::string digits(double value, int decimals) {
     if (!std::isfinite(value)) return "–";
     constexpr double kLongest = 1e7;
-    return std::abs(value) >= kLongest ? fmt::format("{:.4g}", value) : fmt::format("{:.{}f}", value, decimals);
+    return std::abs(value) >= kLongest ? fmt::format("{:.4g}", value)
+                                       : fmt::format("{:.{}f}", value, decimals);
 }
 
 std::string textOf(const Quantity& quantity) {

@@ -84,7 +84,7 @@ struct MeasuredImage {
     // One, or two in a region whose units differ: across and down.
     std::vector<Quantity> quantities;
     std::optional<PixelValues> values;  // of an ellipse on grey
-    Text basis;                         // what lengths rest on; empty: they are the object's, or there are none
+    Text basis;  // what lengths rest on; empty: they are the object's, or there are none
 };
 
 // `pixels` is null until the frame is read: an ellipse then has no values. Padding does not count. An ellipse

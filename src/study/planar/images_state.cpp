@@ -77,7 +77,8 @@ std::optional<ImageMeasurement> measurementOf(const Json& json) {
     measurement.label = textOf(json, "label");
     measurement.label.resize(startOf(measurement.label, kLongestLabel).size());
     const auto points = json.find("points");
-    if (points == json.end() || !points->is_array() || points->size() != pointsOf(measurement.kind)) return {};
+    if (points == json.end() || !points->is_array() || points->size() != pointsOf(measurement.kind))
+        return {};
     for (const Json& each : *points) {
         const auto point = pointOf(each);
         if (!point) return {};

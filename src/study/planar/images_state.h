@@ -17,7 +17,7 @@ namespace macula::study {
 
 struct ImagesState {
     std::vector<ImageMeasurement> measurements;
-    std::size_t place = 0;                // of the image in the series
+    std::size_t place = 0;                // of the image in the series, from 0
     std::optional<DisplayWindow> window;  // a person's; nothing: that of the file
     bool isInverted = false;
     int quarters = 0;  // clockwise, 0 to 3, and then perhaps mirrored

@@ -17,8 +17,8 @@ namespace macula::study {
 
 struct PlanarDisplay {
     DisplayWindow window;
-    std::optional<std::size_t> table;  // of PlanarHeader::tables, instead of the window
-    bool isInverted = false;           // beyond what the file says
+    std::optional<std::size_t> table;                  // of PlanarHeader::tables, instead of the window
+    bool isInverted = false;                           // beyond what the file says
     std::shared_ptr<const dicom::VoiTable> presented;  // of a presentation state, instead of both
 
     bool operator==(const PlanarDisplay&) const = default;

@@ -82,7 +82,8 @@ class Showing {
             said_.windows, [&](const dicom::SoftcopyWindow& window) { return isOf(window.images, frame_); });
         if (!hasItsValues(said_, frame_)) {
             if (meant != said_.windows.end())
-                shown_.notes.emplace_back(Text("Its window is of other values than those of the image, and is not shown."));
+                shown_.notes.emplace_back(
+                    Text("Its window is of other values than those of the image, and is not shown."));
             return;
         }
         shown_.display.table.reset();
@@ -104,7 +105,8 @@ class Showing {
         if (turned % kQuarter == 0)
             shown_.quarters = turned / kQuarter;
         else
-            shown_.notes.emplace_back(Text("It turns its images by another angle than quarters, which is not shown."));
+            shown_.notes.emplace_back(
+                Text("It turns its images by another angle than quarters, which is not shown."));
         shown_.isMirrored = said_.isFlipped;
         const auto meant = std::ranges::find_if(
             said_.areas, [&](const dicom::DisplayedArea& area) { return isOf(area.images, frame_); });
@@ -112,7 +114,8 @@ class Showing {
         shown_.area = *meant;
         if (meant->size != dicom::DisplayedSize::fitted)
             shown_.notes.emplace_back(
-                Text("It asks for a size on the screen, which is not shown: its part of the image fits the pane."));
+                Text("It asks for a size on the screen, which is not shown: its part of the image fits the "
+                     "pane."));
     }
 
     // Of the image those that a layer of the object shows, and the object's own (C.11.7).
@@ -123,8 +126,7 @@ class Showing {
                 shown_.overlays.push_back(*std::move(own));
                 continue;
             }
-            const auto ofImage =
-                std::ranges::find(pixels_.overlays, plane.group, &dicom::OverlayMask::group);
+            const auto ofImage = std::ranges::find(pixels_.overlays, plane.group, &dicom::OverlayMask::group);
             if (ofImage != pixels_.overlays.end()) shown_.overlays.push_back(*ofImage);
         }
     }
@@ -144,19 +146,21 @@ std::vector<ListedPresentation> presentationsOf(const FoundVolumes& found, const
         if (!dicom::mayBeOnePatient(found.scan(), study.patient, series.study->patient)) continue;
         for (const dicom::Series& each : study.series)
             for (const dicom::OtherObject& object : each.objects) {
-                if (object.sopClassUid != dicom::sop_class::kSoftcopyPresentationState || !object.presentation)
+                if (object.sopClassUid != dicom::sop_class::kSoftcopyPresentationState ||
+                    !object.presentation)
                     continue;
                 const dicom::PresentationHeading& heading = *object.presentation;
                 if (std::ranges::none_of(series.stack->frames, [&](const dicom::Frame& frame) {
                         return refersTo(heading.images, frame);
                     }))
                     continue;
-                all.emplace_back(heading.date + heading.time,
-                                 ListedPresentation{.file = object.file,
-                                                    .label = std::string(trimmed(heading.label)),
-                                                    .description = std::string(trimmed(heading.description)),
-                                                    .creator = nameForPeople(heading.creator),
-                                                    .date = dateForPeople(std::string(trimmed(heading.date)))});
+                all.emplace_back(
+                    heading.date + heading.time,
+                    ListedPresentation{.file = object.file,
+                                       .label = std::string(trimmed(heading.label)),
+                                       .description = std::string(trimmed(heading.description)),
+                                       .creator = nameForPeople(heading.creator),
+                                       .date = dateForPeople(std::string(trimmed(heading.date)))});
             }
     }
     std::ranges::stable_sort(all, std::ranges::greater(), [](const auto& each) { return each.first; });

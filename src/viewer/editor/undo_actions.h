@@ -19,8 +19,8 @@ class UndoActions : public QObject {
 
     QAction& undo() { return *undo_; }
     QAction& redo() { return *redo_; }
-    // Acts on `other` in place of the session, which stays as it is; null: on the session again. Call update()
-    // when its steps change.
+    // Acts on `other` in place of the session, which stays as it is; null: on the session again. Call
+    // update() when its steps change.
     void actOn(UndoSteps* other);
     void update();
 

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = dicom::SoftcopyGraphic::Kind;
 
-constexpr int kPieces = 96;        // of a circle
+constexpr int kPieces = 96;         // of a circle
 constexpr int kPiecesOfCurve = 12;  // between two points of an interpolated line
 constexpr double kPointPx = 3.0;
 constexpr double kFarthestPx = 1e6;
@@ -27,10 +27,10 @@ class Place {
     Place(const QTransform& paneFromPicture, const QRectF& area) : picture_(paneFromPicture), area_(area) {}
 
     QPointF operator()(const glm::dvec2& point, dicom::GraphicUnits units) const {
-        const QPointF at = units == dicom::GraphicUnits::pixel
-                               ? picture_.map(QPointF(point.x, point.y))
-                               : QPointF(area_.left() + point.x * area_.width(),
-                                         area_.top() + point.y * area_.height());
+        const QPointF at =
+            units == dicom::GraphicUnits::pixel
+                ? picture_.map(QPointF(point.x, point.y))
+                : QPointF(area_.left() + point.x * area_.width(), area_.top() + point.y * area_.height());
         return {std::clamp(at.x(), -kFarthestPx, kFarthestPx), std::clamp(at.y(), -kFarthestPx, kFarthestPx)};
     }
 

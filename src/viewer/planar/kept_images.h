@@ -42,7 +42,7 @@ class KeptImages : public QObject {
     std::string name_;                             // of the document
     std::string stored_;                           // text
     std::optional<std::string> waiting_;           // text
-    int openings_ = 0;                             // counts, so that a late answer is not taken for another series
+    int openings_ = 0;  // counts, so that a late answer is not taken for another series
     QTimer timer_;
 };
 

@@ -35,7 +35,7 @@ class PlanarBar : public QWidget {
     void setTool(std::optional<study::ImageMeasurement::Kind> tool);
     void setOverlays(bool hasOnes, bool shown);
     void setHasMeasurements(bool has);
-    double speed() const;         // 1: as recorded
+    double speed() const;  // 1: as recorded
 
   Q_SIGNALS:
     void placeChosen(int place);

@@ -3,23 +3,36 @@
 
 #include <QObject>
 #include <QString>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "study/planar/images_state.h"
 #include "study/planar/planar_display.h"
 #include "study/planar/planar_images.h"
 #include "viewer/context/window_context.h"
-#include "viewer/planar/planar_displays.h"
+#include "viewer/planar/annotation_layer.h"
+#include "viewer/planar/planar_keys.h"
 #include "viewer/planar/planar_loader.h"
 #include "viewer/planar/planar_player.h"
 #include "viewer/planar/planar_view.h"
+#include "viewer/planar/shown_image.h"
+#include "viewer/planar/volume_actions.h"
 
 class QWidget;
 
+namespace macula::live {
+class StudyKeeper;
+}
+
 namespace macula::viewer {
 
+class KeptImages;
 class PlanarBar;
+class PlanarMeasuring;
+class PlanarPresenting;
+class PlanarSaving;
 
 // `beneath`, the panes, is hidden while images are shown. Lives on the UI thread.
 class PlanarController : public QObject {
@@ -28,9 +41,14 @@ class PlanarController : public QObject {
   public:
     PlanarController(const WindowContext& context, QWidget& beneath);
 
+    // How series are left is kept there; null: nowhere. Stores what waits.
+    void keepIn(std::shared_ptr<live::StudyKeeper> keeper);
     QWidget& widget() const { return *widget_; }
     PlanarView& view() const { return *view_; }
-    // From the first image. Does nothing for a stack that is not among the folder's images.
+    PlanarMeasuring& measuring() const { return *measuring_; }
+    PlanarPresenting& presenting() const { return *presenting_; }
+    // From the first image, or as it was left. Does nothing for a stack that is not among the folder's
+    // images.
     void show(std::shared_ptr<const study::FoundVolumes> found, const dicom::Stack* stack);
     void close();  // shows the panes again
     bool isShown() const { return found_ != nullptr; }
@@ -42,19 +60,24 @@ class PlanarController : public QObject {
     std::size_t place() const { return place_; }
     void setPlaying(bool plays);
     bool isPlaying() const { return player_.isPlaying(); }
-    const study::PlanarDisplay& display() const { return display_; }
-    bool isUpToDate() const { return image_ && image_->place == place_; }
+    const study::PlanarDisplay& display() const { return image_.display(); }
+    bool isUpToDate() const { return image_.hasImage() && image_.image().place == place_; }
+    void showOverlays(bool shown);
+    // Each does nothing, and returns false, while no images are shown.
+    bool savePicture();
+    bool saveMeasurements();
+    bool removeMeasurements();
 
   Q_SIGNALS:
     void shownChanged();
     void imageShown();
 
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
   private:
     void connectParts();
-    bool onKey(int key);
+    void connectMarks();
+    void onKey(PlanarKey key);
+    bool chooseTool(PlanarKey key);
+    void onEscape();
     void stepBy(int images);
     void take(const LoadedImage& image);
     void tellFailure(std::size_t place, const Error& error);
@@ -63,15 +86,17 @@ class PlanarController : public QObject {
     void setDisplay(const study::PlanarDisplay& display);
     void invert(bool isInverted);
     void turn(bool isMirroring);
+    void present();
+    void placeAsPresented();
     void redraw();
     void tell();
     void tellDisplays();
     QStringList warnings() const;
-    QString valueText() const;
     const study::PlanarLoop& loopAt(std::size_t place) const;
-    std::vector<NamedDisplay> displays() const;
     double msOf(std::size_t place) const;
     void playNext();
+    void keep();
+    void restore();
 
     WindowContext context_;
     QWidget& beneath_;
@@ -79,14 +104,27 @@ class PlanarController : public QObject {
     PlanarView* view_;
     PlanarBar* bar_;
     PlanarLoader* loader_;
+    AnnotationLayer annotations_;
+    PlanarMeasuring* measuring_;
+    PlanarPresenting* presenting_;
+    PlanarSaving* saving_;
+    KeptImages* kept_;
+    VolumeActions volumeActions_;
 
     std::shared_ptr<const study::FoundVolumes> found_;  // null: no images are shown
     study::PlanarSeries series_;
     std::vector<study::PlanarLoop> loops_;
     std::size_t place_ = 0;
-    std::optional<LoadedImage> image_;  // on screen
-    study::PlanarDisplay display_;
-    bool isDisplayOwn_ = false;  // chosen by a person for this series
+    ShownImage image_;                        // on screen
+    std::optional<study::ImagesState> left_;  // as a person left the series, until its image is shown
+    // What a presentation state last said of the place in the pane.
+    struct Placed {
+        PlanarTurn turn;
+        std::optional<dicom::DisplayedArea> area;
+
+        bool operator==(const Placed&) const = default;
+    };
+    std::optional<Placed> placed_;
     std::optional<QPointF> pointedAt_;
     bool namesShown_ = true;
 

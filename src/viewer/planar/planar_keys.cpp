@@ -11,31 +11,20 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr std::array<std::pair<Qt::Key, PlanarKey>, 25> kKeys{{{Qt::Key_Space, PlanarKey::play},
-                                                               {Qt::Key_Up, PlanarKey::back},
-                                                               {Qt::Key_PageUp, PlanarKey::back},
-                                                               {Qt::Key_Left, PlanarKey::back},
-                                                               {Qt::Key_Down, PlanarKey::forward},
-                                                               {Qt::Key_PageDown, PlanarKey::forward},
-                                                               {Qt::Key_Right, PlanarKey::forward},
-                                                               {Qt::Key_Home, PlanarKey::first},
-                                                               {Qt::Key_End, PlanarKey::last},
-                                                               {Qt::Key_Delete, PlanarKey::remove},
-                                                               {Qt::Key_Return, PlanarKey::label},
-                                                               {Qt::Key_Enter, PlanarKey::label},
-                                                               {Qt::Key_I, PlanarKey::invert},
-                                                               {Qt::Key_R, PlanarKey::turn},
-                                                               {Qt::Key_M, PlanarKey::mirror},
-                                                               {Qt::Key_F, PlanarKey::fit},
-                                                               {Qt::Key_Plus, PlanarKey::closer},
-                                                               {Qt::Key_Minus, PlanarKey::farther},
-                                                               {Qt::Key_W, PlanarKey::window},
-                                                               {Qt::Key_D, PlanarKey::distance},
-                                                               {Qt::Key_G, PlanarKey::angle},
-                                                               {Qt::Key_E, PlanarKey::ellipse},
-                                                               {Qt::Key_C, PlanarKey::cobb},
-                                                               {Qt::Key_O, PlanarKey::overlays},
-                                                               {Qt::Key_Escape, PlanarKey::escape}}};
+constexpr std::array<std::pair<Qt::Key, PlanarKey>, 25> kKeys{
+    {{Qt::Key_Space, PlanarKey::play},    {Qt::Key_Up, PlanarKey::back},
+     {Qt::Key_PageUp, PlanarKey::back},   {Qt::Key_Left, PlanarKey::back},
+     {Qt::Key_Down, PlanarKey::forward},  {Qt::Key_PageDown, PlanarKey::forward},
+     {Qt::Key_Right, PlanarKey::forward}, {Qt::Key_Home, PlanarKey::first},
+     {Qt::Key_End, PlanarKey::last},      {Qt::Key_Delete, PlanarKey::remove},
+     {Qt::Key_Return, PlanarKey::label},  {Qt::Key_Enter, PlanarKey::label},
+     {Qt::Key_I, PlanarKey::invert},      {Qt::Key_R, PlanarKey::turn},
+     {Qt::Key_M, PlanarKey::mirror},      {Qt::Key_F, PlanarKey::fit},
+     {Qt::Key_Plus, PlanarKey::closer},   {Qt::Key_Minus, PlanarKey::farther},
+     {Qt::Key_W, PlanarKey::window},      {Qt::Key_D, PlanarKey::distance},
+     {Qt::Key_G, PlanarKey::angle},       {Qt::Key_E, PlanarKey::ellipse},
+     {Qt::Key_C, PlanarKey::cobb},        {Qt::Key_O, PlanarKey::overlays},
+     {Qt::Key_Escape, PlanarKey::escape}}};
 
 }  // namespace
 

@@ -22,7 +22,7 @@ constexpr double kHitPx = 8.0;       // logical, as below
 constexpr double kOnePointPx = 3.0;  // nearer points are one
 constexpr double kHandlePx = 3.5;
 constexpr double kMarginPx = 8.0;
-constexpr std::size_t kMostSteps = 200;
+constexpr std::size_t kMostUndone = 200;
 constexpr std::size_t kMostKnown = 64;
 const QColor kInk(120, 210, 255);
 const QColor kSelectedInk(255, 230, 90);
@@ -100,7 +100,7 @@ bool PlanarMeasuring::isOnFrame(const study::ImageMeasurement& measurement) cons
 
 void PlanarMeasuring::change(const QString& what, std::vector<study::ImageMeasurement> next) {
     done_.push_back({what, std::exchange(all_, std::move(next))});
-    if (done_.size() > kMostSteps) done_.erase(done_.begin());
+    if (done_.size() > kMostUndone) done_.erase(done_.begin());
     undone_.clear();
     view_.update();
     Q_EMIT changed();
@@ -163,7 +163,8 @@ QString PlanarMeasuring::textOf(const study::ImageMeasurement& measurement) cons
     if (known != known_.end()) return known->text;
     const auto measured = study::measured(measurement, *frame_.header, frame_.pixels.get());
     if (known_.size() >= kMostKnown) known_.erase(known_.begin());
-    known_.push_back({measurement, frame_.pixels, withLocalNumbers(inWindowsLanguage(study::textOf(measured)))});
+    known_.push_back(
+        {measurement, frame_.pixels, withLocalNumbers(inWindowsLanguage(study::textOf(measured)))});
     return known_.back().text;
 }
 
@@ -301,9 +302,13 @@ bool PlanarMeasuring::doubleClick(const QPointF& place) {
     return true;
 }
 
+void PlanarMeasuring::editLabelOfSelected() {
+    if (!selected_ || *selected_ >= all_.size() || all_[*selected_].points.empty()) return;
+    editLabel(*selected_, view_.paneFromPicture().map(asPoint(all_[*selected_].points.back())));
+}
+
 void PlanarMeasuring::editLabel(std::size_t index, const QPointF& place) {
-    auto* editor =
-        new LabelEditor(&view_, place.toPoint(), QString::fromStdString(all_[index].label));
+    auto* editor = new LabelEditor(&view_, place.toPoint(), QString::fromStdString(all_[index].label));
     connect(editor, &LabelEditor::accepted, this, [this, of = all_[index]](const QString& label) {
         const auto same = std::ranges::find(all_, of);
         if (same != all_.end()) setLabel(std::size_t(same - all_.begin()), label);
@@ -339,8 +344,8 @@ void PlanarMeasuring::paintOne(QPainter& painter, const study::ImageMeasurement&
     const double height = metrics.lineSpacing() * double(lines.size());
     const double x = std::clamp(around.right() + kMarginPx, kMarginPx,
                                 std::max(kMarginPx, view_.width() - kMarginPx - width));
-    double y = std::clamp(around.center().y(), kMarginPx,
-                          std::max(kMarginPx, view_.height() - kMarginPx - height));
+    double y =
+        std::clamp(around.center().y(), kMarginPx, std::max(kMarginPx, view_.height() - kMarginPx - height));
     for (const QString& line : lines) {
         drawHaloedText(painter, {x, y + metrics.ascent()}, line, ink);
         y += metrics.lineSpacing();

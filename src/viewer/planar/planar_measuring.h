@@ -44,6 +44,7 @@ class PlanarMeasuring : public QObject, public PlanarLayer, public UndoSteps {
     bool hasSelected() const { return selected_.has_value(); }
     void removeSelected();
     void removeAll();
+    void editLabelOfSelected();
     void setLabel(std::size_t index, const QString& label);
     // Of the frame on screen, in lines: as beside each.
     QString textsOfFrame() const;

@@ -24,8 +24,8 @@ class PlanarPresenting : public QObject {
     // "As stored", then each by label, creator and day; without names by number and day. Empty: there is
     // none to choose.
     QStringList names(bool withNames) const;
-    int chosen() const { return chosen_; }  // in names()
-    void choose(int index);                 // `chosenChanged` or `failed` follows, later or at once
+    int chosen() const { return chosen_; }           // in names()
+    void choose(int index);                          // `chosenChanged` or `failed` follows, later or at once
     void choose(const std::filesystem::path& file);  // does nothing for a file that is not listed
     const dicom::SoftcopyState* state() const { return state_ ? &*state_ : nullptr; }  // null: as stored
 

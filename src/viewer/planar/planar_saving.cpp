@@ -2,6 +2,7 @@
 
 #include "viewer/planar/planar_saving.h"
 
+#include <QMainWindow>
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -44,7 +45,8 @@ Result<bool> writeTable(const std::filesystem::path& path, const dicom::Stack& s
             MACULA_TRY(pixels, dicom::loadPlanarFrame(stack, each.first, header, cancel));
             read = each.first;
         }
-        listed.push_back({*each.second, int(each.first) + 1, study::measured(*each.second, header, &*pixels)});
+        listed.push_back(
+            {*each.second, int(each.first) + 1, study::measured(*each.second, header, &*pixels)});
     }
     MACULA_TRY_VOID(writeTextAtomically(path, study::csvOf(listed)));
     return true;
@@ -61,12 +63,15 @@ Result<void> writePicture(const std::filesystem::path& path, const QImage& pictu
 }
 
 PlanarSaving::PlanarSaving(const WindowContext& context)
-    : QObject(&context.window), context_(context), writing_(this, {.ended = [this](const auto& written) {
-          if (written)
-              context_.notifications.showDone(tr("The measurements are written to %1.").arg(path_), {});
-          else
-              context_.notifications.failUnlessCancelled(written.error());
-      }}) {}
+    : QObject(&context.window),
+      context_(context),
+      writing_(this, {.ended = [this](const auto& written) {
+                   if (written)
+                       context_.notifications.showDone(tr("The measurements are written to %1.").arg(path_),
+                                                       {});
+                   else
+                       context_.notifications.failUnlessCancelled(written.error());
+               }}) {}
 
 void PlanarSaving::savePicture(const QImage& picture) {
     auto* dialog = context_.files.toSave(FolderKind::pictures, tr("Save the picture"), tr("Pictures (*.png)"),
@@ -86,19 +91,19 @@ void PlanarSaving::saveMeasurements(std::shared_ptr<const study::FoundVolumes> f
     auto* dialog =
         context_.files.toSave(FolderKind::measurements, tr("Save the measurements"), tr("Table (*.csv)"),
                               QStringLiteral("csv"), QStringLiteral("measurements"));
-    context_.files.ask(dialog, FolderKind::measurements,
-                       [this, found = std::move(found), stack,
-                        measurements = std::move(measurements)](const QString& path) {
-                           path_ = path;
-                           writing_.start([found, stack, measurements, path = path.toStdString()](
-                                              Progress& progress) -> Result<bool> {
-                               try {
-                                   return writeTable(path, *stack, measurements, progress.token());
-                               } catch (const std::exception& thrown) {
-                                   return errorOf(thrown, Text("write the measurements"));
-                               }
-                           });
-                       });
+    context_.files.ask(
+        dialog, FolderKind::measurements,
+        [this, found = std::move(found), stack, measurements = std::move(measurements)](const QString& path) {
+            path_ = path;
+            writing_.start(
+                [found, stack, measurements, path = path.toStdString()](Progress& progress) -> Result<bool> {
+                    try {
+                        return writeTable(path, *stack, measurements, progress.token());
+                    } catch (const std::exception& thrown) {
+                        return errorOf(thrown, Text("write the measurements"));
+                    }
+                });
+        });
 }
 
 }  // namespace macula::viewer

@@ -44,6 +44,13 @@ void drawLines(QPainter& painter, const QSize& pane, Corner corner, const QStrin
 
 }  // namespace
 
+void PlanarLabels::setScale(const std::optional<dicom::PixelSize>& size) {
+    using Of = dicom::PixelSize::Of;
+    if (!size || size->of == Of::film) return;
+    mmPerPixel = size->columnMm;
+    isCalibrated = size->of == Of::object || size->of == Of::regions;
+}
+
 PlanarView::PlanarView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("images"));
     setFocusPolicy(Qt::StrongFocus);
@@ -202,8 +209,8 @@ void PlanarView::paintLabels(QPainter& painter, const PlanarLabels& labels) cons
 // A length on the screen is the same in both directions: shapeFromPicture() makes pixels as high as they are.
 void PlanarView::paintScale(QPainter& painter) const {
     if (labels_.mmPerPixel <= 0.0) return;
-    const auto bar = scaleBar(labels_.mmPerPixel / zoom_.scale.value_or(fittingScale()), kLongestBarPart * width(),
-                              labels_.isCalibrated);
+    const auto bar = scaleBar(labels_.mmPerPixel / zoom_.scale.value_or(fittingScale()),
+                              kLongestBarPart * width(), labels_.isCalibrated);
     if (!bar) return;
     const QFontMetricsF metrics(painter.font());
     const double right = width() - kMarginPx;
@@ -225,7 +232,8 @@ void PlanarView::resizeEvent(QResizeEvent*) {
 
 void PlanarView::mousePressEvent(QMouseEvent* event) {
     lastAt_ = event->position();
-    if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier || picture_.isNull()) return;
+    if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier || picture_.isNull())
+        return;
     for (auto layer = layers_.rbegin(); layer != layers_.rend() && taken_ == nullptr; ++layer)
         if ((*layer)->press(event->position())) taken_ = *layer;
 }

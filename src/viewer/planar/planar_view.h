@@ -24,6 +24,8 @@ struct PlanarLabels {
     std::array<std::string, 2> towards;
     double mmPerPixel = 0.0;  // for the scale bar; 0: none
     bool isCalibrated = true;
+
+    void setScale(const std::optional<dicom::PixelSize>& size);  // of a film: none
 };
 
 // How a person zoomed and panned.

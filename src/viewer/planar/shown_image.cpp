@@ -59,8 +59,8 @@ void ShownImage::present(const dicom::SoftcopyState* said) {
     isDisplayOwn_ = false;
     if (!image_) return;
     applyState(said);
-    display_ = presented_ ? presented_->display
-                          : study::usualDisplay(*frame_, *image_->header, *image_->pixels);
+    display_ =
+        presented_ ? presented_->display : study::usualDisplay(*frame_, *image_->header, *image_->pixels);
 }
 
 bool ShownImage::hasOverlays() const {
@@ -75,8 +75,7 @@ std::vector<NamedDisplay> ShownImage::displays() const {
 // Of a presentation state its own shutter counts alone, if it has one (PS3.3 C.11.12).
 QImage ShownImage::picture() const {
     study::PlanarPicture picture = study::pictureOf(*image_->pixels, *image_->header, display_);
-    const auto& shutter =
-        presented_ && presented_->shutter ? presented_->shutter : image_->header->shutter;
+    const auto& shutter = presented_ && presented_->shutter ? presented_->shutter : image_->header->shutter;
     if (overlaysAreShown_)
         for (const dicom::OverlayMask& overlay : presented_ ? presented_->overlays : image_->pixels->overlays)
             study::addOverlay(picture, overlay);

@@ -17,7 +17,7 @@ namespace macula::viewer {
 // Knows no widget. Lives on the UI thread.
 class ShownImage {
   public:
-    void forget();      // another series: nothing of a person's choices stays
+    void forget();                        // another series: nothing of a person's choices stays
     void dropImage() { image_.reset(); }  // it could not be read
     bool hasImage() const { return image_.has_value(); }
     const LoadedImage& image() const { return *image_; }

@@ -15,9 +15,15 @@ struct Words {
 };
 
 // By their object names.
-constexpr std::array kOfVolume{"save-measurement-report", "save-presentation", "open-presentation",
-                               "save-segmentation",       "save-movie",        "save-model",
-                               "save-view",               "open-view",         "send-to-archive"};
+constexpr std::array kOfVolume{"save-measurement-report",
+                               "save-presentation",
+                               "open-presentation",
+                               "save-segmentation",
+                               "save-movie",
+                               "save-model",
+                               "save-view",
+                               "open-view",
+                               "send-to-archive"};
 
 }  // namespace
 

@@ -39,6 +39,7 @@
 #include "viewer/panes/tool_box.h"
 #include "viewer/pick/pick_controller.h"
 #include "viewer/planar/planar_controller.h"
+#include "viewer/planar/planar_measuring.h"
 #include "viewer/presets/preset_gallery.h"
 #include "viewer/presets/presets_controller.h"
 #include "viewer/quality/quality_controller.h"
@@ -261,12 +262,18 @@ void MainWindow::connectImages() {
     connect(planar_, &PlanarController::shownChanged, this, [this] {
         status_->setImagesShown(planar_->identity());
         panes_->tools().setEnabled(!planar_->isShown());
+        undo_->actOn(planar_->isShown() ? &planar_->measuring() : nullptr);
         // The notes are about the open study.
         if (planar_->isShown())
             notes_->bar().hide();
         else
             notes_->show();
     });
+    connect(&planar_->measuring(), &PlanarMeasuring::changed, undo_, &UndoActions::update);
+    pictures_->setInstead([this] { return planar_->savePicture(); });
+    measurements_->setInstead({.save = [this] { return planar_->saveMeasurements(); },
+                               .remove = [this] { return planar_->removeMeasurements(); }});
+    if (options_.restores != Restores::nothing) planar_->keepIn(keeper_);
     connect(&opening_->loader(), &StudyLoader::began, this,
             [this] { foundBefore_ = browser_->browser().found(); });
     opening_->setInstead([this] { return showImagesInstead(); });
@@ -330,6 +337,7 @@ MainWindow::~MainWindow() {
     delete takeCentralWidget();  // with the panes
     viewport_ = nullptr;         // for viewport()
     opening_->letKeeperGo();
+    planar_->keepIn({});
     keeper_.reset();
 }
 

@@ -83,18 +83,18 @@ TEST(DisplayShutters, AreReadInRowsAndColumns) {
 }
 
 TEST(DisplayShutters, ThatMakeNoSenseAreNone) {
-    for (const Edit& edit : std::vector<Edit>{
-             [](DcmItem& item) { put(item, DCM_ShutterShape, "RECTANGULAR"); },
-             [](DcmItem& item) { put(item, DCM_ShutterShape, "BITMAP"); },
-             [](DcmItem& item) {
-                 put(item, DCM_ShutterShape, "CIRCULAR");
-                 put(item, DCM_CenterOfCircularShutter, "4\\6");
-                 put(item, DCM_RadiusOfCircularShutter, "-2147483648");
-             },
-             [](DcmItem& item) {
-                 put(item, DCM_ShutterShape, "POLYGONAL");
-                 put(item, DCM_VerticesOfThePolygonalShutter, "1\\2\\3");
-             }})
+    for (const Edit& edit :
+         std::vector<Edit>{[](DcmItem& item) { put(item, DCM_ShutterShape, "RECTANGULAR"); },
+                           [](DcmItem& item) { put(item, DCM_ShutterShape, "BITMAP"); },
+                           [](DcmItem& item) {
+                               put(item, DCM_ShutterShape, "CIRCULAR");
+                               put(item, DCM_CenterOfCircularShutter, "4\\6");
+                               put(item, DCM_RadiusOfCircularShutter, "-2147483648");
+                           },
+                           [](DcmItem& item) {
+                               put(item, DCM_ShutterShape, "POLYGONAL");
+                               put(item, DCM_VerticesOfThePolygonalShutter, "1\\2\\3");
+                           }})
         EXPECT_FALSE(headerWith(edit).shutter);
     const DisplayShutter far{.circle = DisplayShutter::Circle{{-1 << 20, 1 << 20}, 1 << 20}};
     EXPECT_EQ(std::ranges::count(hiddenBy(far, 8, 8, 1.0), true), 64);
