@@ -21,6 +21,7 @@
 #include "formats/volume_file.h"
 #include "study/list/scan_json.h"
 #include "study/open/loaded_study.h"
+#include "study/planar/planar_images.h"
 
 namespace macula::cli {
 
@@ -85,6 +86,8 @@ void print(const dicom::Stack& stack, const std::string& place, bool isBest) {
     }
     fmt::print("{}{}{}\n", stack.orientation.empty() ? "" : "  ", printable(stack.orientation),
                describe(stack));
+    if (study::canBeShownAsImages(stack))
+        fmt::print("          shown as images, not in 3D; macula picture writes one of them\n");
     print(stack.messages, "          ");
 }
 

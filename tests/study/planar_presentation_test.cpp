@@ -102,24 +102,14 @@ TEST(PlanarPresentations, OfAnyAngleTurnByQuarters) {
     EXPECT_EQ(shown.by(said)->notes.size(), 1u);
 }
 
-// Turned and mirrored as the view does it.
-PlanarPicture placed(const PlanarPicture& picture, int quarters, bool isMirrored) {
-    PlanarPicture now = picture;
-    for (int q = 0; q < quarters; ++q) {
-        PlanarPicture next{now.rows, now.columns, false, std::vector<std::uint8_t>(now.bytes.size())};
-        for (int y = 0; y < next.rows; ++y)
-            for (int x = 0; x < next.columns; ++x)
-                next.bytes[std::size_t(y * next.columns + x)] =
-                    now.bytes[std::size_t((now.rows - 1 - x) * now.columns + y)];
-        now = next;
-    }
-    if (!isMirrored) return now;
-    PlanarPicture mirrored = now;
-    for (int y = 0; y < now.rows; ++y)
-        for (int x = 0; x < now.columns; ++x)
-            mirrored.bytes[std::size_t(y * now.columns + x)] =
-                now.bytes[std::size_t(y * now.columns + now.columns - 1 - x)];
-    return mirrored;
+TEST(PlanarPictures, AreTurnedClockwiseAndThenMirrored) {
+    const PlanarPicture picture{3, 2, false, {1, 2, 3, 4, 5, 6}};
+    EXPECT_EQ(turned(picture, 1, false).bytes, (std::vector<std::uint8_t>{4, 1, 5, 2, 6, 3}));
+    EXPECT_EQ(turned(picture, 2, false).bytes, (std::vector<std::uint8_t>{6, 5, 4, 3, 2, 1}));
+    EXPECT_EQ(turned(picture, 1, true).bytes, (std::vector<std::uint8_t>{1, 4, 2, 5, 3, 6}));
+    EXPECT_EQ(turned(picture, 1, true).columns, 2);
+    const PlanarPicture colours{2, 1, true, {1, 2, 3, 4, 5, 6}};
+    EXPECT_EQ(turned(colours, 0, true).bytes, (std::vector<std::uint8_t>{4, 5, 6, 1, 2, 3}));
 }
 
 // How many pixels differ from DCMTK's picture by more than a grey, and how many there are.
@@ -139,7 +129,7 @@ std::pair<std::size_t, std::size_t> differing(const fs::path& folder, const char
     PlanarPicture picture = pictureOf(*pixels, *header, shown->display);
     for (const dicom::OverlayMask& overlay : shown->overlays) addOverlay(picture, overlay);
     if (shown->shutter) addShutter(picture, *shown->shutter, header->pixelHeightOverWidth);
-    picture = placed(picture, shown->quarters, shown->isMirrored);
+    picture = turned(picture, shown->quarters, shown->isMirrored);
     EXPECT_EQ(picture.columns, drawn->width);
     EXPECT_EQ(picture.rows, drawn->height);
     if (picture.columns != drawn->width || picture.rows != drawn->height) return {1, 0};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "base/check.h"
 #include "slices/grey.h"
@@ -104,6 +105,31 @@ PlanarPicture pictureOf(const dicom::PlanarFrame& pixels, const dicom::PlanarHea
     MACULA_CHECK(*display.table < header.tables.size());
     picture.bytes = greyByTable(pixels.values, header.tables[*display.table], isInverted);
     return picture;
+}
+
+PlanarPicture turned(PlanarPicture picture, int quarters, bool isMirrored) {
+    const std::size_t bytesOfPixel = picture.isColour ? 3 : 1;
+    const auto copy = [&](const PlanarPicture& from, int fromX, int fromY, PlanarPicture& to, int x, int y) {
+        const auto placeOf = [&](const PlanarPicture& of, int column, int row) {
+            return of.bytes.begin() +
+                   std::ptrdiff_t(bytesOfPixel *
+                                  (std::size_t(row) * std::size_t(of.columns) + std::size_t(column)));
+        };
+        std::copy_n(placeOf(from, fromX, fromY), bytesOfPixel,
+                    to.bytes.begin() + (placeOf(to, x, y) - to.bytes.begin()));
+    };
+    for (int quarter = 0; quarter < quarters; ++quarter) {
+        PlanarPicture next{picture.rows, picture.columns, picture.isColour,
+                           std::vector<std::uint8_t>(picture.bytes.size())};
+        for (int y = 0; y < next.rows; ++y)
+            for (int x = 0; x < next.columns; ++x) copy(picture, y, picture.rows - 1 - x, next, x, y);
+        picture = std::move(next);
+    }
+    if (!isMirrored) return picture;
+    PlanarPicture mirrored = picture;
+    for (int y = 0; y < picture.rows; ++y)
+        for (int x = 0; x < picture.columns; ++x) copy(picture, picture.columns - 1 - x, y, mirrored, x, y);
+    return mirrored;
 }
 
 void addShutter(PlanarPicture& picture, const dicom::DisplayShutter& shutter, double heightOverWidth) {

@@ -43,6 +43,9 @@ struct PlanarPicture {
 PlanarPicture pictureOf(const dicom::PlanarFrame& pixels, const dicom::PlanarHeader& header,
                         const PlanarDisplay& display);
 
+// Turned clockwise by quarters, and then perhaps mirrored.
+PlanarPicture turned(PlanarPicture picture, int quarters, bool isMirrored);
+
 // Paints what the shutter hides in its grey. `heightOverWidth` of a pixel.
 void addShutter(PlanarPicture& picture, const dicom::DisplayShutter& shutter, double heightOverWidth);
 // Paints what an overlay marks white, within the picture.

@@ -22,6 +22,13 @@ bool refersTo(const std::vector<dicom::ReferencedFrames>& images, const dicom::F
     });
 }
 
+// The same among many that are sorted, as PresentationHeading::images.
+bool refersToSorted(const std::vector<dicom::ReferencedFrames>& images, const dicom::Frame& frame) {
+    const std::string& uid = frame.instance->sopInstanceUid;
+    const auto image = std::ranges::lower_bound(images, uid, {}, &dicom::ReferencedFrames::sopInstanceUid);
+    return image != images.end() && image->sopInstanceUid == uid && image->holds(frame.number);
+}
+
 // A part that names no images is of all of the object.
 bool isOf(const std::vector<dicom::ReferencedFrames>& images, const dicom::Frame& frame) {
     return images.empty() || refersTo(images, frame);
@@ -151,7 +158,7 @@ std::vector<ListedPresentation> presentationsOf(const FoundVolumes& found, const
                     continue;
                 const dicom::PresentationHeading& heading = *object.presentation;
                 if (std::ranges::none_of(series.stack->frames, [&](const dicom::Frame& frame) {
-                        return refersTo(heading.images, frame);
+                        return refersToSorted(heading.images, frame);
                     }))
                     continue;
                 all.emplace_back(
@@ -169,10 +176,32 @@ std::vector<ListedPresentation> presentationsOf(const FoundVolumes& found, const
     return listed;
 }
 
+const dicom::Stack* presentedImages(const dicom::OtherObject& object, int patient,
+                                    const FoundVolumes& found) {
+    if (object.sopClassUid != dicom::sop_class::kSoftcopyPresentationState || !object.presentation)
+        return nullptr;
+    const dicom::Stack* best = nullptr;
+    std::ptrdiff_t most = 0;
+    for (const PlanarSeries& series : planarSeriesOf(found)) {
+        if (!dicom::mayBeOnePatient(found.scan(), series.study->patient, patient)) continue;
+        const auto count = std::ranges::count_if(series.stack->frames, [&](const dicom::Frame& frame) {
+            return refersToSorted(object.presentation->images, frame);
+        });
+        if (count <= most) continue;
+        most = count;
+        best = series.stack;
+    }
+    return best;
+}
+
+bool isPresented(const dicom::SoftcopyState& said, const dicom::Frame& frame) {
+    return refersTo(said.images, frame);
+}
+
 std::optional<PresentedImage> presentedOn(const dicom::SoftcopyState& said, const dicom::Frame& frame,
                                           const dicom::PlanarHeader& header, const dicom::PlanarFrame& pixels,
                                           const PlanarDisplay& usual) {
-    if (!refersTo(said.images, frame)) return {};
+    if (!isPresented(said, frame)) return {};
     return Showing(said, frame, header, pixels).show(usual);
 }
 

@@ -24,6 +24,10 @@ struct ListedPresentation {
 // Newest first. Those of another patient are left out.
 std::vector<ListedPresentation> presentationsOf(const FoundVolumes& found, const PlanarSeries& series);
 
+// The images without a volume that the object shows, of those of its patient the ones with most of its
+// frames; null: none, or it is of another kind. `patient` is Study::patient of the study of the object.
+const dicom::Stack* presentedImages(const dicom::OtherObject& object, int patient, const FoundVolumes& found);
+
 // One frame as the object says.
 struct PresentedImage {
     PlanarDisplay display;
@@ -35,6 +39,8 @@ struct PresentedImage {
     std::vector<dicom::SoftcopyAnnotation> annotations;  // from below to above
     std::vector<Text> notes;                             // sentences: what is not shown, or differently
 };
+
+bool isPresented(const dicom::SoftcopyState& said, const dicom::Frame& frame);  // whether it is of that frame
 
 // Nothing where the object is not of that frame. `usual` is shown where the object's window is of other
 // values than the image has. The polarity of the object takes the place of the image's (C.11.6); without a

@@ -74,7 +74,8 @@ PlanarBar::PlanarBar(QWidget* parent)
     connect(fit, &QToolButton::clicked, this, &PlanarBar::fitAsked);
     connect(back_, &QToolButton::clicked, this, &PlanarBar::backAsked);
     // A click on a control does not take the keyboard focus from the image.
-    for (QWidget* control : findChildren<QWidget*>()) control->setFocusPolicy(Qt::TabFocus);
+    for (QWidget* control : findChildren<QWidget*>())
+        if (!control->isWindow()) control->setFocusPolicy(Qt::TabFocus);
 }
 
 void PlanarBar::makeMenu() {

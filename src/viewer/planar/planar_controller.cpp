@@ -2,8 +2,6 @@
 
 #include "viewer/planar/planar_controller.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QMainWindow>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -39,8 +37,8 @@ PlanarController::PlanarController(const WindowContext& context, QWidget& beneat
       widget_(new QWidget),
       view_(new PlanarView),
       bar_(new PlanarBar),
+      pane_(new PlanarPane(*view_, *bar_, this)),
       loader_(new PlanarLoader(this)),
-      presenting_(new PlanarPresenting(this)),
       saving_(new PlanarSaving(context)),
       kept_(new KeptImages(this)),
       volumeActions_(context.window) {
@@ -50,56 +48,34 @@ PlanarController::PlanarController(const WindowContext& context, QWidget& beneat
     column->addWidget(view_, 1);
     column->addWidget(bar_);
     widget_->hide();
-    view_->addLayer(annotations_);
-    measuring_ = new PlanarMeasuring(*view_);
-    auto* keys = new PlanarKeys(*view_, *bar_, this);
-    connect(keys, &PlanarKeys::pressed, this, &PlanarController::onKey);
     connectParts();
-    connectMarks();
 }
 
 void PlanarController::connectParts() {
+    auto* keys = new PlanarKeys(*view_, *bar_, this);
+    connect(keys, &PlanarKeys::pressed, this, &PlanarController::onKey);
     connect(loader_, &PlanarLoader::loaded, this, &PlanarController::take);
     connect(loader_, &PlanarLoader::failed, this, &PlanarController::tellFailure);
     connect(view_, &PlanarView::steppedBy, this, &PlanarController::stepBy);
-    connect(view_, &PlanarView::windowDragged, this, &PlanarController::dragWindow);
-    connect(view_, &PlanarView::zoomed, this, &PlanarController::keep);
-    connect(view_, &PlanarView::pointedAt, this, [this](std::optional<QPointF> pixel) {
-        pointedAt_ = pixel;
-        tell();
+    connect(pane_, &PlanarPane::labelsNeeded, this, &PlanarController::tell);
+    connect(pane_, &PlanarPane::choicesNeeded, this, [this] { pane_->tellChoices(namesShown_); });
+    connect(pane_, &PlanarPane::changed, this, &PlanarController::keep);
+    connect(&presenting(), &PlanarPresenting::failed, this,
+            [this](const Error& error) { context_.notifications.showError(error); });
+    connect(&presenting(), &PlanarPresenting::chosenChanged, this, &PlanarController::goToPresented);
+    // On frames that change nobody can draw.
+    connect(&measuring(), &PlanarMeasuring::toolChanged, this, [this] {
+        if (measuring().tool()) setPlaying(false);
     });
     connect(bar_, &PlanarBar::placeChosen, this, [this](int place) { setPlace(std::size_t(place)); });
     connect(bar_, &PlanarBar::playToggled, this, &PlanarController::setPlaying);
-    connect(bar_, &PlanarBar::displayChosen, this, &PlanarController::chooseDisplay);
-    connect(bar_, &PlanarBar::invertToggled, this, &PlanarController::invert);
-    connect(bar_, &PlanarBar::turnAsked, this, [this] { turn(false); });
-    connect(bar_, &PlanarBar::mirrorAsked, this, [this] { turn(true); });
-    connect(bar_, &PlanarBar::fitAsked, view_, &PlanarView::fit);
+    connect(bar_, &PlanarBar::saveAsked, this, &PlanarController::saveMeasurements);
     connect(bar_, &PlanarBar::backAsked, this, &PlanarController::close);
     connect(&player_, &PlanarPlayer::due, this, &PlanarController::playNext);
-}
-
-void PlanarController::connectMarks() {
-    connect(bar_, &PlanarBar::presentationChosen, presenting_, qOverload<int>(&PlanarPresenting::choose));
-    connect(bar_, &PlanarBar::toolChosen, measuring_, &PlanarMeasuring::setTool);
-    connect(bar_, &PlanarBar::overlaysToggled, this, &PlanarController::showOverlays);
-    connect(bar_, &PlanarBar::saveAsked, this, &PlanarController::saveMeasurements);
-    connect(bar_, &PlanarBar::removeAllAsked, measuring_, &PlanarMeasuring::removeAll);
-    connect(bar_, &PlanarBar::copyAsked, this,
-            [this] { QApplication::clipboard()->setText(measuring_->textsOfFrame()); });
-    connect(measuring_, &PlanarMeasuring::toolChanged, this, [this] { bar_->setTool(measuring_->tool()); });
-    connect(measuring_, &PlanarMeasuring::changed, this, [this] {
-        bar_->setHasMeasurements(!measuring_->all().empty());
-        keep();
-    });
-    connect(presenting_, &PlanarPresenting::chosenChanged, this, &PlanarController::present);
-    connect(presenting_, &PlanarPresenting::failed, this,
-            [this](const Error& error) { context_.notifications.showError(error); });
     connect(kept_, &KeptImages::found, this, [this](const study::ImagesState& state) {
         left_ = state;
         restore();
     });
-    bar_->setHasMeasurements(false);
 }
 
 void PlanarController::keepIn(std::shared_ptr<live::StudyKeeper> keeper) {
@@ -111,29 +87,19 @@ void PlanarController::show(std::shared_ptr<const study::FoundVolumes> found, co
     if (series.stack == nullptr) return;
     setPlaying(false);
     kept_->close();
+    left_.reset();
     found_ = std::move(found);
     series_ = series;
     loops_ = study::loopsOf(*series.stack);
     place_ = 0;
-    image_.forget();
-    placed_.reset();
-    left_.reset();
-    annotations_.show({});
-    pointedAt_.reset();
-    measuring_->setFrame({});
-    measuring_->setAll({});
-    presenting_->setSeries(found_.get(), series_);
-    loader_->setSeries(found_, series.stack);
     // Until the image is read, the view would show the one before, which may be of another patient.
-    view_->setMessage(tr("The image is being read…"));
-    view_->setArea({});
-    view_->setTurn({});
+    pane_->forget(found_.get(), series_, tr("The image is being read…"));
+    loader_->setSeries(found_, series.stack);
     beneath_.hide();
     widget_->show();
     volumeActions_.setImagesShown(true);
     bar_->setCanGoBack(context_.session.hasStudy());
-    bar_->setInverted(false);
-    tellDisplays();
+    pane_->tellChoices(namesShown_);
     Q_EMIT shownChanged();
     setPlace(0);
     view_->setFocus();
@@ -144,18 +110,14 @@ void PlanarController::close() {
     if (!isShown() || !context_.session.hasStudy()) return;
     setPlaying(false);
     kept_->close();
+    left_.reset();
     loader_->setSeries(nullptr, nullptr);
     series_ = {};
-    presenting_->setSeries(nullptr, {});
-    measuring_->setFrame({});
-    measuring_->setAll({});
     found_.reset();
-    image_.forget();
-    left_.reset();
+    pane_->forget(nullptr, {}, QString());
     widget_->hide();
     beneath_.show();
     volumeActions_.setImagesShown(false);
-    view_->setMessage(QString());
     Q_EMIT shownChanged();
     context_.focusPicture();
 }
@@ -163,7 +125,7 @@ void PlanarController::close() {
 void PlanarController::showNames(bool shown) {
     namesShown_ = shown;
     tell();
-    tellDisplays();
+    pane_->tellChoices(shown);
 }
 
 std::optional<study::Identity> PlanarController::identity() const {
@@ -193,142 +155,45 @@ void PlanarController::stepBy(int images) {
 
 void PlanarController::take(const LoadedImage& image) {
     if (!isShown() || image.place != place_) return;
-    const bool isFirst = !image_.hasImage();
-    const dicom::Frame& frame = series_.stack->frames[place_];
-    const bool isOfSameLoop = image_.hasImage() && loopAt(image_.image().place).begin == loopAt(place_).begin;
-    image_.take(image, frame, isOfSameLoop, presenting_->state());
-    placeAsPresented();
-    measuring_->setFrame(
-        {study::imageKey(frame.instance->sopInstanceUid), frame.number, image.header, image.pixels});
-    if (isFirst || !isPlaying()) tellDisplays();
-    redraw();
+    const bool isFirst = !pane_->hasImage();
+    const bool isOfSameLoop = !isFirst && loopAt(pane_->image().place).begin == loopAt(place_).begin;
+    pane_->localizer().show(series_.stack->frames[place_], context_.session.study(),
+                            context_.session.state().slices.crosshairMm);
+    pane_->take(image, series_.stack->frames[place_], isOfSameLoop);
+    if (isFirst || !isPlaying()) pane_->tellChoices(namesShown_);
     if (isFirst) restore();
     Q_EMIT imageShown();
+}
+
+// A state that is chosen may be of other images than the one on screen.
+void PlanarController::goToPresented() {
+    const dicom::SoftcopyState* said = presenting().state();
+    if (!isShown() || said == nullptr) return;
+    const std::vector<dicom::Frame>& frames = series_.stack->frames;
+    const auto isOf = [&](const dicom::Frame& frame) { return study::isPresented(*said, frame); };
+    const auto first = std::ranges::find_if(frames, isOf);
+    if (!isOf(frames[place_]) && first != frames.end()) setPlace(std::size_t(first - frames.begin()));
 }
 
 void PlanarController::tellFailure(std::size_t place, const Error& error) {
     if (!isShown() || place != place_) return;
     setPlaying(false);
-    image_.dropImage();
-    measuring_->setFrame({});
-    annotations_.show({});
-    view_->setMessage(inWindowsLanguage(error));
+    pane_->fail(inWindowsLanguage(error));
     tell();
 }
 
-void PlanarController::redraw() {
-    if (!image_.hasImage()) return;
-    view_->setPicture(image_.picture(), image_.image().header->pixelHeightOverWidth);
-    tell();
-}
-
-// The chosen presentation state changed: it, or what is stored, takes the place of what a person set.
-void PlanarController::present() {
-    if (!isShown()) return;
-    image_.present(presenting_->state());
-    placed_.reset();
-    if (presenting_->state() == nullptr || image_.presented() == nullptr) {
-        view_->setArea({});
-        view_->setTurn({});
-    }
-    placeAsPresented();
-    bar_->setInverted(image_.display().isInverted);
-    redraw();
-    tellDisplays();
-    keep();
-}
-
-// A person's turn and zoom stay from image to image, unless the state says otherwise of the next.
-void PlanarController::placeAsPresented() {
-    const study::PresentedImage* said = image_.presented();
-    annotations_.show(said != nullptr ? said->annotations : std::vector<dicom::SoftcopyAnnotation>());
-    if (said == nullptr) return;
-    const Placed now{{said->quarters, said->isMirrored}, said->area};
-    if (placed_ == now) return;
-    placed_ = now;
-    std::optional<QRectF> area;
-    if (said->area) {
-        const QPointF first(said->area->topLeft.x - 1, said->area->topLeft.y - 1);
-        const QPointF last(said->area->bottomRight.x, said->area->bottomRight.y);
-        area = QRectF(first, last);
-    }
-    view_->setTurn(now.turn);
-    view_->setArea(area);
-}
-
-void PlanarController::setDisplay(const study::PlanarDisplay& display) {
-    image_.setDisplay(display);
-    redraw();
-    keep();
-}
-
-void PlanarController::tellDisplays() {
-    QStringList names;
-    int chosen = -1;
-    for (const NamedDisplay& each : image_.displays()) {
-        if (each.display == display()) chosen = int(names.size());
-        names += each.name;
-    }
-    bar_->setDisplays(names, chosen);
-    bar_->setPresentations(presenting_->names(namesShown_), presenting_->chosen());
-    bar_->setOverlays(image_.hasOverlays(), image_.overlaysAreShown());
-}
-
-void PlanarController::showOverlays(bool shown) {
-    image_.showOverlays(shown);
-    redraw();
-    tellDisplays();
-    keep();
-}
-
-void PlanarController::chooseDisplay(int index) {
-    const std::vector<NamedDisplay> all = image_.displays();
-    if (index >= 0 && std::size_t(index) < all.size()) setDisplay(all[std::size_t(index)].display);
-}
-
-void PlanarController::dragWindow(QPointF byPx) {
-    if (!image_.hasImage() || image_.image().pixels->isColour()) return;
-    setDisplay(draggedBy(byPx.x() / view_->width(), byPx.y() / view_->height(), display(),
-                         *image_.image().header, *image_.image().pixels));
-    tellDisplays();
-}
-
-void PlanarController::invert(bool isInverted) {
-    image_.setInverted(isInverted);
-    bar_->setInverted(isInverted);
-    redraw();
-    keep();
-}
-
-void PlanarController::turn(bool isMirroring) {
-    PlanarTurn turn = view_->turn();
-    if (isMirroring)
-        turn.isMirrored = !turn.isMirrored;
-    else  // of what is on screen: a mirrored picture turns the other way beneath
-        turn.quarters = (turn.quarters + (turn.isMirrored ? 3 : 1)) % 4;
-    view_->setTurn(turn);
-    pointedAt_.reset();  // the pointer is over another pixel
-    tell();
-    keep();
-}
-
+// Of the series: of such images a person expects a volume.
 QStringList PlanarController::warnings() const {
-    QStringList warnings = changesOf(view_->turn(), display());
-    if (!image_.hasImage()) return warnings;
-    warnings += image_.notes(presenting_->state() != nullptr);
-    const LoadedImage& image = image_.image();
-    if (series_.stack->frames[image.place].instance->lossy) warnings += tr("lossily compressed");
-    // Of such images a person expects a volume.
+    QStringList warnings;
+    if (!pane_->hasImage()) return warnings;
     const Message* why = series_.stack->whyNoVolume();
     if (why != nullptr && series_.stack->frames.size() > 1 && isOfSlices(series_.stack->modality))
         warnings += inWindowsLanguage(why->sentence);
-    const study::PlanarLoop& of = loopAt(image.place);
+    const study::PlanarLoop& of = loopAt(pane_->image().place);
     const bool hasLoop = of.end - of.begin > 1;
-    if (hasLoop && image.header->cine.frameMs.empty())
+    if (!pane_->localizer().isEmpty()) warnings += tr("lines: the slices of the open volume");
+    if (hasLoop && pane_->image().header->cine.frameMs.empty())
         warnings += tr("the file says no rate: %1 frames per second").arg(1000.0 / kUsualMs);
-    if (const QString size = pixelSizeText(*image.header);
-        !size.isEmpty() && image.header->pixelSize->of != dicom::PixelSize::Of::object)
-        warnings += size;
     return warnings;
 }
 
@@ -338,22 +203,12 @@ void PlanarController::tell() {
     const study::Identity identity = study::identityOf(series_);
     if (namesShown_) labels.identity = inWindowsLanguage(study::linesOf(identity));
     // Of what is on screen, while the next is read.
-    const std::size_t place = image_.hasImage() ? image_.image().place : place_;
+    const std::size_t place = pane_->hasImage() ? pane_->image().place : place_;
     const study::PlanarLoop& of = loopAt(place);
     labels.place = {placeText(int(&of - loops_.data()) + 1, int(loops_.size()), int(place - of.begin) + 1,
                               int(of.end - of.begin))};
     labels.warnings = warnings();
-    if (image_.hasImage()) {
-        const dicom::PlanarHeader& header = *image_.image().header;
-        if (const QString view = viewText(header); !view.isEmpty()) labels.place += view;
-        if (const QString value = image_.valueText(pointedAt_); !value.isEmpty()) labels.display += value;
-        const bool isColour = image_.image().pixels->isColour();
-        if (const QString shown = displayText(header, display(), isColour); !shown.isEmpty())
-            labels.display += shown;
-        labels.towards = header.towards;
-        labels.setScale(header.pixelSize);
-    }
-    view_->setLabels(labels);
+    pane_->tell(std::move(labels));
 }
 
 void PlanarController::setPlaying(bool plays) {
@@ -371,14 +226,14 @@ void PlanarController::setPlaying(bool plays) {
 
 double PlanarController::msOf(std::size_t place) const {
     const auto frame = std::size_t(series_.stack->frames[place].number);
-    const bool isTimed = image_.hasImage() && frame < image_.image().header->cine.frameMs.size();
-    return (isTimed ? image_.image().header->cine.frameMs[frame] : kUsualMs) / bar_->speed();
+    const bool isTimed = pane_->hasImage() && frame < pane_->image().header->cine.frameMs.size();
+    return (isTimed ? pane_->image().header->cine.frameMs[frame] : kUsualMs) / bar_->speed();
 }
 
 void PlanarController::playNext() {
     if (!isUpToDate()) return player_.askAgain();
     const study::PlanarLoop& of = loopAt(place_);
-    const bool sweeps = image_.image().header->cine.sweeps;
+    const bool sweeps = pane_->image().header->cine.sweeps;
     if (sweeps && place_ + 1 == of.end) playsBackwards_ = true;
     if (place_ == of.begin) playsBackwards_ = false;
     std::size_t next = playsBackwards_ ? place_ - 1 : place_ + 1;
@@ -389,8 +244,8 @@ void PlanarController::playNext() {
 
 // An unfinished measurement ends first, then the tool, then the images.
 void PlanarController::onEscape() {
-    if (measuring_->isDrawing()) return measuring_->dropDrawing();
-    if (measuring_->tool()) return measuring_->setTool({});
+    if (measuring().isDrawing()) return measuring().dropDrawing();
+    if (measuring().tool()) return measuring().setTool({});
     close();
 }
 
@@ -404,7 +259,7 @@ bool PlanarController::chooseTool(PlanarKey key) {
          {PlanarKey::cobb, Kind::cobb}}};
     const auto* tool = std::ranges::find(kTools, key, &std::pair<PlanarKey, std::optional<Kind>>::first);
     if (tool == kTools.end()) return false;
-    measuring_->setTool(tool->second);
+    measuring().setTool(tool->second);
     return true;
 }
 
@@ -424,15 +279,15 @@ void PlanarController::onKey(PlanarKey key) {
         case PlanarKey::last:
             return stepBy(int(series_.stack->frames.size()));
         case PlanarKey::remove:
-            return measuring_->removeSelected();
+            return measuring().removeSelected();
         case PlanarKey::label:
-            return measuring_->editLabelOfSelected();
+            return measuring().editLabelOfSelected();
         case PlanarKey::invert:
-            return invert(!display().isInverted);
+            return pane_->invert(!display().isInverted);
         case PlanarKey::turn:
-            return turn(false);
+            return pane_->turn(false);
         case PlanarKey::mirror:
-            return turn(true);
+            return pane_->turn(true);
         case PlanarKey::fit:
             return view_->fit();
         case PlanarKey::closer:
@@ -440,7 +295,7 @@ void PlanarController::onKey(PlanarKey key) {
         case PlanarKey::farther:
             return view_->zoomBy(1.0 / kZoomOfKey, middle);
         case PlanarKey::overlays:
-            return showOverlays(!image_.overlaysAreShown());
+            return pane_->showOverlays(!pane_->shown().overlaysAreShown());
         case PlanarKey::escape:
             return onEscape();
         default:
@@ -455,48 +310,30 @@ bool PlanarController::savePicture() {
 }
 
 bool PlanarController::saveMeasurements() {
-    if (isShown()) saving_->saveMeasurements(found_, series_.stack, measuring_->all());
+    if (isShown()) saving_->saveMeasurements(found_, series_.stack, measuring().all());
     return isShown();
 }
 
 bool PlanarController::removeMeasurements() {
-    if (isShown()) measuring_->removeAll();
+    if (isShown()) measuring().removeAll();
     return isShown();
 }
 
-// Until what was left is applied, the state on screen is not what a person left.
+// Until what was left is applied, what is on screen is not what a person left.
 void PlanarController::keep() {
-    if (!isShown() || left_ || !image_.hasImage()) return;
-    study::ImagesState state{.measurements = measuring_->all(), .place = place_};
-    // Under a presentation state, window and place are its.
-    if (presenting_->state() == nullptr) {
-        if (image_.isDisplayOwn() && !display().table) state.window = display().window;
-        state.isInverted = display().isInverted;
-        state.quarters = view_->turn().quarters;
-        state.isMirrored = view_->turn().isMirrored;
-        state.scale = view_->zoom().scale;
-        state.middlePx = {view_->zoom().middle.x(), view_->zoom().middle.y()};
-    }
-    state.overlaysAreShown = image_.overlaysAreShown();
+    if (!isShown() || left_ || !pane_->hasImage()) return;
+    study::ImagesState state = pane_->state();
+    state.place = place_;
     kept_->keep(state);
 }
 
 // Once both are there: what is kept, and the first image.
 void PlanarController::restore() {
-    if (!isShown() || !left_ || !image_.hasImage()) return;
-    const study::ImagesState state = *std::exchange(left_, {});
-    // What a person has drawn meanwhile stays.
-    std::vector<study::ImageMeasurement> all = state.measurements;
-    all.insert(all.end(), measuring_->all().begin(), measuring_->all().end());
-    measuring_->setAll(std::move(all));
-    image_.showOverlays(state.overlaysAreShown);
-    if (state.window && !image_.image().pixels->isColour())
-        image_.setDisplay({.window = *state.window, .table = {}, .isInverted = state.isInverted});
-    invert(state.isInverted);
-    view_->setTurn({state.quarters, state.isMirrored});
-    view_->setZoom({state.scale, QPointF(state.middlePx.x, state.middlePx.y)});
+    if (!isShown() || !left_ || !pane_->hasImage()) return;
+    const study::ImagesState state = *left_;
+    pane_->restore(state);
     setPlace(state.place);
-    tellDisplays();
+    left_.reset();
 }
 
 }  // namespace macula::viewer

@@ -3,7 +3,6 @@
 
 #include <QObject>
 #include <QString>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,12 +11,11 @@
 #include "study/planar/planar_display.h"
 #include "study/planar/planar_images.h"
 #include "viewer/context/window_context.h"
-#include "viewer/planar/annotation_layer.h"
 #include "viewer/planar/planar_keys.h"
 #include "viewer/planar/planar_loader.h"
+#include "viewer/planar/planar_pane.h"
 #include "viewer/planar/planar_player.h"
 #include "viewer/planar/planar_view.h"
-#include "viewer/planar/shown_image.h"
 #include "viewer/planar/volume_actions.h"
 
 class QWidget;
@@ -30,8 +28,6 @@ namespace macula::viewer {
 
 class KeptImages;
 class PlanarBar;
-class PlanarMeasuring;
-class PlanarPresenting;
 class PlanarSaving;
 
 // `beneath`, the panes, is hidden while images are shown. Lives on the UI thread.
@@ -45,8 +41,8 @@ class PlanarController : public QObject {
     void keepIn(std::shared_ptr<live::StudyKeeper> keeper);
     QWidget& widget() const { return *widget_; }
     PlanarView& view() const { return *view_; }
-    PlanarMeasuring& measuring() const { return *measuring_; }
-    PlanarPresenting& presenting() const { return *presenting_; }
+    PlanarMeasuring& measuring() const { return pane_->measuring(); }
+    PlanarPresenting& presenting() const { return pane_->presenting(); }
     // From the first image, or as it was left. Does nothing for a stack that is not among the folder's
     // images.
     void show(std::shared_ptr<const study::FoundVolumes> found, const dicom::Stack* stack);
@@ -60,9 +56,8 @@ class PlanarController : public QObject {
     std::size_t place() const { return place_; }
     void setPlaying(bool plays);
     bool isPlaying() const { return player_.isPlaying(); }
-    const study::PlanarDisplay& display() const { return image_.display(); }
-    bool isUpToDate() const { return image_.hasImage() && image_.image().place == place_; }
-    void showOverlays(bool shown);
+    const study::PlanarDisplay& display() const { return pane_->shown().display(); }
+    bool isUpToDate() const { return pane_->hasImage() && pane_->image().place == place_; }
     // Each does nothing, and returns false, while no images are shown.
     bool savePicture();
     bool saveMeasurements();
@@ -74,23 +69,14 @@ class PlanarController : public QObject {
 
   private:
     void connectParts();
-    void connectMarks();
     void onKey(PlanarKey key);
     bool chooseTool(PlanarKey key);
     void onEscape();
     void stepBy(int images);
     void take(const LoadedImage& image);
+    void goToPresented();
     void tellFailure(std::size_t place, const Error& error);
-    void chooseDisplay(int index);
-    void dragWindow(QPointF byPx);
-    void setDisplay(const study::PlanarDisplay& display);
-    void invert(bool isInverted);
-    void turn(bool isMirroring);
-    void present();
-    void placeAsPresented();
-    void redraw();
     void tell();
-    void tellDisplays();
     QStringList warnings() const;
     const study::PlanarLoop& loopAt(std::size_t place) const;
     double msOf(std::size_t place) const;
@@ -103,10 +89,8 @@ class PlanarController : public QObject {
     QWidget* widget_;
     PlanarView* view_;
     PlanarBar* bar_;
+    PlanarPane* pane_;
     PlanarLoader* loader_;
-    AnnotationLayer annotations_;
-    PlanarMeasuring* measuring_;
-    PlanarPresenting* presenting_;
     PlanarSaving* saving_;
     KeptImages* kept_;
     VolumeActions volumeActions_;
@@ -115,17 +99,7 @@ class PlanarController : public QObject {
     study::PlanarSeries series_;
     std::vector<study::PlanarLoop> loops_;
     std::size_t place_ = 0;
-    ShownImage image_;                        // on screen
     std::optional<study::ImagesState> left_;  // as a person left the series, until its image is shown
-    // What a presentation state last said of the place in the pane.
-    struct Placed {
-        PlanarTurn turn;
-        std::optional<dicom::DisplayedArea> area;
-
-        bool operator==(const Placed&) const = default;
-    };
-    std::optional<Placed> placed_;
-    std::optional<QPointF> pointedAt_;
     bool namesShown_ = true;
 
     PlanarPlayer player_;

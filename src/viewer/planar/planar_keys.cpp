@@ -30,7 +30,9 @@ constexpr std::array<std::pair<Qt::Key, PlanarKey>, 25> kKeys{
 
 PlanarKeys::PlanarKeys(QWidget& view, QWidget& bar, QObject* parent) : QObject(parent), view_(view) {
     view.installEventFilter(this);
-    for (QWidget* control : bar.findChildren<QWidget*>()) control->installEventFilter(this);
+    // A menu keeps all of its keys.
+    for (QWidget* control : bar.findChildren<QWidget*>())
+        if (!control->isWindow()) control->installEventFilter(this);
 }
 
 bool PlanarKeys::eventFilter(QObject* watched, QEvent* event) {

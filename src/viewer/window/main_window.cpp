@@ -40,6 +40,7 @@
 #include "viewer/pick/pick_controller.h"
 #include "viewer/planar/planar_controller.h"
 #include "viewer/planar/planar_measuring.h"
+#include "viewer/planar/planar_presenting.h"
 #include "viewer/presets/preset_gallery.h"
 #include "viewer/presets/presets_controller.h"
 #include "viewer/quality/quality_controller.h"
@@ -259,6 +260,11 @@ void MainWindow::connectStudy() {
 void MainWindow::connectImages() {
     connect(&browser_->browser(), &StudyBrowser::imagesChosen, this,
             [this](const dicom::Stack* stack) { planar_->show(browser_->browser().found(), stack); });
+    connect(&browser_->browser(), &StudyBrowser::imagesPresented, this,
+            [this](const study::StudyRow::Presentation& of) {
+                planar_->show(browser_->browser().found(), of.images);
+                planar_->presenting().choose(of.file);
+            });
     connect(planar_, &PlanarController::shownChanged, this, [this] {
         status_->setImagesShown(planar_->identity());
         panes_->tools().setEnabled(!planar_->isShown());
