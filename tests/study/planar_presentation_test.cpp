@@ -2,13 +2,20 @@
 // here in closed form.
 #include "study/planar/planar_presentation.h"
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 
 #include "dicom/support.h"
+#include "dicom/synthetic.h"
+#include "dicom/synthetic_softcopy.h"
 #include "image/image_file.h"
+#include "study/list/study_tree.h"
 
 namespace macula::study {
 namespace {
@@ -100,6 +107,65 @@ TEST(PlanarPresentations, OfAnyAngleTurnByQuarters) {
     said.rotationDeg = 45;
     EXPECT_EQ(shown.by(said)->quarters, 0);
     EXPECT_EQ(shown.by(said)->notes.size(), 1u);
+}
+
+// Two radiographs of one series, without a place in the patient, and a state of the second one.
+class ListedPresentations : public testing::Test {
+  protected:
+    std::unique_ptr<FoundVolumes> found(const std::string& patientOfState) {
+        dicom::test::SyntheticSeries series;
+        series.modality = "DX";
+        series.sopClassUid = UID_DigitalXRayImageStorageForPresentation;
+        series.size = {8, 7, 2};
+        series.edits.push_back([](DcmItem& item) {
+            item.findAndDeleteElement(DCM_ImagePositionPatient);
+            item.findAndDeleteElement(DCM_ImageOrientationPatient);
+        });
+        auto slices = dicom::test::slicesOf(series);
+        slices[0].sopInstanceUid = "2.25.71";
+        slices[1].sopInstanceUid = "2.25.72";
+        dicom::test::writeFiles(folder_.path(), series, slices);
+        dicom::test::SyntheticSoftcopy state{.patientId = patientOfState, .imageUids = {"2.25.72"}};
+        if (patientOfState != "SYN1") {
+            state.patientName = "OTHER^ONE";
+            state.studyUid = "2.25.1999";
+        }
+        dicom::test::writeSoftcopy(folder_ / "state.dcm", state);
+        auto scan = dicom::test::scan(folder_.path());
+        EXPECT_TRUE(scan);
+        return std::make_unique<FoundVolumes>(*std::move(scan));
+    }
+    static const StudyRow* presentationRow(const StudyTree& tree) {
+        const auto row = std::ranges::find(tree.rows, StudyRow::Kind::presentation, &StudyRow::kind);
+        return row == tree.rows.end() ? nullptr : &*row;
+    }
+    dicom::test::TemporaryFolder folder_;
+};
+
+TEST_F(ListedPresentations, OpenTheImagesThatTheyAreOf) {
+    const auto all = found("SYN1");
+    const auto series = planarSeriesOf(*all);
+    ASSERT_EQ(series.size(), 1u);
+    const auto listed = presentationsOf(*all, series[0]);
+    ASSERT_EQ(listed.size(), 1u);
+    EXPECT_EQ(listed[0].label, "LUNG");
+    const StudyTree tree = studyTree(*all);
+    const StudyRow* row = presentationRow(tree);
+    ASSERT_TRUE(row != nullptr && row->presentation);
+    EXPECT_EQ(row->presentation->images, series[0].stack);
+    EXPECT_TRUE(row->whyNot.empty());
+}
+
+TEST_F(ListedPresentations, OfAnotherPatientAreNone) {
+    const auto all = found("OTHER");
+    const auto series = planarSeriesOf(*all);
+    ASSERT_EQ(series.size(), 1u);
+    EXPECT_TRUE(presentationsOf(*all, series[0]).empty());
+    const StudyTree tree = studyTree(*all);
+    const StudyRow* row = presentationRow(tree);
+    ASSERT_NE(row, nullptr);
+    EXPECT_FALSE(row->presentation);
+    EXPECT_FALSE(row->whyNot.empty());
 }
 
 TEST(PlanarPictures, AreTurnedClockwiseAndThenMirrored) {
