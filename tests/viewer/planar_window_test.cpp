@@ -295,7 +295,6 @@ TEST_F(PlanarWindowTest, AnglesEllipsesAndCobbAnglesAreDrawn) {
     drag({22, 8}, {22, 8});
     ASSERT_EQ(measured().size(), 3u);
     EXPECT_EQ(textOf(2), QStringLiteral("90.0°"));
-    click("measure-image");
     action("copy-image-measurements").trigger();
     EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), 2);
     press(Qt::Key_Escape);
@@ -338,10 +337,10 @@ TEST_F(PlanarWindowTest, ActionsOfTheVolumeAreDisabledAndSayWhy) {
 
 TEST_F(PlanarWindowTest, ThePictureToSaveHasNoNames) {
     openRadiograph();
-    const QImage named = images().view().pictureWithoutNames();
+    const QImage picture = images().view().pictureWithoutNames();
+    EXPECT_NE(images().view().grab().toImage().convertToFormat(QImage::Format_RGB888), picture);
     images().showNames(false);
-    EXPECT_EQ(images().view().pictureWithoutNames(), named);
-    EXPECT_EQ(images().view().grab().toImage().convertToFormat(QImage::Format_RGB888), named);
+    EXPECT_EQ(images().view().pictureWithoutNames(), picture);
 }
 
 TEST_F(PlanarWindowTest, ShuttersAndOverlaysAreShownAndOverlaysHidden) {
@@ -386,7 +385,7 @@ TEST_F(PlanarWindowTest, APresentationStateIsChosenAndTakenAwayAgain) {
     });
     dicom::test::SyntheticSoftcopy state{.patientName = "RADIOGRAPH^ANNA", .imageUids = {uid}};
     state.rescale = std::pair(1.0, 0.0);
-    state.window = std::pair(100.0, 200.0);
+    state.window = std::pair(1400.0, 2900.0);
     state.rotationDeg = 90;
     state.isFlipped = true;
     state.area = std::array{1, 1, 10, 20};
@@ -412,13 +411,14 @@ TEST_F(PlanarWindowTest, APresentationStateIsChosenAndTakenAwayAgain) {
     list->setCurrentIndex(1);
     Q_EMIT list->activated(1);
     ASSERT_TRUE(waitUntil([this] { return images().presenting().state() != nullptr; }));
-    EXPECT_EQ(images().display().window.center, 100.0);
+    EXPECT_EQ(images().display().window.center, 1400.0);
     EXPECT_EQ(images().view().turn(), (PlanarTurn{1, true}));
     EXPECT_LT(greyAt(0, 0), 5) << "its polarity takes the place of MONOCHROME1";
-    // The line is drawn where its pixels are: brighter than what lies beside it would be.
+    // The line is drawn where its pixels are, which are dark.
     const QImage with = images().view().pictureWithoutNames();
     const QPointF middle = images().view().paneFromPicture().map(QPointF(5, 10));
-    EXPECT_GT(qGray(with.pixel(middle.toPoint())), 250);
+    EXPECT_GT(qGray(with.pixel(middle.toPoint())), 150);
+    EXPECT_LT(greyAt(5, 10), 60);
     Q_EMIT list->activated(0);
     EXPECT_EQ(images().display(), stored);
     EXPECT_EQ(images().view().turn(), PlanarTurn());
