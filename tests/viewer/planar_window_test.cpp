@@ -327,7 +327,7 @@ TEST_F(PlanarWindowTest, WhatIsMeasuredBelongsToItsFrame) {
 
 TEST_F(PlanarWindowTest, ActionsOfTheVolumeAreDisabledAndSayWhy) {
     openRadiograph();
-    for (const char* name : {"send-to-archive", "save-presentation", "save-movie", "save-view"}) {
+    for (const char* name : {"send-to-archive", "save-presentation", "save-movie", "save-model"}) {
         EXPECT_FALSE(action(name).isEnabled()) << name;
         EXPECT_FALSE(action(name).toolTip().isEmpty()) << name;
     }
