@@ -17,6 +17,7 @@ void addSheet(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);
 void addPresets(CLI::App& app, Action& action);
 void addPhantom(CLI::App& app, Action& action);
+void addPicture(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
 void addSessions(CLI::App& app, Action& action);
 void addTrain(CLI::App& app, Action& action);

@@ -22,6 +22,7 @@
 #include "study/list/scan_json.h"
 #include "study/open/loaded_study.h"
 #include "study/open/scanned_place.h"
+#include "study/planar/planar_images.h"
 
 namespace macula::cli {
 
@@ -86,6 +87,8 @@ void print(const dicom::Stack& stack, const std::string& place, bool isBest) {
     }
     fmt::print("{}{}{}\n", stack.orientation.empty() ? "" : "  ", printable(stack.orientation),
                describe(stack));
+    if (study::canBeShownAsImages(stack))
+        fmt::print("          shown as images, not in 3D; macula picture writes one of them\n");
     print(stack.messages, "          ");
 }
 

@@ -2,18 +2,24 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QClipboard>
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QWheelEvent>
+#include <array>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
+#include "dicom/synthetic_softcopy.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/planar/planar_controller.h"
+#include "viewer/planar/planar_measuring.h"
+#include "viewer/planar/planar_presenting.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -60,6 +66,32 @@ class PlanarWindowTest : public WindowTest {
         auto* button = images().widget().findChild<QAbstractButton*>(QLatin1String(name));
         ASSERT_NE(button, nullptr) << name;
         button->click();
+    }
+    // A drag of the left button from one pixel of the image to another.
+    void drag(QPointF from, QPointF to) {
+        PlanarView& view = images().view();
+        const auto send = [&](QEvent::Type type, QPointF pixel, Qt::MouseButtons held) {
+            const QPointF at = view.paneFromPicture().map(pixel);
+            const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+            QMouseEvent event(type, at, view.mapToGlobal(at), button, held, Qt::NoModifier);
+            QApplication::sendEvent(&view, &event);
+        };
+        send(QEvent::MouseButtonPress, from, Qt::LeftButton);
+        send(QEvent::MouseMove, 0.5 * (from + to), Qt::LeftButton);
+        send(QEvent::MouseMove, to, Qt::LeftButton);
+        send(QEvent::MouseButtonRelease, to, Qt::NoButton);
+    }
+    QAction& action(const char* name) {
+        auto* found = window_->findChild<QAction*>(QLatin1String(name));
+        EXPECT_NE(found, nullptr) << name;
+        return *found;
+    }
+    const std::vector<study::ImageMeasurement>& measured() { return images().measuring().all(); }
+    QString textOf(std::size_t index) { return images().measuring().textOf(measured().at(index)); }
+    void openRadiograph() {
+        dicom::test::writeFiles(folder_.path(), radiograph());
+        window_->open(folder_.path());
+        ASSERT_TRUE(waitForImage());
     }
     dicom::test::TemporaryFolder folder_;
 };
@@ -211,6 +243,219 @@ TEST_F(PlanarWindowTest, AVolumeBesideImagesIsComeBackTo) {
     EXPECT_FALSE(images().isShown());
     EXPECT_TRUE(window_->panes().isVisible());
     EXPECT_TRUE(window_->windowTitle().contains(QStringLiteral("VOLUME"), Qt::CaseInsensitive));
+}
+
+TEST_F(PlanarWindowTest, ADistanceIsDrawnMovedRemovedAndUndone) {
+    openRadiograph();
+    press(Qt::Key_D);
+    drag({5, 10}, {15, 10});
+    ASSERT_EQ(measured().size(), 1u);
+    EXPECT_NEAR(measured()[0].points[1].x, 15.0, 1e-6);
+    EXPECT_EQ(textOf(0), QStringLiteral("1.6 mm, at the object by magnification 1.25"));
+    drag({15, 10}, {25, 10});
+    ASSERT_EQ(measured().size(), 1u) << "its end was moved";
+    EXPECT_EQ(textOf(0).left(6), QStringLiteral("3.2 mm"));
+    EXPECT_EQ(action("undo").isEnabled(), true);
+    action("undo").trigger();
+    EXPECT_EQ(textOf(0).left(6), QStringLiteral("1.6 mm"));
+    action("undo").trigger();
+    EXPECT_TRUE(measured().empty());
+    EXPECT_FALSE(action("undo").isEnabled());
+    action("redo").trigger();
+    action("redo").trigger();
+    ASSERT_EQ(measured().size(), 1u);
+    EXPECT_EQ(textOf(0).left(6), QStringLiteral("3.2 mm"));
+    drag({10, 10}, {10, 12});  // by its line: it is chosen, and moved as a whole
+    EXPECT_NEAR(measured()[0].points[0].y, 12.0, 1e-6);
+    EXPECT_NEAR(measured()[0].points[1].y, 12.0, 1e-6);
+    press(Qt::Key_Delete);
+    EXPECT_TRUE(measured().empty());
+    action("undo").trigger();
+    EXPECT_EQ(measured().size(), 1u);
+}
+
+TEST_F(PlanarWindowTest, AnglesEllipsesAndCobbAnglesAreDrawn) {
+    openRadiograph();
+    press(Qt::Key_E);
+    drag({10, 5}, {20, 15});
+    ASSERT_EQ(measured().size(), 1u);
+    // Values are 100 for each column: the mean is that of the middle, between columns 14 and 15.
+    EXPECT_TRUE(textOf(0).startsWith(QStringLiteral("1450 ± "))) << textOf(0).toStdString();
+    press(Qt::Key_C);
+    drag({2, 2}, {12, 2});
+    drag({2, 18}, {12, 8});
+    ASSERT_EQ(measured().size(), 2u);
+    EXPECT_EQ(textOf(1), QStringLiteral("45.0°"));
+    press(Qt::Key_G);
+    drag({28, 2}, {22, 2});
+    EXPECT_EQ(measured().size(), 2u) << "the second leg is missing";
+    press(Qt::Key_Escape);
+    EXPECT_TRUE(images().measuring().tool()) << "it ends the drawing alone";
+    drag({28, 2}, {22, 2});
+    drag({22, 8}, {22, 8});
+    ASSERT_EQ(measured().size(), 3u);
+    EXPECT_EQ(textOf(2), QStringLiteral("90.0°"));
+    action("copy-image-measurements").trigger();
+    EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), 2);
+    press(Qt::Key_Escape);
+    EXPECT_FALSE(images().measuring().tool());
+}
+
+TEST_F(PlanarWindowTest, WhatIsMeasuredBelongsToItsFrame) {
+    dicom::test::SyntheticSeries series = radiograph();
+    series.size = {30, 20, 3};
+    series.sopClassUid = UID_UltrasoundMultiframeImageStorage;
+    dicom::test::MultiFrame file;
+    file.functionalGroups = false;
+    file.dimensions = false;
+    dicom::test::writeMultiFrame(folder_ / "loop.dcm", series, dicom::test::slicesOf(series), file);
+    window_->open(folder_.path());
+    ASSERT_TRUE(waitForImage());
+    press(Qt::Key_Down);
+    ASSERT_TRUE(waitForImage());
+    press(Qt::Key_D);
+    drag({5, 10}, {15, 10});
+    ASSERT_EQ(measured().size(), 1u);
+    EXPECT_EQ(measured()[0].frame, 1);
+    EXPECT_FALSE(images().measuring().textsOfFrame().isEmpty());
+    press(Qt::Key_Up);
+    ASSERT_TRUE(waitForImage());
+    EXPECT_TRUE(images().measuring().textsOfFrame().isEmpty());
+    drag({15, 10}, {25, 10});
+    EXPECT_EQ(measured().size(), 2u) << "the other frame's has no handle here";
+}
+
+TEST_F(PlanarWindowTest, ActionsOfTheVolumeAreDisabledAndSayWhy) {
+    openRadiograph();
+    for (const char* name : {"send-to-archive", "save-presentation", "save-movie", "save-model"}) {
+        EXPECT_FALSE(action(name).isEnabled()) << name;
+        EXPECT_FALSE(action(name).toolTip().isEmpty()) << name;
+    }
+    EXPECT_TRUE(action("save-picture").isEnabled()) << "it saves the image";
+    EXPECT_TRUE(action("save-measurements").isEnabled());
+}
+
+TEST_F(PlanarWindowTest, ThePictureToSaveHasNoNames) {
+    openRadiograph();
+    const QImage picture = images().view().pictureWithoutNames();
+    EXPECT_NE(images().view().grab().toImage().convertToFormat(QImage::Format_RGB888), picture);
+    images().showNames(false);
+    EXPECT_EQ(images().view().pictureWithoutNames(), picture);
+}
+
+TEST_F(PlanarWindowTest, ShuttersAndOverlaysAreShownAndOverlaysHidden) {
+    dicom::test::SyntheticSeries series = radiograph();
+    series.edits.push_back([](DcmItem& item) {
+        put(item, DCM_ShutterShape, "RECTANGULAR");
+        put(item, DCM_ShutterLeftVerticalEdge, "3");
+        put(item, DCM_ShutterRightVerticalEdge, "28");
+        put(item, DCM_ShutterUpperHorizontalEdge, "3");
+        put(item, DCM_ShutterLowerHorizontalEdge, "18");
+        item.putAndInsertUint16(DcmTag(0x6000, 0x0010, EVR_US), 1);
+        item.putAndInsertUint16(DcmTag(0x6000, 0x0011, EVR_US), 16);
+        const std::array<Sint16, 2> origin{10, 10};
+        item.putAndInsertSint16Array(DcmTag(0x6000, 0x0050, EVR_SS), origin.data(), 2);
+        item.putAndInsertUint16(DcmTag(0x6000, 0x0100, EVR_US), 1);
+        item.putAndInsertUint16(DcmTag(0x6000, 0x0102, EVR_US), 0);
+        const std::array<Uint16, 1> bits{0xffff};
+        item.putAndInsertUint16Array(DcmTag(0x6000, 0x3000, EVR_OW), bits.data(), 1);
+    });
+    dicom::test::writeFiles(folder_.path(), series);
+    window_->open(folder_.path());
+    ASSERT_TRUE(waitForImage());
+    EXPECT_EQ(greyAt(0, 0), 0) << "it would be bright";
+    EXPECT_EQ(greyAt(1, 5), 0);
+    EXPECT_GT(greyAt(2, 5), 200);
+    EXPECT_EQ(greyAt(20, 9), 255);
+    EXPECT_LT(greyAt(20, 10), 200);
+    press(Qt::Key_O);
+    EXPECT_LT(greyAt(20, 9), 200);
+    const auto said = [this] { return images().view().labels().warnings.join(QLatin1Char(' ')); };
+    EXPECT_TRUE(said().contains(QStringLiteral("overlays are hidden")));
+    EXPECT_TRUE(said().contains(QStringLiteral("shutter")));
+}
+
+TEST_F(PlanarWindowTest, APresentationStateIsChosenAndTakenAwayAgain) {
+    const auto files = dicom::test::writeFiles(folder_.path(), radiograph());
+    std::string uid;
+    dicom::test::editFile(files.at(0), [&](DcmItem& item) {
+        OFString value;
+        item.findAndGetOFString(DCM_SOPInstanceUID, value);
+        uid = value.c_str();
+    });
+    dicom::test::SyntheticSoftcopy state{.patientName = "RADIOGRAPH^ANNA", .imageUids = {uid}};
+    state.rescale = std::pair(1.0, 0.0);
+    state.window = std::pair(1400.0, 2900.0);
+    state.rotationDeg = 90;
+    state.isFlipped = true;
+    state.area = std::array{1, 1, 10, 20};
+    state.label = "NIGHT";
+    state.edits.push_back([](DcmItem& item) {
+        DcmItem& annotation = dicom::test::nested(item, DCM_GraphicAnnotationSequence);
+        put(annotation, DCM_GraphicLayer, "ONE");
+        DcmItem& graphic = dicom::test::nested(annotation, DCM_GraphicObjectSequence);
+        put(graphic, DCM_GraphicAnnotationUnits, "PIXEL");
+        put(graphic, DCM_GraphicType, "POLYLINE");
+        const std::array<Float32, 4> line{2, 10, 8, 10};
+        graphic.putAndInsertFloat32Array(DCM_GraphicData, line.data(), 4);
+    });
+    dicom::test::writeSoftcopy(folder_ / "state.dcm", state);
+    window_->open(folder_.path());
+    ASSERT_TRUE(waitForImage());
+    auto* list = images().widget().findChild<QComboBox*>(QStringLiteral("images-presentation"));
+    ASSERT_NE(list, nullptr);
+    ASSERT_EQ(list->count(), 2);
+    EXPECT_TRUE(list->itemText(1).contains(QStringLiteral("NIGHT")));
+    const QImage before = images().view().pictureWithoutNames();
+    const study::PlanarDisplay stored = images().display();
+    list->setCurrentIndex(1);
+    Q_EMIT list->activated(1);
+    ASSERT_TRUE(waitUntil([this] { return images().presenting().state() != nullptr; }));
+    EXPECT_EQ(images().display().window.center, 1400.0);
+    EXPECT_EQ(images().view().turn(), (PlanarTurn{1, true}));
+    EXPECT_LT(greyAt(0, 0), 5) << "its polarity takes the place of MONOCHROME1";
+    // The line is drawn where its pixels are, which are dark.
+    const QImage with = images().view().pictureWithoutNames();
+    const QPointF middle = images().view().paneFromPicture().map(QPointF(5, 10));
+    EXPECT_GT(qGray(with.pixel(middle.toPoint())), 150);
+    EXPECT_LT(greyAt(5, 10), 60);
+    Q_EMIT list->activated(0);
+    EXPECT_EQ(images().display(), stored);
+    EXPECT_EQ(images().view().turn(), PlanarTurn());
+    EXPECT_EQ(images().view().pictureWithoutNames(), before);
+}
+
+class KeptImagesTest : public PlanarWindowTest {
+  protected:
+    KeptImagesTest() { sessions_ = store_.path(); }
+    dicom::test::TemporaryFolder store_;
+};
+
+TEST_F(KeptImagesTest, HowImagesWereLeftIsThereAgain) {
+    openRadiograph();
+    press(Qt::Key_R);
+    press(Qt::Key_D);
+    drag({5, 10}, {15, 10});
+    ASSERT_EQ(measured().size(), 1u);
+    Q_EMIT images().view().windowDragged({images().view().width() * 0.25, 0.0});
+    const study::PlanarDisplay left = images().display();
+    window_.reset();
+    makeWindow();
+    window_->open(folder_.path());
+    ASSERT_TRUE(waitForImage());
+    ASSERT_TRUE(waitUntil([this] { return !measured().empty(); }));
+    EXPECT_EQ(textOf(0).left(6), QStringLiteral("1.6 mm"));
+    EXPECT_EQ(images().display(), left);
+    EXPECT_EQ(images().view().turn().quarters, 1);
+    EXPECT_FALSE(action("undo").isEnabled());
+    action("remove-image-measurements").trigger();
+    EXPECT_TRUE(measured().empty());
+    window_.reset();
+    makeWindow();
+    window_->open(folder_.path());
+    ASSERT_TRUE(waitForImage());
+    ASSERT_TRUE(waitUntil([this] { return images().view().turn().quarters == 1; }));
+    EXPECT_TRUE(measured().empty());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 
 #include "viewer/editor/study_editor.h"
+#include "viewer/editor/undo_steps.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {
@@ -52,6 +53,35 @@ TEST_F(UndoActionsTest, CanBeUsedOnlyWhereThereIsSomething) {
     EXPECT_EQ(session_->state().layout, scene::Layout::axial);
     EXPECT_FALSE(redo.isEnabled());
     EXPECT_EQ(plain(redo), QStringLiteral("Redo"));
+}
+
+// Of something that hides the study: one step, which is taken back and made again.
+class OneStep : public UndoSteps {
+  public:
+    QString undoText() const override { return isDone_ ? QStringLiteral("Line") : QString(); }
+    QString redoText() const override { return isDone_ ? QString() : QStringLiteral("Line"); }
+    void undo() override { isDone_ = false; }
+    void redo() override { isDone_ = true; }
+    bool isDone() const { return isDone_; }
+
+  private:
+    bool isDone_ = true;
+};
+
+TEST_F(UndoActionsTest, ActOnWhatHidesTheStudyWhileItDoes) {
+    OneStep steps;
+    actions_->actOn(&steps);
+    EXPECT_TRUE(actions_->undo().isEnabled());
+    EXPECT_TRUE(actions_->undo().text().contains(QStringLiteral("Line")));
+    EXPECT_FALSE(actions_->redo().isEnabled());
+    actions_->undo().trigger();
+    EXPECT_FALSE(steps.isDone());
+    actions_->update();
+    EXPECT_FALSE(actions_->undo().isEnabled());
+    actions_->redo().trigger();
+    EXPECT_TRUE(steps.isDone());
+    actions_->actOn(nullptr);
+    EXPECT_FALSE(actions_->undo().isEnabled()) << "the study has no step";
 }
 
 TEST_F(UndoActionsTest, AnotherStudyHasNothingToUndo) {

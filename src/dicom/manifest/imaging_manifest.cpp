@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/printable.h"
+#include "dicom/read/values.h"
 
 namespace macula::dicom {
 
@@ -33,11 +34,6 @@ constexpr std::size_t kMostPlaces = 8;
 constexpr std::size_t kMostBytesOfUrl = 2048;
 constexpr std::size_t kMostBytesOfUid = 64;
 constexpr std::size_t kMostBytesOfAeTitle = 16;
-
-bool isUid(std::string_view text) {
-    return !text.empty() && text.size() <= kMostBytesOfUid &&
-           text.find_first_not_of("0123456789.") == std::string_view::npos && text.front() != '.';
-}
 
 // Empty for what is no UID.
 std::string uidOf(const Dataset& item, Tag tag) {

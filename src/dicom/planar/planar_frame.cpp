@@ -1,5 +1,6 @@
 #include "dicom/planar/planar_frame.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/available_memory.h"
@@ -70,7 +71,8 @@ Result<PlanarFrame> load(const Stack& stack, std::size_t at, const PlanarHeader&
     const bool isGrey = instance.photometricInterpretation.starts_with("MONOCHROME");
     if (isGrey && instance.samplesPerPixel == 1) {
         MACULA_TRY(LoadedFrame loaded, loadFrame(stack, at, cancel));
-        return PlanarFrame{loaded.columns, loaded.rows, std::move(loaded.values), {}};
+        return PlanarFrame{
+            .columns = loaded.columns, .rows = loaded.rows, .values = std::move(loaded.values), .rgb = {}};
     }
     if (!instance.format || instance.columns < 1 || instance.rows < 1 || instance.columns > kMostRows ||
         instance.rows > kMostRows)
@@ -84,13 +86,37 @@ Result<PlanarFrame> load(const Stack& stack, std::size_t at, const PlanarHeader&
     return hasPalette ? paletteColours(frame, header, cancel) : colours(frame, header, cancel);
 }
 
+bool isEmbedded(const OverlayPlane& plane) {
+    return plane.embeddedBit > 0;
+}
+
+// An embedded plane lies in the cells of a grey frame; where these cannot be read alone, it is left out.
+std::vector<OverlayMask> overlaysOver(const Frame& frame, const PlanarHeader& header,
+                                      const CancelToken& cancel) {
+    std::vector<OverlayMask> masks;
+    for (const OverlayPlane& plane : header.overlays)
+        if (auto mask = maskOf(plane, frame.number)) masks.push_back(*std::move(mask));
+    const Instance& instance = *frame.instance;
+    const bool hasCells = instance.format && instance.samplesPerPixel == 1 && isNarrow(*instance.format);
+    if (!hasCells || std::ranges::none_of(header.overlays, isEmbedded)) return masks;
+    auto reader = readerOf(instance, false, cancel);
+    std::vector<std::uint16_t> cells(std::size_t(instance.columns) * std::size_t(instance.rows));
+    if (!reader || !reader->read(frame.number, cells)) return masks;
+    for (const OverlayPlane& plane : header.overlays)
+        if (isEmbedded(plane)) masks.push_back(embeddedMaskOf(plane, instance.columns, cells));
+    std::ranges::stable_sort(masks, {}, &OverlayMask::group);
+    return masks;
+}
+
 }  // namespace
 
 Result<PlanarFrame> loadPlanarFrame(const Stack& stack, std::size_t frame, const PlanarHeader& header,
                                     const CancelToken& cancel) {
     MACULA_CHECK(frame < stack.frames.size());
     try {
-        return load(stack, frame, header, cancel);
+        MACULA_TRY(PlanarFrame loaded, load(stack, frame, header, cancel));
+        loaded.overlays = overlaysOver(stack.frames[frame], header, cancel);
+        return loaded;
     } catch (const std::exception& thrown) {
         return errorOf(thrown, Text("decode the image"));
     }

@@ -16,8 +16,9 @@ namespace macula::dicom {
 struct PlanarFrame {
     int columns = 0;
     int rows = 0;
-    std::vector<float> values;      // grey, in units, before any window; NaN is padding
-    std::vector<std::uint8_t> rgb;  // three bytes for each pixel
+    std::vector<float> values;               // grey, in units, before any window; NaN is padding
+    std::vector<std::uint8_t> rgb;           // three bytes for each pixel
+    std::vector<OverlayMask> overlays = {};  // of the file, over this frame
 
     bool isColour() const { return !rgb.empty(); }
 };

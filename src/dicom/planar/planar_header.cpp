@@ -15,6 +15,7 @@ constexpr Tag kRecommendedRate{0x0008, 0x2144};
 constexpr Tag kPlaybackSequencing{0x0018, 0x1244};
 constexpr Tag kViewPosition{0x0018, 0x5101};
 constexpr Tag kRegions{0x0018, 0x6011};
+constexpr Tag kRegionFlags{0x0018, 0x6016};
 constexpr Tag kRegionLeft{0x0018, 0x6018};
 constexpr Tag kRegionTop{0x0018, 0x601A};
 constexpr Tag kRegionRight{0x0018, 0x601C};
@@ -57,19 +58,8 @@ bool isLowBright(const Dataset& header) {
 }
 
 std::vector<VoiTable> tablesOf(const Dataset& header) {
-    const bool isSigned = header.integer(tag::kPixelRepresentation).value_or(0) == 1 ||
-                          header.number(tag::kRescaleIntercept).value_or(0.0) < 0.0;
-    std::vector<VoiTable> tables;
-    for (const Dataset& item : header.items(tag::kVoiLutSequence)) {
-        const std::vector<std::uint16_t> descriptor = item.words(tag::kLutDescriptor);
-        if (descriptor.size() != 3 || descriptor[2] < 1 || descriptor[2] > 16) continue;
-        auto table = readModalityLut({descriptor[0], descriptor[1], descriptor[2]}, item.words(tag::kLutData),
-                                     isSigned);
-        if (!table) continue;
-        tables.push_back(
-            {std::move(table), int(descriptor[2]), item.text(kLutExplanation).value_or(std::string())});
-    }
-    return tables;
+    return readVoiTables(header, header.integer(tag::kPixelRepresentation).value_or(0) == 1 ||
+                                     header.number(tag::kRescaleIntercept).value_or(0.0) < 0.0);
 }
 
 std::optional<std::pair<double, double>> spacing(const Dataset& header, Tag tag) {
@@ -81,11 +71,18 @@ std::optional<std::pair<double, double>> spacing(const Dataset& header, Tag tag)
 // Pixel Spacing of a projection is calibrated only if it says so, or differs from that of the detector.
 std::optional<PixelSize> pixelSizeOf(const Dataset& header) {
     const auto inPatient = spacing(header, tag::kPixelSpacing);
-    auto atDetector = spacing(header, tag::kImagerPixelSpacing);
-    if (!atDetector) atDetector = spacing(header, tag::kNominalScannedPixelSpacing);
-    const bool saysHow = !header.text({0x0028, 0x0A02}).value_or("").empty();
-    if (inPatient && (!atDetector || saysHow || *inPatient != *atDetector))
-        return PixelSize{.columnMm = inPatient->second, .rowMm = inPatient->first};
+    const auto atDetector = spacing(header, tag::kImagerPixelSpacing);
+    const auto ofFilm = spacing(header, tag::kNominalScannedPixelSpacing);
+    const std::string how = header.text({0x0028, 0x0A02}).value_or("");
+    const auto& other = atDetector ? atDetector : ofFilm;
+    if (inPatient && (!other || !how.empty() || *inPatient != *other)) {
+        PixelSize size{.columnMm = inPatient->second, .rowMm = inPatient->first};
+        if (how == "GEOMETRY") size.calibration = PixelSize::Calibration::geometry;
+        if (how == "FIDUCIAL") size.calibration = PixelSize::Calibration::fiducial;
+        return size;
+    }
+    if (!atDetector && ofFilm)
+        return PixelSize{.of = PixelSize::Of::film, .columnMm = ofFilm->second, .rowMm = ofFilm->first};
     if (!atDetector) return {};
     PixelSize size{.of = PixelSize::Of::detector, .columnMm = atDetector->second, .rowMm = atDetector->first};
     const std::optional<double> magnification = positive(header, tag::kEstimatedMagnification);
@@ -97,13 +94,30 @@ std::optional<PixelSize> pixelSizeOf(const Dataset& header) {
     return size;
 }
 
-// PS3.3 C.8.5.5.1.15: 3 is cm, 4 is seconds.
+// PS3.3 C.8.5.5.1.15.
 std::pair<UltrasoundRegion::Unit, double> unitOf(int code) {
     using Unit = UltrasoundRegion::Unit;
     constexpr double kMmOfCm = 10.0;
-    if (code == 3) return {Unit::millimetres, kMmOfCm};
-    if (code == 4) return {Unit::seconds, 1.0};
-    return {code == 0 ? Unit::none : Unit::other, 1.0};
+    switch (code) {
+        case 0:
+            return {Unit::none, 1.0};
+        case 1:
+            return {Unit::percent, 1.0};
+        case 2:
+            return {Unit::decibels, 1.0};
+        case 3:
+            return {Unit::millimetres, kMmOfCm};
+        case 4:
+            return {Unit::seconds, 1.0};
+        case 5:
+            return {Unit::hertz, 1.0};
+        case 7:
+            return {Unit::centimetresPerSecond, 1.0};
+        case 12:
+            return {Unit::degrees, 1.0};
+        default:
+            return {Unit::other, 1.0};
+    }
 }
 
 std::vector<UltrasoundRegion> regionsOf(const Dataset& header) {
@@ -124,7 +138,8 @@ std::vector<UltrasoundRegion> regionsOf(const Dataset& header) {
                            .unitX = unitX,
                            .unitY = unitY,
                            .perColumn = item.number(kRegionPerColumn).value_or(0.0) * scaleX,
-                           .perRow = item.number(kRegionPerRow).value_or(0.0) * scaleY});
+                           .perRow = item.number(kRegionPerRow).value_or(0.0) * scaleY,
+                           .isLowPriority = (item.integer(kRegionFlags).value_or(0) & 1) != 0});
     }
     return regions;
 }
@@ -184,6 +199,24 @@ CineTiming cineOf(const Dataset& header) {
 
 }  // namespace
 
+std::vector<VoiTable> readVoiTables(const Dataset& header, bool valuesAreSigned) {
+    std::vector<VoiTable> tables;
+    for (const Dataset& item : header.items(tag::kVoiLutSequence)) {
+        const std::vector<std::uint16_t> descriptor = item.words(tag::kLutDescriptor);
+        if (descriptor.size() != 3 || descriptor[2] < 1 || descriptor[2] > 16) continue;
+        auto table = readModalityLut({descriptor[0], descriptor[1], descriptor[2]}, item.words(tag::kLutData),
+                                     valuesAreSigned);
+        if (!table) continue;
+        tables.push_back(
+            {std::move(table), int(descriptor[2]), item.text(kLutExplanation).value_or(std::string())});
+    }
+    return tables;
+}
+
+bool UltrasoundRegion::holds(double column, double row) const {
+    return column >= left && row >= top && column <= right + 1.0 && row <= bottom + 1.0;
+}
+
 Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file, int frame) {
     const HeaderFile read = readHeader(file);
     if (!read.header)
@@ -204,6 +237,8 @@ Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file, int fra
     planar.pixelSize = planar.regions.empty() ? pixelSizeOf(header) : pixelSizeOf(planar.regions);
     planar.pixelHeightOverWidth = heightOverWidth(header, planar.pixelSize);
     planar.cine = cineOf(*read.header);
+    planar.shutter = readDisplayShutter(header);
+    planar.overlays = readOverlayPlanes(header);
     const std::vector<std::string> towards = header.texts(tag::kPatientOrientation);
     if (towards.size() == 2 && std::ranges::all_of(towards, isDirection))
         planar.towards = {towards[0], towards[1]};

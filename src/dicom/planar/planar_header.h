@@ -12,6 +12,8 @@
 #include "base/result.h"
 #include "base/text.h"
 #include "dicom/planar/colours.h"
+#include "dicom/planar/display_shutter.h"
+#include "dicom/planar/overlay_planes.h"
 #include "dicom/stack/intensity.h"
 
 namespace macula::dicom {
@@ -21,7 +23,12 @@ struct VoiTable {
     std::shared_ptr<const ModalityLut> table;
     int bits = 8;             // of its entries: the largest is white
     std::string explanation;  // may be empty
+
+    bool operator==(const VoiTable&) const = default;
 };
+// Those of an image, or of an item of a presentation state. Tables that do not fit their descriptor are left
+// out.
+std::vector<VoiTable> readVoiTables(const Dataset& header, bool valuesAreSigned);
 
 // The size of a pixel in the plane that is measured (PS3.3 10.7).
 struct PixelSize {
@@ -30,8 +37,12 @@ struct PixelSize {
         regions,   // of ultrasound: where a region is in millimetres, and nowhere else
         detector,  // of a projection: what lies before the detector is smaller
         estimate,  // at the detector, divided by an estimated magnification
+        film,      // of a film that was scanned: no length of the patient
     };
+    // How Pixel Spacing of an object was calibrated (0028,0A02); `unsaid` also for all that is no projection.
+    enum class Calibration { unsaid, geometry, fiducial };
     Of of = Of::object;
+    Calibration calibration = Calibration::unsaid;
     double columnMm = 1.0;  // between columns
     double rowMm = 1.0;     // between rows
     double magnification = 1.0;
@@ -39,7 +50,17 @@ struct PixelSize {
 
 // A region of an ultrasound image with a scale of its own (PS3.3 C.8.5.5), in pixels, both ends included.
 struct UltrasoundRegion {
-    enum class Unit { none, millimetres, seconds, other };
+    enum class Unit {
+        none,
+        millimetres,  // cm in the file
+        seconds,
+        hertz,
+        centimetresPerSecond,
+        percent,
+        decibels,
+        degrees,
+        other,
+    };
     int left = 0;
     int top = 0;
     int right = 0;
@@ -48,6 +69,10 @@ struct UltrasoundRegion {
     Unit unitY = Unit::none;
     double perColumn = 0.0;  // in units; a row may count upwards
     double perRow = 0.0;
+    bool isLowPriority = false;  // where it meets another region, that one counts
+
+    // Whether a place lies in it; in pixels, from the outer corner of the first one.
+    bool holds(double column, double row) const;
 };
 
 // How frames follow each other in time (PS3.3 C.7.6.5); frameMs is empty where the file does not say.
@@ -67,6 +92,8 @@ struct PlanarHeader {
     std::optional<PixelSize> pixelSize;
     double pixelHeightOverWidth = 1.0;  // also where no size is known
     CineTiming cine;
+    std::optional<DisplayShutter> shutter;
+    std::vector<OverlayPlane> overlays;
     // Where rows and columns run to: letters of L, R, A, P, H and F, as "L", "FR"; PS3.3 C.7.6.1.1.1. Both
     // are empty where the file does not say, or has other letters.
     std::array<std::string, 2> towards;

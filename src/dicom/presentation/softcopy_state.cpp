@@ -65,7 +65,10 @@ void readValues(const Dataset& file, SoftcopyState& state) {
     state.slope = file.number(tag::kRescaleSlope).value_or(1.0);
     state.intercept = file.number(tag::kRescaleIntercept).value_or(0.0);
     for (const Dataset& item : file.items(kSoftcopyVoiLuts)) {
-        SoftcopyWindow window{imagesOf(item), windowOf(item)};
+        SoftcopyWindow window{imagesOf(item), windowOf(item), {}};
+        std::vector<VoiTable> tables;
+        if (!window.window) tables = readVoiTables(item, state.intercept < 0.0);
+        if (!tables.empty()) window.table = std::move(tables.front());
         if (window.window || !item.items(tags::kVoiLutSequence).empty())
             state.windows.push_back(std::move(window));
     }
@@ -103,13 +106,23 @@ bool areDamaged(const std::vector<ReferencedFrames>& images) {
     return std::ranges::any_of(images, &ReferencedFrames::isDamaged);
 }
 
+void readMarks(const Dataset& file, SoftcopyState& state) {
+    state.annotations = readAnnotations(file);
+    state.shutter = readDisplayShutter(file);
+    state.overlays = readOverlayPlanes(file);
+}
+
 void noteTheRest(const Dataset& file, SoftcopyState& state) {
     if (areDamaged(state.images) || std::ranges::any_of(state.windows, areDamaged, &SoftcopyWindow::images) ||
         std::ranges::any_of(state.areas, areDamaged, &DisplayedArea::images))
         state.leftOut.emplace_back(Text("an unreadable list of frames"));
+    if (!file.items(kMaskSubtraction).empty()) state.leftOut.emplace_back(Text("a subtraction of images"));
+    state.leftOutOfImages = state.leftOut;
+    if (state.annotations.hasOthers) state.leftOutOfImages.emplace_back(Text("annotations of other kinds"));
+    if (file.has(kShutterShape) && !state.shutter)
+        state.leftOutOfImages.emplace_back(Text("a shutter of another kind"));
     if (!file.items(tags::kGraphicAnnotations).empty()) state.leftOut.emplace_back(Text("annotations"));
     if (file.has(kShutterShape)) state.leftOut.emplace_back(Text("a shutter"));
-    if (!file.items(kMaskSubtraction).empty()) state.leftOut.emplace_back(Text("a subtraction of images"));
     for (std::uint16_t group = 0x6000; group <= 0x601E; group += 2) {
         if (!file.has(Tag{group, 0x3000})) continue;
         state.leftOut.emplace_back(Text("an overlay"));
@@ -143,6 +156,7 @@ Result<SoftcopyState> readSoftcopyState(const std::filesystem::path& path) try {
                          Text("Copy the file again from its source, or choose another presentation state."));
     readValues(file, state);
     readPlace(file, state);
+    readMarks(file, state);
     noteTheRest(file, state);
     return state;
 } catch (const std::bad_alloc&) {

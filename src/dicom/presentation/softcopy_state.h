@@ -10,6 +10,8 @@
 
 #include "base/result.h"
 #include "base/volume.h"
+#include "dicom/planar/planar_header.h"
+#include "dicom/presentation/softcopy_annotations.h"
 #include "dicom/read/referenced_frames.h"
 
 namespace macula::dicom {
@@ -18,6 +20,7 @@ namespace macula::dicom {
 struct SoftcopyWindow {
     std::vector<ReferencedFrames> images;
     std::optional<DisplayWindow> window;  // of values after the rescale below; nothing for a table
+    std::optional<VoiTable> table;        // of the same values, where there is no window
 
     bool operator==(const SoftcopyWindow&) const = default;
 };
@@ -50,8 +53,13 @@ struct SoftcopyState {
     std::vector<SoftcopyWindow> windows;
     std::vector<DisplayedArea> areas;
     bool isInverse = false;  // white and black change places
-    // What Macula cannot apply of the object, in words that complete "The presentation state has …".
+    // For images that are shown as they are; slices of a volume have none of it.
+    SoftcopyAnnotations annotations;
+    std::optional<DisplayShutter> shutter;
+    std::vector<OverlayPlane> overlays;  // with pixels of its own, or naming those of the images (`layer`)
+    // What slices have not of the object, in words that complete "The presentation state has …".
     std::vector<Text> leftOut;
+    std::vector<Text> leftOutOfImages;  // the same of images that are shown as they are
 };
 
 // Never throws. Fails with inputNotUsable when it is not such an object, or names no images; or outOfMemory.

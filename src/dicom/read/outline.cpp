@@ -24,6 +24,7 @@ constexpr std::size_t kDeepest = 64;
 constexpr std::uint64_t kInflatedSpare = std::uint64_t{64} << 20;
 constexpr std::uint64_t kMostInflated = std::uint64_t{2} << 30;
 constexpr std::uint32_t kLargestValueKept = 256 << 10;          // twice the largest lookup table
+constexpr std::uint32_t kLargestOverlayKept = 8 << 20;          // of an image of 8192 x 8192
 constexpr std::size_t kLargestHeader = std::size_t{128} << 20;  // 50 000 frames
 constexpr std::uint32_t kLongestFirstElement = 4096;
 
@@ -390,7 +391,8 @@ class Walk {
 
     bool takeValue(const Header& header, const Element& element) {
         if (tree_) {
-            if (header.length > kLargestValueKept) {
+            const bool isOverlay = (header.tag.group & 0xFF00) == 0x6000 && header.tag.element == 0x3000;
+            if (header.length > (isOverlay ? kLargestOverlayKept : kLargestValueKept)) {
                 tree_->add(element);
                 return source_.skip(header.length);
             }

@@ -129,4 +129,10 @@ std::string textOfBinary(Vr vr, std::string_view bytes, bool bigEndian) {
     return text;
 }
 
+bool isUid(std::string_view text) {
+    constexpr std::size_t kMostBytes = 64;
+    return !text.empty() && text.size() <= kMostBytes &&
+           text.find_first_not_of("0123456789.") == std::string_view::npos && text.front() != '.';
+}
+
 }  // namespace macula::dicom

@@ -14,6 +14,8 @@ namespace macula::dicom {
 bool isTextVr(Vr vr);
 // Whether text is in the character set of the file (PS3.5 6.1.2.2); other text is in the default one.
 bool usesCharacterSet(Vr vr);
+// Digits and dots, at most 64 (PS3.5 9.1), as far as Macula relies on it.
+bool isUid(std::string_view text);
 std::vector<std::string_view> splitAtBackslash(std::string_view text);  // each trimmed
 
 // The values of a binary numeric VR; empty for other VRs, or when the length does not fit.

@@ -143,10 +143,6 @@ bool isCodeString(std::string_view text) {
     });
 }
 
-bool isUid(std::string_view uid) {
-    return !uid.empty() && uid.size() <= 64 && uid.find_first_not_of("0123456789.") == std::string_view::npos;
-}
-
 bool areUids(const std::vector<ReferencedImage>& images) {
     return std::ranges::all_of(images, [](const ReferencedImage& image) {
         return isUid(image.sopClassUid) && isUid(image.sopInstanceUid);

@@ -8,6 +8,7 @@
 
 #include "base/installation_key.h"
 #include "base/result.h"
+#include "dicom/read/values.h"
 #include "dicom/write/item_writer.h"
 #include "dicom/write/new_object.h"
 #include "dicom/write/referenced_series.h"
@@ -49,7 +50,6 @@ bool isAscii(std::string_view text);
 // Printable ASCII without a backslash, for VR LO.
 bool isPlain(std::string_view text);
 bool isCodeString(std::string_view text);  // VR CS, not empty
-bool isUid(std::string_view uid);
 bool areUids(const std::vector<ReferencedImage>& images);
 
 }  // namespace macula::dicom

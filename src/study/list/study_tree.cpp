@@ -12,6 +12,7 @@
 #include "study/open/presented_volume.h"
 #include "study/open/stack_label_text.h"
 #include "study/planar/planar_images.h"
+#include "study/planar/planar_presentation.h"
 
 namespace macula::study {
 
@@ -273,8 +274,11 @@ class Builder {
         for (const std::string& each : words) facts.push_back(Text::verbatim(each));
         if (Text line = withBetween(std::move(facts)); !line.empty()) row.details = {std::move(line)};
         PresentedVolume shown = presentedVolume(object, patient, found_);
-        if (shown.index) {
-            row.presentation = StudyRow::Presentation{object.file, *shown.index, isOfSlices};
+        if (const dicom::Stack* images = shown.index ? nullptr : presentedImages(object, patient, found_)) {
+            row.presentation = StudyRow::Presentation{.file = object.file, .images = images};
+        } else if (shown.index) {
+            row.presentation =
+                StudyRow::Presentation{.file = object.file, .volume = *shown.index, .isOfSlices = isOfSlices};
         } else {
             row.whyNot = std::move(shown.whyNot);
         }

@@ -27,11 +27,12 @@ struct StudyRow {
         leftOut,  // files that are in no other row, or why
     };
 
-    // What a presentation state shows: a volume in 3D, or on slices.
+    // What a presentation state shows: a volume in 3D, or on slices; or images that are no volume.
     struct Presentation {
         std::filesystem::path file;
         std::size_t volume = 0;  // in FoundVolumes::volumes()
         bool isOfSlices = false;
+        const dicom::Stack* images = nullptr;  // not null: these, and no volume
     };
 
     Kind kind = Kind::patient;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "base/check.h"
 #include "slices/grey.h"
@@ -93,6 +94,10 @@ PlanarPicture pictureOf(const dicom::PlanarFrame& pixels, const dicom::PlanarHea
         return picture;
     }
     const bool isInverted = header.isLowBright != display.isInverted;
+    if (display.presented) {
+        picture.bytes = greyByTable(pixels.values, *display.presented, isInverted);
+        return picture;
+    }
     if (!display.table) {
         picture.bytes = slices::toGrey(pixels.values, display.window, isInverted);
         return picture;
@@ -100,6 +105,55 @@ PlanarPicture pictureOf(const dicom::PlanarFrame& pixels, const dicom::PlanarHea
     MACULA_CHECK(*display.table < header.tables.size());
     picture.bytes = greyByTable(pixels.values, header.tables[*display.table], isInverted);
     return picture;
+}
+
+PlanarPicture turned(PlanarPicture picture, int quarters, bool isMirrored) {
+    const std::size_t bytesOfPixel = picture.isColour ? 3 : 1;
+    const auto copy = [&](const PlanarPicture& from, int fromX, int fromY, PlanarPicture& to, int x, int y) {
+        const auto placeOf = [&](const PlanarPicture& of, int column, int row) {
+            return of.bytes.begin() +
+                   std::ptrdiff_t(bytesOfPixel *
+                                  (std::size_t(row) * std::size_t(of.columns) + std::size_t(column)));
+        };
+        std::copy_n(placeOf(from, fromX, fromY), bytesOfPixel,
+                    to.bytes.begin() + (placeOf(to, x, y) - to.bytes.begin()));
+    };
+    for (int quarter = 0; quarter < quarters; ++quarter) {
+        PlanarPicture next{picture.rows, picture.columns, picture.isColour,
+                           std::vector<std::uint8_t>(picture.bytes.size())};
+        for (int y = 0; y < next.rows; ++y)
+            for (int x = 0; x < next.columns; ++x) copy(picture, y, picture.rows - 1 - x, next, x, y);
+        picture = std::move(next);
+    }
+    if (!isMirrored) return picture;
+    PlanarPicture mirrored = picture;
+    for (int y = 0; y < picture.rows; ++y)
+        for (int x = 0; x < picture.columns; ++x) copy(picture, picture.columns - 1 - x, y, mirrored, x, y);
+    return mirrored;
+}
+
+void addShutter(PlanarPicture& picture, const dicom::DisplayShutter& shutter, double heightOverWidth) {
+    const std::size_t bytesOfPixel = picture.isColour ? 3 : 1;
+    const std::vector<bool> hidden = hiddenBy(shutter, picture.columns, picture.rows, heightOverWidth);
+    for (std::size_t i = 0; i < hidden.size(); ++i)
+        if (hidden[i])
+            std::fill_n(picture.bytes.begin() + std::ptrdiff_t(bytesOfPixel * i), bytesOfPixel, shutter.grey);
+}
+
+void addOverlay(PlanarPicture& picture, const dicom::OverlayMask& overlay) {
+    const std::size_t bytesOfPixel = picture.isColour ? 3 : 1;
+    // Only where both lie.
+    const int left = std::max(0, overlay.origin.x - 1);
+    const int top = std::max(0, overlay.origin.y - 1);
+    const int right = std::min(picture.columns, overlay.origin.x - 1 + overlay.columns);
+    const int bottom = std::min(picture.rows, overlay.origin.y - 1 + overlay.rows);
+    for (int j = top; j < bottom; ++j)
+        for (int i = left; i < right; ++i) {
+            if (!overlay.marks(i, j)) continue;
+            const std::size_t pixel = std::size_t(j) * std::size_t(picture.columns) + std::size_t(i);
+            std::fill_n(picture.bytes.begin() + std::ptrdiff_t(bytesOfPixel * pixel), bytesOfPixel,
+                        std::uint8_t{kWhite});
+        }
 }
 
 }  // namespace macula::study

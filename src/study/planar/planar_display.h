@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/volume.h"
@@ -15,8 +17,9 @@ namespace macula::study {
 
 struct PlanarDisplay {
     DisplayWindow window;
-    std::optional<std::size_t> table;  // of PlanarHeader::tables, instead of the window
-    bool isInverted = false;           // beyond what the file says
+    std::optional<std::size_t> table;                  // of PlanarHeader::tables, instead of the window
+    bool isInverted = false;                           // beyond what the file says
+    std::shared_ptr<const dicom::VoiTable> presented;  // of a presentation state, instead of both
 
     bool operator==(const PlanarDisplay&) const = default;
 };
@@ -39,5 +42,13 @@ struct PlanarPicture {
 };
 PlanarPicture pictureOf(const dicom::PlanarFrame& pixels, const dicom::PlanarHeader& header,
                         const PlanarDisplay& display);
+
+// Turned clockwise by quarters, and then perhaps mirrored.
+PlanarPicture turned(PlanarPicture picture, int quarters, bool isMirrored);
+
+// Paints what the shutter hides in its grey. `heightOverWidth` of a pixel.
+void addShutter(PlanarPicture& picture, const dicom::DisplayShutter& shutter, double heightOverWidth);
+// Paints what an overlay marks white, within the picture.
+void addOverlay(PlanarPicture& picture, const dicom::OverlayMask& overlay);
 
 }  // namespace macula::study

@@ -246,7 +246,10 @@ void StudyBrowser::openRow(const QModelIndex& index) {
     if (!index.isValid()) return;
     const study::StudyRow& row = model_->tree().rows[StudyTreeModel::rowOf(index)];
     // Copied, because a listener may set another folder here.
-    if (const auto presentation = row.presentation) return Q_EMIT presentationChosen(*presentation);
+    if (const auto presentation = row.presentation) {
+        if (presentation->images != nullptr) return Q_EMIT imagesPresented(*presentation);
+        return Q_EMIT presentationChosen(*presentation);
+    }
     if (row.kind == study::StudyRow::Kind::presentation) return Q_EMIT presentationRefused(Text(row.whyNot));
     if (row.images != nullptr) return Q_EMIT imagesChosen(row.images);
     if (!row.volume) return tree_->setExpanded(index, !tree_->isExpanded(index));

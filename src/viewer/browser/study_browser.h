@@ -52,6 +52,7 @@ class StudyBrowser : public QWidget {
     void openChosen();                                     // the open volume once more
     void imagesChosen(const macula::dicom::Stack* stack);  // a series without a volume; of found()
     // A person chose this presentation state; its volume may not be open.
+    void imagesPresented(const macula::study::StudyRow::Presentation& presentation);
     void presentationChosen(const macula::study::StudyRow::Presentation& presentation);
     // The chosen presentation state cannot be shown; the sentence is study::StudyRow::whyNot.
     void presentationRefused(const Text& whyNot);

@@ -3,6 +3,7 @@
 #include <QKeySequence>
 
 #include "viewer/editor/study_editor.h"
+#include "viewer/editor/undo_steps.h"
 
 namespace macula::viewer {
 
@@ -24,16 +25,30 @@ UndoActions::UndoActions(StudyEditor& session, QObject* parent)
     undo_->setShortcuts(QKeySequence::Undo);
     redo_->setObjectName(QStringLiteral("redo"));
     redo_->setShortcuts(QKeySequence::Redo);
-    connect(undo_, &QAction::triggered, &session_, &StudyEditor::undo);
-    connect(redo_, &QAction::triggered, &session_, &StudyEditor::redo);
+    connect(undo_, &QAction::triggered, this, [this] { step(true); });
+    connect(redo_, &QAction::triggered, this, [this] { step(false); });
     connect(&session_, &StudyEditor::changed, this, &UndoActions::update);
     connect(&session_, &StudyEditor::studyShown, this, &UndoActions::update);
     update();
 }
 
+void UndoActions::actOn(UndoSteps* other) {
+    other_ = other;
+    update();
+}
+
+void UndoActions::step(bool isUndo) {
+    if (other_ != nullptr) return isUndo ? other_->undo() : other_->redo();
+    return isUndo ? session_.undo() : session_.redo();
+}
+
 void UndoActions::update() {
-    tell(*undo_, tr("&Undo"), tr("Take the last change back: %1"), session_.undoText(), session_.canUndo());
-    tell(*redo_, tr("&Redo"), tr("Make it again: %1"), session_.redoText(), session_.canRedo());
+    const QString undo = other_ != nullptr ? other_->undoText() : session_.undoText();
+    const QString redo = other_ != nullptr ? other_->redoText() : session_.redoText();
+    tell(*undo_, tr("&Undo"), tr("Take the last change back: %1"), undo,
+         other_ != nullptr ? !undo.isEmpty() : session_.canUndo());
+    tell(*redo_, tr("&Redo"), tr("Make it again: %1"), redo,
+         other_ != nullptr ? !redo.isEmpty() : session_.canRedo());
 }
 
 }  // namespace macula::viewer

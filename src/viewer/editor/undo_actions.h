@@ -7,6 +7,7 @@
 namespace macula::viewer {
 
 class StudyEditor;
+class UndoSteps;
 
 // Their texts name the step; they are disabled without one.
 class UndoActions : public QObject {
@@ -18,11 +19,16 @@ class UndoActions : public QObject {
 
     QAction& undo() { return *undo_; }
     QAction& redo() { return *redo_; }
-
-  private:
+    // Acts on `other` in place of the session, which stays as it is; null: on the session again. Call
+    // update() when its steps change.
+    void actOn(UndoSteps* other);
     void update();
 
+  private:
+    void step(bool isUndo);
+
     StudyEditor& session_;
+    UndoSteps* other_ = nullptr;
     QAction* undo_;
     QAction* redo_;
 };

@@ -89,6 +89,7 @@ enum class KeyAction {
     imageStep,
     imageWindow,
     imageChange,
+    imageMeasure,
     quit,
     help,  // the last: a test counts to it
 };
@@ -185,6 +186,8 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::imageWindow, "Drag on images", "", "Window: wider to the right, brighter up"},
     KeyRow{KeyAction::imageChange, "I, R, M, F, Esc on images", "",
            "Invert, turn clockwise, mirror, fit; back to the volume"},
+    KeyRow{KeyAction::imageMeasure, "D, G, E, C, W, O, Delete, Enter on images", "",
+           "Measure: distance, angle, ellipse, Cobb angle; window; overlays; remove, label"},
     KeyRow{KeyAction::help, "", "F1", "All keys"},
     KeyRow{KeyAction::quit, "", "Ctrl+Q", "Quit"},
 };

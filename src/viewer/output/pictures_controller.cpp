@@ -130,6 +130,7 @@ void PicturesController::addOverlays(pictures::ViewPicture& picture) {
 }
 
 void PicturesController::askHowToSave() {
+    if (instead_ && instead_()) return;
     if (!context_.notifications.refuseUnless(context_.session.hasStudy(),
                                              tr("There is no picture to save yet.")))
         return;

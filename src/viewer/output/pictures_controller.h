@@ -5,7 +5,9 @@
 #include <QSize>
 #include <QString>
 #include <QStringList>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pictures/view_picture.h"
@@ -59,6 +61,8 @@ class PicturesController : public QObject {
 
     WorkBar* bar() const { return bar_; }
     void addActions(QMenu& file);
+    // Called first when a person saves a picture; true: it saved another one, of what hides the panes.
+    void setInstead(std::function<bool()> instead) { instead_ = std::move(instead); }
 
     // What is on screen now, at its size and the quality of the settings; without an output. Needs a study.
     pictures::ViewPicture onScreen() const;
@@ -82,6 +86,7 @@ class PicturesController : public QObject {
     const SettingsController& settings_;
     PictureExport* export_;
     WorkBar* bar_;
+    std::function<bool()> instead_;
 };
 
 }  // namespace macula::viewer

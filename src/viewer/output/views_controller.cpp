@@ -21,7 +21,9 @@ void ViewsController::addActions(QMenu& file) {
     QAction* open = file.addAction(tr("Open &View…"), this, &ViewsController::askForOne);
     open->setShortcut(keyOf(KeyAction::openView));
     open->setToolTip(tr("Show this study as it was when a view was saved"));
+    open->setObjectName(QStringLiteral("open-view"));
     QAction* save = file.addAction(tr("&Save View…"), this, &ViewsController::askWhereToSave);
+    save->setObjectName(QStringLiteral("save-view"));
     save->setShortcut(keyOf(KeyAction::saveView));
     save->setToolTip(tr("All that was chosen, and the camera, for another time"));
 }

@@ -3,9 +3,14 @@
 
 #include <QStringList>
 #include <QWidget>
+#include <map>
+#include <optional>
 
-class QAbstractButton;
+#include "study/planar/image_measurement.h"
+
+class QAction;
 class QComboBox;
+class QMenu;
 class QSlider;
 class QToolButton;
 
@@ -25,7 +30,12 @@ class PlanarBar : public QWidget {
     void setDisplays(const QStringList& names, int chosen);  // -1: none of them
     void setInverted(bool isInverted);
     void setCanGoBack(bool can);  // to the volume
-    double speed() const;         // 1: as recorded
+    // Presentation states; empty: none to choose, and no list.
+    void setPresentations(const QStringList& names, int chosen);
+    void setTool(std::optional<study::ImageMeasurement::Kind> tool);
+    void setOverlays(bool hasOnes, bool shown);
+    void setHasMeasurements(bool has);
+    double speed() const;  // 1: as recorded
 
   Q_SIGNALS:
     void placeChosen(int place);
@@ -36,14 +46,28 @@ class PlanarBar : public QWidget {
     void mirrorAsked();
     void fitAsked();
     void backAsked();
+    void presentationChosen(int index);
+    void toolChosen(std::optional<macula::study::ImageMeasurement::Kind> tool);
+    void overlaysToggled(bool shown);
+    void copyAsked();
+    void saveAsked();
+    void removeAllAsked();
 
   private:
+    void makeMenu();
     QToolButton* addButton(const char* name, const QString& text, const QString& tip);
 
     QToolButton* play_;
     QSlider* places_;
     QComboBox* speed_;
     QComboBox* displays_;
+    QComboBox* presentations_;
+    QToolButton* measure_;
+    std::map<std::optional<study::ImageMeasurement::Kind>, QAction*> tools_;
+    QAction* overlays_ = nullptr;
+    QAction* copy_ = nullptr;
+    QAction* save_ = nullptr;
+    QAction* removeAll_ = nullptr;
     QToolButton* invert_;
     QToolButton* back_;
 };

@@ -1,7 +1,7 @@
+#include "viewer/viewport/viewport.h"  // before Qt, see vulkan_window.h
+
 #include "viewer/planar/planar_controller.h"
 
-#include <QEvent>
-#include <QKeyEvent>
 #include <QMainWindow>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -11,7 +11,12 @@
 
 #include "viewer/editor/study_editor.h"
 #include "viewer/language/window_language.h"
+#include "viewer/planar/kept_images.h"
 #include "viewer/planar/planar_bar.h"
+#include "viewer/planar/planar_measuring.h"
+#include "viewer/planar/planar_presenting.h"
+#include "viewer/planar/planar_saving.h"
+#include "viewer/status/notifications.h"
 
 namespace macula::viewer {
 
@@ -23,14 +28,6 @@ bool isOfSlices(const std::string& modality) {
     return modality == "CT" || modality == "MR" || modality == "PT" || modality == "NM";
 }
 
-QImage imageOf(const study::PlanarPicture& picture) {
-    const int bytesPerPixel = picture.isColour ? 3 : 1;
-    const auto format = picture.isColour ? QImage::Format_RGB888 : QImage::Format_Grayscale8;
-    const QImage borrowed(picture.bytes.data(), picture.columns, picture.rows,
-                          picture.columns * bytesPerPixel, format);
-    return borrowed.copy();
-}
-
 }  // namespace
 
 PlanarController::PlanarController(const WindowContext& context, QWidget& beneath)
@@ -40,74 +37,87 @@ PlanarController::PlanarController(const WindowContext& context, QWidget& beneat
       widget_(new QWidget),
       view_(new PlanarView),
       bar_(new PlanarBar),
-      loader_(new PlanarLoader(this)) {
+      pane_(new PlanarPane(*view_, *bar_, this)),
+      loader_(new PlanarLoader(this)),
+      saving_(new PlanarSaving(context)),
+      kept_(new KeptImages(this)),
+      volumeActions_(context.window) {
     auto* column = new QVBoxLayout(widget_);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(view_, 1);
     column->addWidget(bar_);
     widget_->hide();
-    view_->installEventFilter(this);
-    for (QWidget* control : bar_->findChildren<QWidget*>()) control->installEventFilter(this);
     connectParts();
 }
 
 void PlanarController::connectParts() {
+    auto* keys = new PlanarKeys(*view_, *bar_, this);
+    connect(keys, &PlanarKeys::pressed, this, &PlanarController::onKey);
     connect(loader_, &PlanarLoader::loaded, this, &PlanarController::take);
     connect(loader_, &PlanarLoader::failed, this, &PlanarController::tellFailure);
     connect(view_, &PlanarView::steppedBy, this, &PlanarController::stepBy);
-    connect(view_, &PlanarView::windowDragged, this, &PlanarController::dragWindow);
-    connect(view_, &PlanarView::pointedAt, this, [this](std::optional<QPointF> pixel) {
-        pointedAt_ = pixel;
-        tell();
+    connect(pane_, &PlanarPane::labelsNeeded, this, &PlanarController::tell);
+    connect(pane_, &PlanarPane::choicesNeeded, this, [this] { pane_->tellChoices(namesShown_); });
+    connect(pane_, &PlanarPane::changed, this, &PlanarController::keep);
+    connect(&presenting(), &PlanarPresenting::failed, this,
+            [this](const Error& error) { context_.notifications.showError(error); });
+    connect(&presenting(), &PlanarPresenting::chosenChanged, this, &PlanarController::goToPresented);
+    // On frames that change nobody can draw.
+    connect(&measuring(), &PlanarMeasuring::toolChanged, this, [this] {
+        if (measuring().tool()) setPlaying(false);
     });
     connect(bar_, &PlanarBar::placeChosen, this, [this](int place) { setPlace(std::size_t(place)); });
     connect(bar_, &PlanarBar::playToggled, this, &PlanarController::setPlaying);
-    connect(bar_, &PlanarBar::displayChosen, this, &PlanarController::chooseDisplay);
-    connect(bar_, &PlanarBar::invertToggled, this, &PlanarController::invert);
-    connect(bar_, &PlanarBar::turnAsked, this, [this] { turn(false); });
-    connect(bar_, &PlanarBar::mirrorAsked, this, [this] { turn(true); });
-    connect(bar_, &PlanarBar::fitAsked, view_, &PlanarView::fit);
+    connect(bar_, &PlanarBar::saveAsked, this, &PlanarController::saveMeasurements);
     connect(bar_, &PlanarBar::backAsked, this, &PlanarController::close);
     connect(&player_, &PlanarPlayer::due, this, &PlanarController::playNext);
+    connect(kept_, &KeptImages::found, this, [this](const study::ImagesState& state) {
+        left_ = state;
+        restore();
+    });
+}
+
+void PlanarController::keepIn(std::shared_ptr<live::StudyKeeper> keeper) {
+    kept_->setKeeper(std::move(keeper));
 }
 
 void PlanarController::show(std::shared_ptr<const study::FoundVolumes> found, const dicom::Stack* stack) {
     const study::PlanarSeries series = study::planarSeriesOf(*found, stack);
     if (series.stack == nullptr) return;
     setPlaying(false);
+    kept_->close();
+    left_.reset();
     found_ = std::move(found);
     series_ = series;
     loops_ = study::loopsOf(*series.stack);
     place_ = 0;
-    image_.reset();
-    display_ = {};
-    isDisplayOwn_ = false;
-    pointedAt_.reset();
-    loader_->setSeries(found_, series.stack);
     // Until the image is read, the view would show the one before, which may be of another patient.
-    view_->setMessage(tr("The image is being read…"));
-    view_->setTurn({});
+    pane_->forget(found_.get(), series_, tr("The image is being read…"));
+    loader_->setSeries(found_, series.stack);
     beneath_.hide();
     widget_->show();
+    volumeActions_.setImagesShown(true);
     bar_->setCanGoBack(context_.session.hasStudy());
-    bar_->setInverted(false);
-    tellDisplays();
+    pane_->tellChoices(namesShown_);
     Q_EMIT shownChanged();
     setPlace(0);
     view_->setFocus();
+    kept_->open(series_);
 }
 
 void PlanarController::close() {
     if (!isShown() || !context_.session.hasStudy()) return;
     setPlaying(false);
+    kept_->close();
+    left_.reset();
     loader_->setSeries(nullptr, nullptr);
     series_ = {};
     found_.reset();
-    image_.reset();
+    pane_->forget(nullptr, {}, QString());
     widget_->hide();
     beneath_.show();
-    view_->setMessage(QString());
+    volumeActions_.setImagesShown(false);
     Q_EMIT shownChanged();
     context_.focusPicture();
 }
@@ -115,6 +125,7 @@ void PlanarController::close() {
 void PlanarController::showNames(bool shown) {
     namesShown_ = shown;
     tell();
+    pane_->tellChoices(shown);
 }
 
 std::optional<study::Identity> PlanarController::identity() const {
@@ -132,6 +143,7 @@ void PlanarController::setPlace(std::size_t place) {
     bar_->setCanPlay(loopAt(place_).end - loopAt(place_).begin > 1);
     loader_->ask(place_);
     tell();
+    keep();
 }
 
 void PlanarController::stepBy(int images) {
@@ -143,117 +155,46 @@ void PlanarController::stepBy(int images) {
 
 void PlanarController::take(const LoadedImage& image) {
     if (!isShown() || image.place != place_) return;
-    const bool isFirst = !image_;
-    const dicom::Frame& frame = series_.stack->frames[place_];
-    // A range of values for each frame would make a loop flicker.
-    const bool isOfSameLoop = image_ && loopAt(image_->place).begin == loopAt(place_).begin;
-    const bool saysHow = !frame.windows.empty() || !image.header->tables.empty();
-    image_ = image;
-    if (!isDisplayOwn_ && (saysHow || !isOfSameLoop)) {
-        const bool isInverted = display_.isInverted;
-        display_ = study::usualDisplay(frame, *image.header, *image.pixels);
-        display_.isInverted = isInverted;
-    }
-    if (display_.table && *display_.table >= image.header->tables.size()) display_.table.reset();
-    if (isFirst || !isPlaying()) tellDisplays();
-    redraw();
+    const bool isFirst = !pane_->hasImage();
+    const bool isOfSameLoop = !isFirst && loopAt(pane_->image().place).begin == loopAt(place_).begin;
+    pane_->localizer().show(series_.stack->frames[place_], context_.session.study(),
+                            context_.session.state().slices.crosshairMm);
+    pane_->take(image, series_.stack->frames[place_], isOfSameLoop);
+    if (isFirst || !isPlaying()) pane_->tellChoices(namesShown_);
+    if (isFirst) restore();
     Q_EMIT imageShown();
+}
+
+// A state that is chosen may be of other images than the one on screen.
+void PlanarController::goToPresented() {
+    const dicom::SoftcopyState* said = presenting().state();
+    if (!isShown() || said == nullptr) return;
+    const std::vector<dicom::Frame>& frames = series_.stack->frames;
+    const auto isOf = [&](const dicom::Frame& frame) { return study::isPresented(*said, frame); };
+    const auto first = std::ranges::find_if(frames, isOf);
+    if (!isOf(frames[place_]) && first != frames.end()) setPlace(std::size_t(first - frames.begin()));
 }
 
 void PlanarController::tellFailure(std::size_t place, const Error& error) {
     if (!isShown() || place != place_) return;
     setPlaying(false);
-    image_.reset();
-    view_->setMessage(inWindowsLanguage(error));
+    pane_->fail(inWindowsLanguage(error));
     tell();
 }
 
-void PlanarController::redraw() {
-    if (!image_) return;
-    const study::PlanarPicture picture = study::pictureOf(*image_->pixels, *image_->header, display_);
-    view_->setPicture(imageOf(picture), image_->header->pixelHeightOverWidth);
-    tell();
-}
-
-void PlanarController::setDisplay(const study::PlanarDisplay& display) {
-    display_ = display;
-    isDisplayOwn_ = true;
-    redraw();
-}
-
-std::vector<NamedDisplay> PlanarController::displays() const {
-    if (!image_) return {};
-    return displaysOf(series_.stack->frames[image_->place], *image_->header, *image_->pixels, display_);
-}
-
-void PlanarController::tellDisplays() {
-    QStringList names;
-    int chosen = -1;
-    for (const NamedDisplay& each : displays()) {
-        if (each.display == display_) chosen = int(names.size());
-        names += each.name;
-    }
-    bar_->setDisplays(names, chosen);
-}
-
-void PlanarController::chooseDisplay(int index) {
-    const std::vector<NamedDisplay> all = displays();
-    if (index >= 0 && std::size_t(index) < all.size()) setDisplay(all[std::size_t(index)].display);
-}
-
-void PlanarController::dragWindow(QPointF byPx) {
-    if (!image_ || image_->pixels->isColour()) return;
-    setDisplay(draggedBy(byPx.x() / view_->width(), byPx.y() / view_->height(), display_, *image_->header,
-                         *image_->pixels));
-    tellDisplays();
-}
-
-void PlanarController::invert(bool isInverted) {
-    display_.isInverted = isInverted;
-    bar_->setInverted(isInverted);
-    redraw();
-}
-
-void PlanarController::turn(bool isMirroring) {
-    PlanarTurn turn = view_->turn();
-    if (isMirroring)
-        turn.isMirrored = !turn.isMirrored;
-    else  // of what is on screen: a mirrored picture turns the other way beneath
-        turn.quarters = (turn.quarters + (turn.isMirrored ? 3 : 1)) % 4;
-    view_->setTurn(turn);
-    pointedAt_.reset();  // the pointer is over another pixel
-    tell();
-}
-
+// Of the series: of such images a person expects a volume.
 QStringList PlanarController::warnings() const {
-    QStringList warnings = changesOf(view_->turn(), display_);
-    if (!image_) return warnings;
-    if (series_.stack->frames[image_->place].instance->lossy) warnings += tr("lossily compressed");
-    // Of such images a person expects a volume.
+    QStringList warnings;
+    if (!pane_->hasImage()) return warnings;
     const Message* why = series_.stack->whyNoVolume();
     if (why != nullptr && series_.stack->frames.size() > 1 && isOfSlices(series_.stack->modality))
         warnings += inWindowsLanguage(why->sentence);
-    const study::PlanarLoop& of = loopAt(image_->place);
+    const study::PlanarLoop& of = loopAt(pane_->image().place);
     const bool hasLoop = of.end - of.begin > 1;
-    if (hasLoop && image_->header->cine.frameMs.empty())
+    if (!pane_->localizer().isEmpty()) warnings += tr("lines: the slices of the open volume");
+    if (hasLoop && pane_->image().header->cine.frameMs.empty())
         warnings += tr("the file says no rate: %1 frames per second").arg(1000.0 / kUsualMs);
-    if (const QString size = pixelSizeText(*image_->header);
-        !size.isEmpty() && image_->header->pixelSize->of != dicom::PixelSize::Of::object)
-        warnings += size;
     return warnings;
-}
-
-QString PlanarController::valueText() const {
-    if (!pointedAt_ || !image_ || image_->pixels->isColour()) return {};
-    const auto column = std::size_t(pointedAt_->x());
-    const auto row = std::size_t(pointedAt_->y());
-    const bool isIn =
-        column < std::size_t(image_->pixels->columns) && row < std::size_t(image_->pixels->rows);
-    if (!isIn) return {};
-    const float value = image_->pixels->values[row * std::size_t(image_->pixels->columns) + column];
-    const QString text =
-        std::isfinite(value) ? withLocalNumbers(QString::number(double(value), 'g', 6)) : tr("no value");
-    return tr("Column %1, row %2: %3").arg(column + 1).arg(row + 1).arg(text);
 }
 
 void PlanarController::tell() {
@@ -262,29 +203,12 @@ void PlanarController::tell() {
     const study::Identity identity = study::identityOf(series_);
     if (namesShown_) labels.identity = inWindowsLanguage(study::linesOf(identity));
     // Of what is on screen, while the next is read.
-    const std::size_t place = image_ ? image_->place : place_;
+    const std::size_t place = pane_->hasImage() ? pane_->image().place : place_;
     const study::PlanarLoop& of = loopAt(place);
     labels.place = {placeText(int(&of - loops_.data()) + 1, int(loops_.size()), int(place - of.begin) + 1,
                               int(of.end - of.begin))};
     labels.warnings = warnings();
-    if (image_) {
-        const dicom::PlanarHeader& header = *image_->header;
-        QStringList view;
-        for (const std::string& word : {header.laterality, header.viewPosition})
-            if (!word.empty()) view += QString::fromStdString(word).simplified();
-        if (!view.isEmpty()) labels.place += view.join(QLatin1Char(' '));
-        if (const QString value = valueText(); !value.isEmpty()) labels.display += value;
-        if (const QString shown = displayText(header, display_, image_->pixels->isColour()); !shown.isEmpty())
-            labels.display += shown;
-        labels.towards = header.towards;
-        if (header.pixelSize) {
-            labels.mmPerPixel = header.pixelSize->columnMm;
-            const dicom::PixelSize::Of held = header.pixelSize->of;
-            labels.isCalibrated =
-                held == dicom::PixelSize::Of::object || held == dicom::PixelSize::Of::regions;
-        }
-    }
-    view_->setLabels(labels);
+    pane_->tell(std::move(labels));
 }
 
 void PlanarController::setPlaying(bool plays) {
@@ -302,14 +226,14 @@ void PlanarController::setPlaying(bool plays) {
 
 double PlanarController::msOf(std::size_t place) const {
     const auto frame = std::size_t(series_.stack->frames[place].number);
-    const bool isTimed = image_ && frame < image_->header->cine.frameMs.size();
-    return (isTimed ? image_->header->cine.frameMs[frame] : kUsualMs) / bar_->speed();
+    const bool isTimed = pane_->hasImage() && frame < pane_->image().header->cine.frameMs.size();
+    return (isTimed ? pane_->image().header->cine.frameMs[frame] : kUsualMs) / bar_->speed();
 }
 
 void PlanarController::playNext() {
     if (!isUpToDate()) return player_.askAgain();
     const study::PlanarLoop& of = loopAt(place_);
-    const bool sweeps = image_->header->cine.sweeps;
+    const bool sweeps = pane_->image().header->cine.sweeps;
     if (sweeps && place_ + 1 == of.end) playsBackwards_ = true;
     if (place_ == of.begin) playsBackwards_ = false;
     std::size_t next = playsBackwards_ ? place_ - 1 : place_ + 1;
@@ -318,63 +242,98 @@ void PlanarController::playNext() {
     player_.holdFor(msOf(place_));
 }
 
-bool PlanarController::onKey(int key) {
+// An unfinished measurement ends first, then the tool, then the images.
+void PlanarController::onEscape() {
+    if (measuring().isDrawing()) return measuring().dropDrawing();
+    if (measuring().tool()) return measuring().setTool({});
+    close();
+}
+
+bool PlanarController::chooseTool(PlanarKey key) {
+    using Kind = study::ImageMeasurement::Kind;
+    constexpr std::array<std::pair<PlanarKey, std::optional<Kind>>, 5> kTools{
+        {{PlanarKey::window, std::nullopt},
+         {PlanarKey::distance, Kind::distance},
+         {PlanarKey::angle, Kind::angle},
+         {PlanarKey::ellipse, Kind::ellipse},
+         {PlanarKey::cobb, Kind::cobb}}};
+    const auto* tool = std::ranges::find(kTools, key, &std::pair<PlanarKey, std::optional<Kind>>::first);
+    if (tool == kTools.end()) return false;
+    measuring().setTool(tool->second);
+    return true;
+}
+
+void PlanarController::onKey(PlanarKey key) {
     constexpr double kZoomOfKey = 1.2;
     const QPointF middle(0.5 * view_->width(), 0.5 * view_->height());
+    if (!isShown() || chooseTool(key)) return;
     switch (key) {
-        case Qt::Key_Space:
-            return setPlaying(!isPlaying()), true;
-        case Qt::Key_Up:
-        case Qt::Key_PageUp:
-        case Qt::Key_Left:
-            return stepBy(-1), true;
-        case Qt::Key_Down:
-        case Qt::Key_PageDown:
-        case Qt::Key_Right:
-            return stepBy(1), true;
-        case Qt::Key_Home:
-            return stepBy(-int(place_)), true;
-        case Qt::Key_End:
-            return stepBy(int(series_.stack->frames.size())), true;
-        case Qt::Key_I:
-            return invert(!display_.isInverted), true;
-        case Qt::Key_R:
-            return turn(false), true;
-        case Qt::Key_M:
-            return turn(true), true;
-        case Qt::Key_F:
-            return view_->fit(), true;
-        case Qt::Key_Plus:
-            return view_->zoomBy(kZoomOfKey, middle), true;
-        case Qt::Key_Minus:
-            return view_->zoomBy(1.0 / kZoomOfKey, middle), true;
-        case Qt::Key_Escape:
-            return close(), true;
+        case PlanarKey::play:
+            return setPlaying(!isPlaying());
+        case PlanarKey::back:
+            return stepBy(-1);
+        case PlanarKey::forward:
+            return stepBy(1);
+        case PlanarKey::first:
+            return stepBy(-int(place_));
+        case PlanarKey::last:
+            return stepBy(int(series_.stack->frames.size()));
+        case PlanarKey::remove:
+            return measuring().removeSelected();
+        case PlanarKey::label:
+            return measuring().editLabelOfSelected();
+        case PlanarKey::invert:
+            return pane_->invert(!display().isInverted);
+        case PlanarKey::turn:
+            return pane_->turn(false);
+        case PlanarKey::mirror:
+            return pane_->turn(true);
+        case PlanarKey::fit:
+            return view_->fit();
+        case PlanarKey::closer:
+            return view_->zoomBy(kZoomOfKey, middle);
+        case PlanarKey::farther:
+            return view_->zoomBy(1.0 / kZoomOfKey, middle);
+        case PlanarKey::overlays:
+            return pane_->showOverlays(!pane_->shown().overlaysAreShown());
+        case PlanarKey::escape:
+            return onEscape();
         default:
-            return false;
+            return;
     }
 }
 
-// Letters are shortcuts of the window too: over an image they are its own. Controls keep the keys that move
-// them.
-bool PlanarController::eventFilter(QObject* watched, QEvent* event) {
-    const bool isOverride = event->type() == QEvent::ShortcutOverride;
-    if (isShown() && (isOverride || event->type() == QEvent::KeyPress)) {
-        const auto& key = static_cast<const QKeyEvent&>(*event);
-        constexpr std::array kOwn{Qt::Key_Space, Qt::Key_Up,       Qt::Key_PageUp, Qt::Key_Left,
-                                  Qt::Key_Down,  Qt::Key_PageDown, Qt::Key_Right,  Qt::Key_Home,
-                                  Qt::Key_End,   Qt::Key_I,        Qt::Key_R,      Qt::Key_M,
-                                  Qt::Key_F,     Qt::Key_Plus,     Qt::Key_Minus,  Qt::Key_Escape};
-        constexpr std::size_t kOfControls = 9;  // the first of them
-        const auto* found = std::ranges::find(kOwn, key.key());
-        const Qt::KeyboardModifiers ignored =
-            Qt::KeypadModifier | (key.key() == Qt::Key_Plus ? Qt::ShiftModifier : Qt::NoModifier);
-        const bool isOwn = (key.modifiers() & ~ignored) == Qt::NoModifier && found != kOwn.end() &&
-                           (watched == view_ || std::size_t(found - kOwn.begin()) >= kOfControls);
-        if (isOwn && isOverride) return event->accept(), true;
-        if (isOwn && onKey(key.key())) return true;
-    }
-    return QObject::eventFilter(watched, event);
+bool PlanarController::savePicture() {
+    if (!isShown()) return false;
+    saving_->savePicture(view_->pictureWithoutNames());
+    return true;
+}
+
+bool PlanarController::saveMeasurements() {
+    if (isShown()) saving_->saveMeasurements(found_, series_.stack, measuring().all());
+    return isShown();
+}
+
+bool PlanarController::removeMeasurements() {
+    if (isShown()) measuring().removeAll();
+    return isShown();
+}
+
+// Until what was left is applied, what is on screen is not what a person left.
+void PlanarController::keep() {
+    if (!isShown() || left_ || !pane_->hasImage()) return;
+    study::ImagesState state = pane_->state();
+    state.place = place_;
+    kept_->keep(state);
+}
+
+// Once both are there: what is kept, and the first image.
+void PlanarController::restore() {
+    if (!isShown() || !left_ || !pane_->hasImage()) return;
+    const study::ImagesState state = *left_;
+    pane_->restore(state);
+    setPlace(state.place);
+    left_.reset();
 }
 
 }  // namespace macula::viewer

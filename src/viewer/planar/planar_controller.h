@@ -7,19 +7,28 @@
 #include <optional>
 #include <vector>
 
+#include "study/planar/images_state.h"
 #include "study/planar/planar_display.h"
 #include "study/planar/planar_images.h"
 #include "viewer/context/window_context.h"
-#include "viewer/planar/planar_displays.h"
+#include "viewer/planar/planar_keys.h"
 #include "viewer/planar/planar_loader.h"
+#include "viewer/planar/planar_pane.h"
 #include "viewer/planar/planar_player.h"
 #include "viewer/planar/planar_view.h"
+#include "viewer/planar/volume_actions.h"
 
 class QWidget;
 
+namespace macula::live {
+class StudyKeeper;
+}
+
 namespace macula::viewer {
 
+class KeptImages;
 class PlanarBar;
+class PlanarSaving;
 
 // `beneath`, the panes, is hidden while images are shown. Lives on the UI thread.
 class PlanarController : public QObject {
@@ -28,9 +37,14 @@ class PlanarController : public QObject {
   public:
     PlanarController(const WindowContext& context, QWidget& beneath);
 
+    // How series are left is kept there; null: nowhere. Stores what waits.
+    void keepIn(std::shared_ptr<live::StudyKeeper> keeper);
     QWidget& widget() const { return *widget_; }
     PlanarView& view() const { return *view_; }
-    // From the first image. Does nothing for a stack that is not among the folder's images.
+    PlanarMeasuring& measuring() const { return pane_->measuring(); }
+    PlanarPresenting& presenting() const { return pane_->presenting(); }
+    // From the first image, or as it was left. Does nothing for a stack that is not among the folder's
+    // images.
     void show(std::shared_ptr<const study::FoundVolumes> found, const dicom::Stack* stack);
     void close();  // shows the panes again
     bool isShown() const { return found_ != nullptr; }
@@ -42,52 +56,50 @@ class PlanarController : public QObject {
     std::size_t place() const { return place_; }
     void setPlaying(bool plays);
     bool isPlaying() const { return player_.isPlaying(); }
-    const study::PlanarDisplay& display() const { return display_; }
-    bool isUpToDate() const { return image_ && image_->place == place_; }
+    const study::PlanarDisplay& display() const { return pane_->shown().display(); }
+    bool isUpToDate() const { return pane_->hasImage() && pane_->image().place == place_; }
+    // Each does nothing, and returns false, while no images are shown.
+    bool savePicture();
+    bool saveMeasurements();
+    bool removeMeasurements();
 
   Q_SIGNALS:
     void shownChanged();
     void imageShown();
 
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
   private:
     void connectParts();
-    bool onKey(int key);
+    void onKey(PlanarKey key);
+    bool chooseTool(PlanarKey key);
+    void onEscape();
     void stepBy(int images);
     void take(const LoadedImage& image);
+    void goToPresented();
     void tellFailure(std::size_t place, const Error& error);
-    void chooseDisplay(int index);
-    void dragWindow(QPointF byPx);
-    void setDisplay(const study::PlanarDisplay& display);
-    void invert(bool isInverted);
-    void turn(bool isMirroring);
-    void redraw();
     void tell();
-    void tellDisplays();
     QStringList warnings() const;
-    QString valueText() const;
     const study::PlanarLoop& loopAt(std::size_t place) const;
-    std::vector<NamedDisplay> displays() const;
     double msOf(std::size_t place) const;
     void playNext();
+    void keep();
+    void restore();
 
     WindowContext context_;
     QWidget& beneath_;
     QWidget* widget_;
     PlanarView* view_;
     PlanarBar* bar_;
+    PlanarPane* pane_;
     PlanarLoader* loader_;
+    PlanarSaving* saving_;
+    KeptImages* kept_;
+    VolumeActions volumeActions_;
 
     std::shared_ptr<const study::FoundVolumes> found_;  // null: no images are shown
     study::PlanarSeries series_;
     std::vector<study::PlanarLoop> loops_;
     std::size_t place_ = 0;
-    std::optional<LoadedImage> image_;  // on screen
-    study::PlanarDisplay display_;
-    bool isDisplayOwn_ = false;  // chosen by a person for this series
-    std::optional<QPointF> pointedAt_;
+    std::optional<study::ImagesState> left_;  // as a person left the series, until its image is shown
     bool namesShown_ = true;
 
     PlanarPlayer player_;

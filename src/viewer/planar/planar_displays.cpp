@@ -43,8 +43,9 @@ std::vector<NamedDisplay> displaysOf(const dicom::Frame& frame, const dicom::Pla
 study::PlanarDisplay draggedBy(double partX, double partY, const study::PlanarDisplay& display,
                                const dicom::PlanarHeader& header, const dicom::PlanarFrame& pixels) {
     study::PlanarDisplay dragged = display;
-    if (dragged.table) {
+    if (dragged.table || dragged.presented) {
         dragged.table.reset();
+        dragged.presented.reset();
         dragged.window = study::wholeRange(pixels);
     }
     DisplayWindow& window = dragged.window;

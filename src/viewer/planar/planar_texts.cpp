@@ -50,8 +50,16 @@ QString placeText(int image, int images, int frame, int frames) {
     return frames > 1 ? place + Words::tr(", frame %1 of %2").arg(frame).arg(frames) : place;
 }
 
+QString viewText(const dicom::PlanarHeader& header) {
+    QStringList view;
+    for (const std::string* word : {&header.laterality, &header.viewPosition})
+        if (!word->empty()) view += QString::fromStdString(*word).simplified();
+    return view.join(QLatin1Char(' '));
+}
+
 QString displayText(const dicom::PlanarHeader& header, const study::PlanarDisplay& display, bool isColour) {
     if (isColour) return {};
+    if (display.presented) return Words::tr("Table of the presentation state");
     if (display.table) {
         const QString name = QString::fromStdString(header.tables.at(*display.table).explanation);
         return name.isEmpty() ? Words::tr("Table %1 of the file").arg(*display.table + 1)
@@ -85,6 +93,8 @@ QString pixelSizeText(const dicom::PlanarHeader& header) {
             return Words::tr("%1, at the detector: the patient is smaller").arg(mm);
         case dicom::PixelSize::Of::estimate:
             return Words::tr("%1, estimated by a magnification of %2").arg(mm, number(size.magnification));
+        case dicom::PixelSize::Of::film:
+            return Words::tr("%1 of the scanned film: the patient's size is not known").arg(mm);
     }
     return mm;
 }

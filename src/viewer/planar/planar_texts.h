@@ -25,6 +25,8 @@ std::array<QString, 4> edgeLetters(const std::array<std::string, 2>& towards, co
 
 // "image 2 of 5, frame 3 of 30"; without the frame where the file has only one.
 QString placeText(int image, int images, int frame, int frames);
+// "L CC": side and view; empty where the file says neither.
+QString viewText(const dicom::PlanarHeader& header);
 // Window or table; empty for colours.
 QString displayText(const dicom::PlanarHeader& header, const study::PlanarDisplay& display, bool isColour);
 // What is not as in the file: turned, mirrored, inverted.

@@ -44,6 +44,13 @@ void drawLines(QPainter& painter, const QSize& pane, Corner corner, const QStrin
 
 }  // namespace
 
+void PlanarLabels::setScale(const std::optional<dicom::PixelSize>& size) {
+    using Of = dicom::PixelSize::Of;
+    if (!size || size->of == Of::film) return;
+    mmPerPixel = size->columnMm;
+    isCalibrated = size->of == Of::object || size->of == Of::regions;
+}
+
 PlanarView::PlanarView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("images"));
     setFocusPolicy(Qt::StrongFocus);
@@ -53,7 +60,7 @@ PlanarView::PlanarView(QWidget* parent) : QWidget(parent) {
 }
 
 void PlanarView::setPicture(const QImage& picture, double heightOverWidth) {
-    if (picture.size() != picture_.size()) fit();
+    if (picture.size() != picture_.size() && !picture_.isNull()) fit();
     picture_ = picture;
     heightOverWidth_ = heightOverWidth;
     message_.clear();
@@ -76,10 +83,24 @@ void PlanarView::setMessage(const QString& message) {
     update();
 }
 
+void PlanarView::setArea(const std::optional<QRectF>& area) {
+    area_ = area;
+    fit();
+}
+
 void PlanarView::fit() {
-    scale_.reset();
-    middle_ = {};
+    setZoom({});
+}
+
+void PlanarView::setZoom(const PlanarZoom& zoom) {
+    zoom_ = zoom;
+    keepInPane();
     update();
+    Q_EMIT zoomed();
+}
+
+QRectF PlanarView::area() const {
+    return area_.value_or(QRectF(picture_.rect()));
 }
 
 QTransform PlanarView::shapeFromPicture() const {
@@ -87,20 +108,20 @@ QTransform PlanarView::shapeFromPicture() const {
     turned.scale(turn_.isMirrored ? -1.0 : 1.0, 1.0);
     turned.rotate(kQuarter * turn_.quarters);
     turned.scale(1.0, heightOverWidth_);
-    turned.translate(-0.5 * picture_.width(), -0.5 * picture_.height());
+    turned.translate(-area().center().x(), -area().center().y());
     return turned;
 }
 
 double PlanarView::fittingScale() const {
-    const QRectF shape = shapeFromPicture().mapRect(QRectF(picture_.rect()));
+    const QRectF shape = shapeFromPicture().mapRect(area());
     if (shape.isEmpty()) return 1.0;
     return std::min(width() / shape.width(), height() / shape.height());
 }
 
 QTransform PlanarView::paneFromPicture() const {
-    const double scale = scale_.value_or(fittingScale());
+    const double scale = zoom_.scale.value_or(fittingScale());
     return shapeFromPicture() * QTransform::fromScale(scale, scale) *
-           QTransform::fromTranslate(0.5 * width() + middle_.x(), 0.5 * height() + middle_.y());
+           QTransform::fromTranslate(0.5 * width() + zoom_.middle.x(), 0.5 * height() + zoom_.middle.y());
 }
 
 std::optional<QPointF> PlanarView::pixelAt(const QPointF& place) const {
@@ -113,51 +134,69 @@ std::optional<QPointF> PlanarView::pixelAt(const QPointF& place) const {
 
 void PlanarView::zoomBy(double factor, const QPointF& fixed) {
     if (picture_.isNull()) return;
-    const double before = scale_.value_or(fittingScale());
+    const double before = zoom_.scale.value_or(fittingScale());
     const double least = std::min(fittingScale(), 1.0);
     const double after = std::clamp(before * factor, least, std::max(kMostScale, least));
     const QPointF fromMiddle = fixed - QPointF(0.5 * width(), 0.5 * height());
-    middle_ = fromMiddle + (middle_ - fromMiddle) * (after / before);
-    scale_ = after;
+    zoom_.middle = fromMiddle + (zoom_.middle - fromMiddle) * (after / before);
+    zoom_.scale = after;
     keepInPane();
     update();
+    Q_EMIT zoomed();
 }
 
 void PlanarView::keepInPane() {
-    middle_.setX(std::clamp(middle_.x(), -0.5 * width(), 0.5 * width()));
-    middle_.setY(std::clamp(middle_.y(), -0.5 * height(), 0.5 * height()));
+    zoom_.middle.setX(std::clamp(zoom_.middle.x(), -0.5 * width(), 0.5 * width()));
+    zoom_.middle.setY(std::clamp(zoom_.middle.y(), -0.5 * height(), 0.5 * height()));
 }
 
 void PlanarView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
+    paint(painter, labels_);
+}
+
+QImage PlanarView::pictureWithoutNames() const {
+    QImage image(size() * devicePixelRatioF(), QImage::Format_RGB888);
+    image.setDevicePixelRatio(devicePixelRatioF());
+    QPainter painter(&image);
+    painter.setFont(font());
+    PlanarLabels labels = labels_;
+    labels.identity.clear();
+    paint(painter, labels);
+    return image;
+}
+
+void PlanarView::paint(QPainter& painter, const PlanarLabels& labels) const {
     painter.fillRect(rect(), Qt::black);
     painter.setRenderHint(QPainter::Antialiasing);
     if (!picture_.isNull()) {
         painter.save();
         // Enlarged pixels stay pixels: what lies between them was not measured.
-        painter.setRenderHint(QPainter::SmoothPixmapTransform, scale_.value_or(fittingScale()) < 1.0);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, zoom_.scale.value_or(fittingScale()) < 1.0);
         painter.setTransform(paneFromPicture(), true);
         painter.drawImage(QPointF(0.0, 0.0), picture_);
         painter.restore();
+        for (PlanarLayer* layer : layers_)
+            layer->paint(painter, paneFromPicture(), paneFromPicture().mapRect(area()));
     }
     if (!message_.isEmpty()) {
         painter.setPen(kInk);
         painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, message_);
     }
-    paintLabels(painter);
+    paintLabels(painter, labels);
     if (!picture_.isNull()) paintScale(painter);
 }
 
-void PlanarView::paintLabels(QPainter& painter) const {
-    drawLines(painter, size(), Corner::topLeft, labels_.identity, kInk);
-    drawLines(painter, size(), Corner::topRight, labels_.place, kInk);
-    drawLines(painter, size(), Corner::bottomLeft, labels_.display, kInk);
-    QStringList warnings = labels_.warnings;
-    if (labels_.mmPerPixel > 0.0) warnings += QString();  // the scale bar's line
+void PlanarView::paintLabels(QPainter& painter, const PlanarLabels& labels) const {
+    drawLines(painter, size(), Corner::topLeft, labels.identity, kInk);
+    drawLines(painter, size(), Corner::topRight, labels.place, kInk);
+    drawLines(painter, size(), Corner::bottomLeft, labels.display, kInk);
+    QStringList warnings = labels.warnings;
+    if (labels.mmPerPixel > 0.0) warnings += QString();  // the scale bar's line
     drawLines(painter, size(), Corner::bottomRight, warnings, kWarningInk);
     if (picture_.isNull()) return;
     const QFontMetricsF metrics(painter.font());
-    const std::array<QString, 4> letters = edgeLetters(labels_.towards, turn_);
+    const std::array<QString, 4> letters = edgeLetters(labels.towards, turn_);
     const double middleY = 0.5 * height() + 0.5 * metrics.ascent();
     const auto widthOf = [&](std::size_t i) { return metrics.horizontalAdvance(letters[i]); };
     drawHaloedText(painter, {kMarginPx, middleY}, letters[0], kInk);
@@ -170,8 +209,8 @@ void PlanarView::paintLabels(QPainter& painter) const {
 // A length on the screen is the same in both directions: shapeFromPicture() makes pixels as high as they are.
 void PlanarView::paintScale(QPainter& painter) const {
     if (labels_.mmPerPixel <= 0.0) return;
-    const auto bar = scaleBar(labels_.mmPerPixel / scale_.value_or(fittingScale()), kLongestBarPart * width(),
-                              labels_.isCalibrated);
+    const auto bar = scaleBar(labels_.mmPerPixel / zoom_.scale.value_or(fittingScale()),
+                              kLongestBarPart * width(), labels_.isCalibrated);
     if (!bar) return;
     const QFontMetricsF metrics(painter.font());
     const double right = width() - kMarginPx;
@@ -193,27 +232,42 @@ void PlanarView::resizeEvent(QResizeEvent*) {
 
 void PlanarView::mousePressEvent(QMouseEvent* event) {
     lastAt_ = event->position();
+    if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier || picture_.isNull())
+        return;
+    for (auto layer = layers_.rbegin(); layer != layers_.rend() && taken_ == nullptr; ++layer)
+        if ((*layer)->press(event->position())) taken_ = *layer;
 }
 
 void PlanarView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - std::exchange(lastAt_, event->position());
     const Qt::MouseButtons buttons = event->buttons();
+    if (taken_ != nullptr) {
+        taken_->drag(event->position());
+        return Q_EMIT pointedAt(pixelAt(event->position()));
+    }
     if ((buttons & Qt::MiddleButton) != 0 ||
         (buttons != Qt::NoButton && event->modifiers() == Qt::ShiftModifier)) {
-        if (!scale_) scale_ = fittingScale();
-        middle_ += moved;
+        if (!zoom_.scale) zoom_.scale = fittingScale();
+        zoom_.middle += moved;
         keepInPane();
-        return update();
+        update();
+        return Q_EMIT zoomed();
     }
     if ((buttons & (Qt::LeftButton | Qt::RightButton)) != 0) Q_EMIT windowDragged(moved);
+    if (buttons == Qt::NoButton)
+        for (PlanarLayer* layer : layers_) layer->hover(event->position());
     Q_EMIT pointedAt(pixelAt(event->position()));
 }
 
 void PlanarView::mouseReleaseEvent(QMouseEvent* event) {
     event->accept();
+    if (event->button() == Qt::LeftButton && taken_ != nullptr)
+        std::exchange(taken_, nullptr)->release(event->position());
 }
 
-void PlanarView::mouseDoubleClickEvent(QMouseEvent*) {
+void PlanarView::mouseDoubleClickEvent(QMouseEvent* event) {
+    for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer)
+        if ((*layer)->doubleClick(event->position())) return;
     fit();
 }
 

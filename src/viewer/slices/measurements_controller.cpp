@@ -44,6 +44,7 @@ void MeasurementsController::addFileActions(QMenu& file) {
 
 void MeasurementsController::addEditActions(QMenu& edit) {
     QAction* clear = edit.addAction(tr("Remove All &Measurements"), this, [this] {
+        if (instead_.remove && instead_.remove()) return;
         context_.session.change(tr("Remove measurements"),
                                 [](scene::StudyState& next) { next.measurements.clear(); });
     });
@@ -51,6 +52,7 @@ void MeasurementsController::addEditActions(QMenu& edit) {
 }
 
 void MeasurementsController::askWhereToSave() {
+    if (instead_.save && instead_.save()) return;
     const StudyEditor& session = context_.session;
     if (session.state().measurements.empty())
         return context_.notifications.refuse(tr("There are no measurements to save."),

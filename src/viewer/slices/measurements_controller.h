@@ -3,6 +3,8 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "scene/slices/reported_measurements.h"
@@ -22,6 +24,13 @@ class MeasurementsController : public QObject {
 
     void addFileActions(QMenu& file);
     void addEditActions(QMenu& edit);
+    // Called first when a person saves a table, or removes all; true: it did so with those of what hides the
+    // slices.
+    struct Instead {
+        std::function<bool()> save = {};
+        std::function<bool()> remove = {};
+    };
+    void setInstead(Instead instead) { instead_ = std::move(instead); }
 
     // What a report of the measurements is made of, as they are now. Fails with usage where there are none,
     // or no DICOM images are open.
@@ -39,6 +48,7 @@ class MeasurementsController : public QObject {
     void askWhereToSaveReport(scene::ReportRequest request);
 
     WindowContext context_;
+    Instead instead_;
     QString path_;  // of the report that is being written
     BackgroundJob<std::vector<Text>> saving_;
 };

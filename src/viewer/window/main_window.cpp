@@ -43,6 +43,8 @@
 #include "viewer/phases/phase_bar.h"
 #include "viewer/phases/phases_controller.h"
 #include "viewer/planar/planar_controller.h"
+#include "viewer/planar/planar_measuring.h"
+#include "viewer/planar/planar_presenting.h"
 #include "viewer/presets/preset_gallery.h"
 #include "viewer/presets/presets_controller.h"
 #include "viewer/quality/quality_controller.h"
@@ -270,15 +272,26 @@ void MainWindow::connectStudy() {
 void MainWindow::connectImages() {
     connect(&browser_->browser(), &StudyBrowser::imagesChosen, this,
             [this](const dicom::Stack* stack) { planar_->show(browser_->browser().found(), stack); });
+    connect(&browser_->browser(), &StudyBrowser::imagesPresented, this,
+            [this](const study::StudyRow::Presentation& of) {
+                planar_->show(browser_->browser().found(), of.images);
+                planar_->presenting().choose(of.file);
+            });
     connect(planar_, &PlanarController::shownChanged, this, [this] {
         status_->setImagesShown(planar_->identity());
         panes_->tools().setEnabled(!planar_->isShown());
+        undo_->actOn(planar_->isShown() ? &planar_->measuring() : nullptr);
         // The notes are about the open study.
         if (planar_->isShown())
             notes_->bar().hide();
         else
             notes_->show();
     });
+    connect(&planar_->measuring(), &PlanarMeasuring::changed, undo_, &UndoActions::update);
+    pictures_->setInstead([this] { return planar_->savePicture(); });
+    measurements_->setInstead({.save = [this] { return planar_->saveMeasurements(); },
+                               .remove = [this] { return planar_->removeMeasurements(); }});
+    if (options_.restores != Restores::nothing) planar_->keepIn(keeper_);
     connect(&opening_->loader(), &StudyLoader::began, this,
             [this] { foundBefore_ = browser_->browser().found(); });
     opening_->setInstead([this] { return showImagesInstead(); });
@@ -342,6 +355,7 @@ MainWindow::~MainWindow() {
     delete takeCentralWidget();  // with the panes
     viewport_ = nullptr;         // for viewport()
     opening_->letKeeperGo();
+    planar_->keepIn({});
     keeper_.reset();
 }
 
