@@ -180,7 +180,8 @@ void addDose(CLI::App& app, Action& action) {
     DoseOptions& o = *options;
     auto* command = app.add_subcommand(
         "dose", "Print how much dose each region of a structure set receives (dose-volume figures)");
-    command->add_option("PATH", o.path, "Folder with the planning images, structure set and dose")->required();
+    command->add_option("PATH", o.path, "Folder with the planning images, structure set and dose")
+        ->required();
     command->add_option("--series", o.series,
                         "The images: place in the list of macula info, or series UID (default: the largest "
                         "volume with a dose)");

@@ -47,7 +47,8 @@ void readPlan(const Dataset& plan, DoseFacts& facts) {
     const std::vector<Dataset> groups = plan.items(kFractionGroups);
     constexpr int kMostFractions = 1000;
     if (groups.size() == 1)
-        facts.fractions = std::clamp(groups.front().integer(kFractionsPlanned).value_or(0), 0, kMostFractions);
+        facts.fractions =
+            std::clamp(groups.front().integer(kFractionsPlanned).value_or(0), 0, kMostFractions);
 }
 
 void findPlan(const Scan& scan, const std::string& studyUid, const std::string& planUid, DoseFacts& facts) {

@@ -15,9 +15,10 @@ struct DoseFacts {
     std::string type;       // DoseType: "PHYSICAL", "EFFECTIVE", "ERROR"; may be empty
     std::string summation;  // DoseSummationType: "PLAN", "BEAM", …; may be empty
     std::size_t plansNamed = 0;
-    bool isPlanHere = false;              // the only plan that it names is in the scan, and can be read
-    std::vector<double> prescriptionsGy;  // TargetPrescriptionDose of that plan's targets, above 0, descending
-    int fractions = 0;                    // NumberOfFractionsPlanned of its only group; 0: not known
+    bool isPlanHere = false;  // the only plan that it names is in the scan, and can be read
+    std::vector<double>
+        prescriptionsGy;  // TargetPrescriptionDose of that plan's targets, above 0, descending
+    int fractions = 0;    // NumberOfFractionsPlanned of its only group; 0: not known
 
     bool isInGy() const { return units == "GY"; }
     // Of a whole plan. Others are a part: of a beam, a fraction or a session.

@@ -10,7 +10,7 @@
 namespace macula::scene {
 
 struct Isodose {
-    double level = 0.0;  // above 0; in percent, or in the unit of the dose
+    double level = 0.0;                 // above 0; in percent, or in the unit of the dose
     std::array<std::uint8_t, 3> rgb{};  // sRGB
 
     bool operator==(const Isodose&) const = default;
@@ -21,7 +21,7 @@ inline constexpr double kHighestIsodose = 1e6;
 
 struct Isodoses {
     bool areShown = true;
-    bool areInPercent = true;       // of the reference
+    bool areInPercent = true;          // of the reference
     std::vector<Isodose> levels = {};  // at most kMostIsodoses
     // What 100 percent are, in the unit of the dose; nothing: the prescription, else the maximum.
     std::optional<double> reference = {};

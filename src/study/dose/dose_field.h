@@ -15,8 +15,8 @@ class DoseField {
     explicit DoseField(std::shared_ptr<const Volume> volume);
 
     // Trilinear between the eight points around `mm`, patient LPS; those without a value are left out, with
-    // their weights. Nothing outside the outermost points of the grid, where nobody computed a dose, and where
-    // none of the eight has a value. A grid of one plane has its dose half a voxel to both sides of it.
+    // their weights. Nothing outside the outermost points of the grid, where nobody computed a dose, and
+    // where none of the eight has a value. A grid of one plane has its dose half a voxel to both sides of it.
     std::optional<double> at(const glm::dvec3& mm) const;
 
     const Volume& volume() const { return *volume_; }

@@ -22,8 +22,8 @@ class DoseHistogram {
 
     // D: the dose that this share of the volume, 0 to 1, receives at least: doseAt(0.95) is D95.
     double doseAt(double share) const;
-    // V: the share of the volume that receives at least this dose; the inverse of doseAt. 1 up to the minimum,
-    // 0 above the maximum.
+    // V: the share of the volume that receives at least this dose; the inverse of doseAt. 1 up to the
+    // minimum, 0 above the maximum.
     double shareAt(double dose) const;
 
   private:

@@ -58,13 +58,15 @@ void addNotes(DoseReport& report) {
         divided += region.dose.samples > region.dose.voxels ? 1 : 0;
     }
     if (partly > 0)
-        report.notes.push_back(Text("{} regions lie partly or wholly outside the dose: figures are of the part "
-                                    "inside.",
-                                    partly));
+        report.notes.push_back(
+            Text("{} regions lie partly or wholly outside the dose: figures are of the part "
+                 "inside.",
+                 partly));
     if (divided > 0)
-        report.notes.push_back(Text("The voxels of {} regions were divided, because they are few, or larger than "
-                                    "those of the dose.",
-                                    divided));
+        report.notes.push_back(
+            Text("The voxels of {} regions were divided, because they are few, or larger than "
+                 "those of the dose.",
+                 divided));
     if (report.reference && report.reference->of == DoseReference::Of::maximum)
         report.notes.push_back(
             Text("No prescription is known: percentages are of the highest dose, {:.4g} {}.",
@@ -73,7 +75,8 @@ void addNotes(DoseReport& report) {
 
 }  // namespace
 
-std::optional<DoseReference> usualReference(const std::optional<dicom::DoseFacts>& facts, const Volume& dose) {
+std::optional<DoseReference> usualReference(const std::optional<dicom::DoseFacts>& facts,
+                                            const Volume& dose) {
     if (facts) {
         if (const auto gy = facts->prescribedGy())
             return DoseReference{.value = *gy, .of = DoseReference::Of::prescription};

@@ -21,8 +21,8 @@ namespace macula::study {
 
 // Labels are for the screen; they may name a patient.
 struct RegionInDose {
-    std::string set;    // the title of its structure set or segmentation
-    std::string label;  // of the region
+    std::string set;                    // the title of its structure set or segmentation
+    std::string label;                  // of the region
     std::array<std::uint8_t, 3> rgb{};  // sRGB
     std::optional<double> volumeMl;     // as LoadedSegment
     RegionDose dose;
@@ -59,8 +59,8 @@ struct DoseOnVolume {
     std::size_t dose = 0;                  // in FoundVolumes::volumes()
     std::shared_ptr<const Volume> values;  // of the dose: OpenedStudy::measured
 };
-// Regions without voxels in the volume are listed too. Fails with cancelled, outOfMemory, and inputNotUsable if
-// the volume has no region or the dose lies in another frame of reference.
+// Regions without voxels in the volume are listed too. Fails with cancelled, outOfMemory, and inputNotUsable
+// if the volume has no region or the dose lies in another frame of reference.
 Result<DoseReport> reportDose(const DoseOnVolume& of, Progress& progress);
 
 }  // namespace macula::study

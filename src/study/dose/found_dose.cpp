@@ -36,7 +36,8 @@ std::vector<FoundDose> dosesOn(const FoundVolumes& found, std::size_t volume) {
         if (i == volume || each.series->modality != "RTDOSE" || !mayBeOn(found, each, on) ||
             frameOfReferenceOf(*each.stack) != frame)
             continue;
-        if (auto facts = dicom::doseFactsOf(found.scan(), *each.stack)) doses.push_back({i, *std::move(facts)});
+        if (auto facts = dicom::doseFactsOf(found.scan(), *each.stack))
+            doses.push_back({i, *std::move(facts)});
     }
     std::ranges::stable_partition(doses, [](const FoundDose& each) { return each.facts.isOfPlan(); });
     return doses;
@@ -69,10 +70,10 @@ std::vector<Text> doseNotes(const dicom::DoseFacts& facts) {
         notes.push_back(Text("Its plan prescribes no dose to a target."));
     if (facts.prescribedGy() && facts.prescriptionsGy.size() > 1 &&
         facts.prescriptionsGy.back() != facts.prescriptionsGy.front())
-        notes.push_back(Text("Its plan has {} prescriptions, from {:.4g} to {:.4g} Gy: percentages are of the "
-                             "highest.",
-                             facts.prescriptionsGy.size(), facts.prescriptionsGy.back(),
-                             facts.prescriptionsGy.front()));
+        notes.push_back(
+            Text("Its plan has {} prescriptions, from {:.4g} to {:.4g} Gy: percentages are of the "
+                 "highest.",
+                 facts.prescriptionsGy.size(), facts.prescriptionsGy.back(), facts.prescriptionsGy.front()));
     return notes;
 }
 

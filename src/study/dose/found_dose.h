@@ -17,9 +17,9 @@ struct FoundDose {
     bool operator==(const FoundDose&) const = default;
 };
 
-// The doses with the frame of reference of that volume, of a patient who may be the same: those of whole plans
-// first, then in the order of the scan. None for a volume without a frame of reference, and for a dose. Reads
-// the headers of doses and plans.
+// The doses with the frame of reference of that volume, of a patient who may be the same: those of whole
+// plans first, then in the order of the scan. None for a volume without a frame of reference, and for a dose.
+// Reads the headers of doses and plans.
 std::vector<FoundDose> dosesOn(const FoundVolumes& found, std::size_t volume);
 
 // "Dose of a whole plan, 60 Gy prescribed in 30 fractions": what the files say, without a name.

@@ -13,7 +13,7 @@
 namespace macula::study {
 
 struct RegionDose {
-    std::size_t voxels = 0;        // of the region
+    std::size_t voxels = 0;         // of the region
     glm::ivec3 samplesPerVoxel{1};  // along each axis of the voxels
     std::size_t samples = 0;
     std::size_t outside = 0;  // of them: where there is no dose, for instance outside its grid
