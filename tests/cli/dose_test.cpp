@@ -39,9 +39,6 @@ TEST_F(Dose, WritesJsonAndATable) {
     EXPECT_TRUE(readAll(at("dose.csv")).starts_with("set,region,volume_ml,"));
     const Ran again = runMacula({"dose", at("plan"), "--csv", at("dose.csv")});
     EXPECT_EQ(again.exitCode, 2) << "it is there already";
-    const Ran both = runMacula({"dose", at("plan"), "--json", "-", "--csv", "-"});
-    EXPECT_EQ(both.exitCode, 2);
-    EXPECT_EQ(both.errorLines(), 1u) << both.err;
 }
 
 TEST_F(Dose, WithoutADoseOrRegionsThereIsAnError) {

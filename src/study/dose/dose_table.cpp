@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
+
+#include "base/printable.h"
 
 namespace macula::study {
 
@@ -64,6 +67,35 @@ std::string_view nameOf(DoseReference::Of of) {
             return "choice";
     }
     return {};
+}
+
+std::string doseLines(const DoseReport& report) {
+    constexpr std::size_t kWidest = 40;
+    std::size_t width = 6;
+    for (const RegionInDose& region : report.regions)
+        width = std::max(width, std::min(printable(region.label).size(), kWidest));
+    const auto fixed = [](const std::optional<double>& value, int decimals, double factor = 1.0) {
+        return value && std::isfinite(*value) ? fmt::format("{:.{}f}", *value * factor, decimals)
+                                              : std::string("-");
+    };
+    std::string lines = fmt::format("{:<{}}", "region", width);
+    for (const char* name :
+         {"mL", "outside%", "min", "mean", "max", "D98", "D95", "D50", "D2", "V20Gy%", "V95%", "V100%"})
+        lines += fmt::format("  {:>8}", name);
+    for (const RegionInDose& region : report.regions) {
+        const DoseFigures f = figuresOf(region, report);
+        lines += fmt::format("\n{:<{}}  {:>8}  {:>8}", printable(region.label), width,
+                             fixed(region.volumeMl, 2), fixed(region.dose.outsideShare(), 1, kPercent));
+        for (const double value : {f.minimum, f.mean, f.maximum, f.d98, f.d95, f.d50, f.d2})
+            lines += fmt::format("  {:>8}", fixed(value, 2));
+        for (const auto& share : {f.v20Gy, f.v95, f.v100})
+            lines += fmt::format("  {:>8}", fixed(share, 1, kPercent));
+    }
+    lines += fmt::format("\nDoses in {}, V in percent of the region inside the dose.", report.unit);
+    if (report.reference)
+        lines += fmt::format(" V95% and V100% are of {:.4g} {} ({}).", report.reference->value, report.unit,
+                             nameOf(report.reference->of));
+    return lines + "\n";
 }
 
 std::string doseCsv(const DoseReport& report) {

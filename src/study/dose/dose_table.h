@@ -30,6 +30,9 @@ DoseFigures figuresOf(const RegionInDose& region, const DoseReport& report);
 // "prescription", "maximum" or "choice": the name in files.
 std::string_view nameOf(DoseReference::Of of);
 
+// Lines for a terminal: a heading, a line for each region, and what the figures mean. Labels are printable.
+std::string doseLines(const DoseReport& report);
+
 // RFC 4180, in UTF-8: a line of names, then one for each region; lines end with CR LF. Numbers have a decimal
 // point and six significant digits; fields that do not apply are empty. Texts as in scene::measurementsCsv.
 std::string doseCsv(const DoseReport& report);
