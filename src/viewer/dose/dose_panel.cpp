@@ -108,13 +108,13 @@ void DosePanel::makeIsodoses() {
 }
 
 void DosePanel::setDoses(const std::vector<study::FoundDose>& doses) {
+    choice_->setVisible(doses.size() > 1);
     if (doses == doses_ && choice_->count() == int(doses.size())) return tell();
     doses_ = doses;
     choice_->clear();
     for (std::size_t i = 0; i < doses.size(); ++i)
         choice_->addItem(
             tr("Dose %1: %2").arg(i + 1).arg(inWindowsLanguage(study::doseText(doses[i].facts))));
-    choice_->setVisible(doses.size() > 1);
     tell();
 }
 
