@@ -15,6 +15,7 @@ void addSplatRender(CLI::App& app, Action& action);
 void addSplatExport(CLI::App& app, Action& action);
 void addSheet(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);
+void addDose(CLI::App& app, Action& action);
 void addPresets(CLI::App& app, Action& action);
 void addPhantom(CLI::App& app, Action& action);
 void addPicture(CLI::App& app, Action& action);

@@ -14,6 +14,7 @@ void addVerbs(CLI::App& app, macula::cli::Action& action) {
     cli::addSplatExport(app, action);
     cli::addExport(app, action);
     cli::addPicture(app, action);
+    cli::addDose(app, action);
     cli::addPresets(app, action);
     cli::addDevices(app, action);
     cli::addPhantom(app, action);

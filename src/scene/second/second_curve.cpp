@@ -47,6 +47,7 @@ SecondVolumeState secondPartIn3d(SecondVolumeState state) {
     state.linksWindow = usual.linksWindow;
     state.boundMm = usual.boundMm;
     state.rivalMm = usual.rivalMm;
+    state.isodoses = usual.isodoses;
     if (!state.preset) return state;
     state.window = usual.window;
     state.opacity = usual.opacity;

@@ -22,8 +22,8 @@ TransferFunction secondCurve(const Volume& second, const DisplayWindow& window, 
 // Whether the state shows the second volume in 3D: in3d is set, and it is linked and not hidden.
 bool isSecondIn3d(const SecondVolumeState& state);
 
-// The state with defaults in the fields that the 3D picture does not depend on: view, boundMm, rivalMm, and,
-// if it has a preset, window, opacity and colours.
+// The state with defaults in the fields that the 3D picture does not depend on: view, boundMm, rivalMm,
+// isodoses, and, if it has a preset, window, opacity and colours.
 SecondVolumeState secondPartIn3d(SecondVolumeState state);
 
 // Whether both may be in one picture. Only slices show a second volume of another patient; there each pane

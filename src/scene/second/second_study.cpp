@@ -10,10 +10,24 @@ namespace macula::scene {
 
 namespace {
 
+constexpr double kUsualDoseOpacity = 0.35;  // the anatomy and the lines stay visible
+
 // Empty if the study does not come from a folder.
 std::string keyOf(const study::OpenedStudy& study) {
     const bool isFound = study.found && study.volumeIndex < study.found->volumes().size();
     return isFound ? study.found->key(study.volumeIndex) : std::string();
+}
+
+// A dose was computed on the images of its frame of reference: its place is theirs, and beside them it says
+// nothing. Its colours begin at no dose.
+void layOver(SecondVolumeState& state, const Volume& dose) {
+    state.view = SecondVolumePlace::over;
+    state.opacity = kUsualDoseOpacity;
+    state.isodoses = usualIsodoses();
+    const double most = dose.valueRange() ? dose.valueRange()->high : 0.0;
+    if (most > 0.0)
+        state.window =
+            DisplayWindow{.center = 0.5 * most, .width = most, .explanation = {}, .function = "LINEAR_EXACT"};
 }
 
 }  // namespace
@@ -56,6 +70,7 @@ SecondVolumeState firstLink(const study::OpenedStudy& study, const study::Opened
     state.linksWindow = study::arePhases(study, second);
     if (study::shareFrameOfReference(study, second)) {
         state.link = SecondVolumeLink::sameFrame;
+        if (second.dose && !study.dose) layOver(state, *second.measured());
         return state;
     }
     const glm::dvec3 shift = second.volume->worldBox().centre() - study.volume->worldBox().centre();
@@ -76,6 +91,7 @@ SecondVolumeState withLookOf(SecondVolumeState place, const SecondVolumeState& b
     place.colours = before.colours;
     place.in3d = before.in3d;
     place.preset = before.preset;
+    place.isodoses = before.isodoses;
     return place;
 }
 

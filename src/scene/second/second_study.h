@@ -27,7 +27,8 @@ PlaceInSeries placeInSeries(const study::OpenedStudy& study);
 Text plainTag(const study::OpenedStudy& study);
 
 // The link before any registration: by the frame of reference, or by hand with the middles of both volumes
-// aligned. Phases of one series share a window. `pair` is pairDigest of both.
+// aligned. Phases of one series share a window. A dose in the study's frame of reference lies over it, with
+// isodoses. `pair` is pairDigest of both.
 SecondVolumeState firstLink(const study::OpenedStudy& study, const study::OpenedStudy& second,
                             const std::string& pair);
 

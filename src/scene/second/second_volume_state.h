@@ -10,6 +10,7 @@
 
 #include "base/volume.h"
 #include "pipeline/volume/transfer_function.h"
+#include "scene/second/isodoses.h"
 #include "slices/colour_table.h"
 
 namespace macula::scene {
@@ -82,6 +83,7 @@ struct SecondVolumeState {
     bool in3d = false;  // also drawn in the study's 3D picture
     // For 3D; null: secondCurve of `window`, `colours` and `opacity`.
     std::shared_ptr<const TransferFunction> preset = {};
+    std::optional<Isodoses> isodoses = {};  // of a dose, over the study; nothing: no lines
 
     // Whether positions in both volumes are comparable.
     bool isLinked() const { return link != SecondVolumeLink::byHand; }

@@ -6,6 +6,7 @@
 #include "pipeline/volume/json_reader.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "registration/rigid_registration.h"
+#include "scene/state/isodoses_json.h"
 #include "scene/state/json_names.h"
 #include "scene/state/slices_json.h"
 
@@ -56,6 +57,7 @@ Json toJson(const SecondVolumeState& state) {
     json["colours"] = slices::nameOf(state.colours);
     if (state.in3d) json["in3d"] = true;
     if (state.preset) json["preset"] = Json::parse(toJson(*state.preset));
+    if (state.isodoses) json["isodoses"] = toJson(*state.isodoses);
     const JsonDocument document = JsonDocument::of(nlohmann::json(json), {});
     secondVolumeStateFrom(document.root());
     return document.status().ok() ? json : Json();
@@ -63,7 +65,8 @@ Json toJson(const SecondVolumeState& state) {
 
 SecondVolumeState secondVolumeStateFrom(const JsonNode& node) {
     node.allowOnly({"series", "volume", "volumeKey", "pair", "link", "secondFromStudy", "boundMm", "doubtful",
-                    "rivalMm", "view", "window", "linksWindow", "opacity", "colours", "in3d", "preset"});
+                    "rivalMm", "view", "window", "linksWindow", "opacity", "colours", "in3d", "preset",
+                    "isodoses"});
     SecondVolumeState state;
     state.seriesDigest = node["series"].text();
     if (state.seriesDigest.empty()) node["series"].fail(Text("the digest of a series"));
@@ -101,6 +104,7 @@ SecondVolumeState secondVolumeStateFrom(const JsonNode& node) {
     if (const auto opacity = node.find("opacity")) state.opacity = opacity->number({0.0, 1.0});
     readName(node, "colours", slices::kColourTables, state.colours);
     if (const auto in3d = node.find("in3d")) state.in3d = in3d->boolean();
+    if (const auto isodoses = node.find("isodoses")) state.isodoses = isodosesFrom(*isodoses);
     return state;
 }
 

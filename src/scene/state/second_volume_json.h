@@ -2,7 +2,8 @@
 //   "beside": { "series": "<SHA-256>", "volume": 2, "volumeKey": "…", "pair": "<SHA-256>",
 //               "link": "registered", "secondFromStudy": [16 numbers, row by row], "boundMm": 0.8,
 //               "doubtful": true, "rivalMm": 15, "view": "over", "window": {as slices_json.h},
-//               "linksWindow": true, "opacity": 0.6, "colours": "hotIron", "in3d": true, "preset": {…} }
+//               "linksWindow": true, "opacity": 0.6, "colours": "hotIron", "in3d": true, "preset": {…},
+//               "isodoses": {as isodoses_json.h} }
 #pragma once
 
 #include <nlohmann/json.hpp>

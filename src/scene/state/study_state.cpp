@@ -60,6 +60,7 @@ bool SecondVolumeState::operator==(const SecondVolumeState& b) const {
            pair == b.pair && link == b.link && secondFromStudy == b.secondFromStudy && boundMm == b.boundMm &&
            isDoubtful == b.isDoubtful && rivalMm == b.rivalMm && view == b.view && window == b.window &&
            linksWindow == b.linksWindow && opacity == b.opacity && colours == b.colours && in3d == b.in3d &&
+           isodoses == b.isodoses &&
            sameValue(preset, b.preset,
                      [](const TransferFunction& x, const TransferFunction& y) { return isSame(x, y); });
 }

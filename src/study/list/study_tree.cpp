@@ -200,6 +200,7 @@ class Builder {
             // last.
             row.details.push_back(sizeText(stack));
             if (Text voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
+            if (Text on = doseText(stack, patient); !on.empty()) row.details.push_back(std::move(on));
         }
         const std::vector<const dicom::OtherObject*> presentations = presentationsOf(series);
         // A series of presentation states alone lacks no volume: a user opens one of the states.
@@ -234,6 +235,22 @@ class Builder {
         if (series.stacks.size() > 1)
             facts.push_back(volumes == 1 ? Text("1 volume") : Text("{} volumes", volumes));
         return withBetween(std::move(facts));
+    }
+
+    // Of a radiotherapy dose: the images that it lies on, by their frame of reference. Else empty.
+    Text doseText(const dicom::Stack& stack, int patient) const {
+        if (stack.modality != "RTDOSE" || !found_.isWhole()) return {};
+        const std::string frame = frameOfReferenceOf(stack);
+        if (frame.empty()) return {};
+        for (const FoundVolume& each : found_.volumes()) {
+            const bool isOn = each.stack->modality != "RTDOSE" &&
+                              dicom::mayBeOnePatient(found_.scan(), each.study->patient, patient) &&
+                              frameOfReferenceOf(*each.stack) == frame;
+            if (isOn)
+                return each.series->number ? Text("Dose on series {}", *each.series->number)
+                                           : Text("Dose on images of this folder");
+        }
+        return {};
     }
 
     // The messages of the stack say why it is no volume.

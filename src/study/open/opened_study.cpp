@@ -131,6 +131,7 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
             return m.key == dicom::key::kInvertedDisplay;
         });
     study.frameOfReferenceUid = frameOfReferenceOf(*chosen.stack);
+    study.dose = dicom::doseFactsOf(found->scan(), *chosen.stack);
     study.imageNumbers = imageNumbersOf(*chosen.stack, study.volume->size().z);
     // Skips repetitions: a series and its volume may have the same message.
     const auto tell = [&](const std::vector<Message>& messages) {

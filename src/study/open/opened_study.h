@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
+#include "dicom/dose/dose_facts.h"
 #include "study/open/identity.h"
 
 namespace macula::study {
@@ -31,11 +32,12 @@ struct OpenedStudy {
     std::shared_ptr<const FoundVolumes> found = {};
     std::vector<Text> volumeTitles = {};
     std::size_t volumeIndex = 0;
-    std::vector<int> imageNumbers = {};    // of its slices: see imageNumbersOf()
-    bool isLowBright = false;              // low values are drawn white: MONOCHROME1, and PET by custom
-    Text joinQuestion = {};                // see dicom::ScanOptions
-    std::string frameOfReferenceUid = {};  // PS3.3 C.7.4.1; empty: unknown
-    std::string stateAsLeft = {};          // StudyKeeper::stateOf; empty: no state was kept
+    std::vector<int> imageNumbers = {};         // of its slices: see imageNumbersOf()
+    bool isLowBright = false;                   // low values are drawn white: MONOCHROME1, and PET by custom
+    Text joinQuestion = {};                     // see dicom::ScanOptions
+    std::string frameOfReferenceUid = {};       // PS3.3 C.7.4.1; empty: unknown
+    std::string stateAsLeft = {};               // StudyKeeper::stateOf; empty: no state was kept
+    std::optional<dicom::DoseFacts> dose = {};  // of a radiotherapy dose; nothing: it is none
 
     // The volume for slices and measurements, with values that are not rounded to 16 bits.
     const std::shared_ptr<const Volume>& measured() const { return inFloats ? inFloats : volume; }

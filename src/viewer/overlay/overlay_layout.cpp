@@ -75,6 +75,7 @@ class Attempt {
     };
     double placeFromAbove(const QStringList& lines, OverlayPart part, double top, bool atRight);
     double placeFromBelow(const QStringList& lines);
+    void placeLegend(double top, double most);
     void placeScale(double factsTop);
     double roomPx() const { return std::max(width_ - 2.0 * kMarginPx, 0.0); }
     Row roomAt(double top) const;
@@ -152,6 +153,16 @@ double Attempt::placeFromBelow(const QStringList& lines) {
     return top;
 }
 
+// Downwards from `top`. Half a legend would say less than none: omitted if it would reach `most`.
+void Attempt::placeLegend(double top, double most) {
+    if (top + double(overlay_.legend.size()) * lineHeight_ > most) return;
+    for (const LegendLine& line : overlay_.legend) {
+        put(line.text, top, roomAt(top), OverlayPart::legend, true);
+        if (line.ink.isValid()) layout_.texts.back().ink = line.ink;
+        top += lineHeight_;
+    }
+}
+
 // Above the facts if they leave no room beside them. Omitted if it would overlap another text.
 void Attempt::placeScale(double factsTop) {
     const double mostPx = std::min(kLongestBarPx, kLongestBarOfPane * width_);
@@ -196,9 +207,10 @@ bool Attempt::place(qsizetype names, qsizetype facts) {
     // Notes go below the names if both do not fit beside each other.
     const double besidePx = std::max(widest(font_, tags), widest(font_, shownNames)) + widest(font_, notes);
     const bool fitsBeside = besidePx + 2.0 * kMarginPx < roomPx();
-    const double end =
-        std::max(namesEnd, placeFromAbove(notes, OverlayPart::note, fitsBeside ? kMarginPx : namesEnd, true));
+    const double notesEnd = placeFromAbove(notes, OverlayPart::note, fitsBeside ? kMarginPx : namesEnd, true);
+    const double end = std::max(namesEnd, notesEnd);
     const double factsTop = placeFromBelow(wrapped(overlay_.facts.first(facts), font_, roomPx()));
+    placeLegend((fitsBeside ? notesEnd : end) + kGapPx, factsTop);
     placeScale(factsTop);
     const double namesMost = sides_.left ? sides_.left->box().top() : height_;
     return end <= factsTop && (names == 0 || namesEnd <= namesMost);

@@ -19,8 +19,8 @@ namespace macula::viewer {
 inline const QColor kNoteInk(255, 190, 90);  // of notes and warnings, and of what they refer to
 
 // By importance. Notes and tags are always placed, side letters as in placeSides. If room is short, the
-// scale, names and facts are omitted, in that order.
-enum class OverlayPart { side, note, tag, fact, name, scale };
+// legend, scale, names and facts are omitted, in that order.
+enum class OverlayPart { side, note, tag, fact, name, scale, legend };
 
 // A line of text, and the start of its base line.
 struct PlacedText {

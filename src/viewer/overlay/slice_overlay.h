@@ -1,8 +1,10 @@
 // The overlay on the picture of a slice.
 #pragma once
 
+#include <QColor>
 #include <QPainter>
 #include <QSize>
+#include <QString>
 #include <QStringList>
 #include <optional>
 #include <vector>
@@ -26,16 +28,23 @@ struct CrosshairLines {
     glm::dvec2 horizontal{1.0, 0.0};
 };
 
+// What a colour in the picture means.
+struct LegendLine {
+    QString text;
+    QColor ink;  // not valid: that of other texts
+};
+
 struct SliceOverlay {
     slices::Orientation orientation = slices::Orientation::axial;
     slices::SliceFrame frame;  // of the picture under the overlay
     double pixelRatio = 1.0;   // device pixels to a logical one
     std::optional<glm::dvec3> crosshairMm = {};
     CrosshairLines lines = {};
-    QStringList tags = {};   // upper left: study and date
-    QStringList names = {};  // below them, the least important last
-    QStringList notes = {};  // upper right
-    QStringList facts = {};  // lower left, the least important last
+    QStringList tags = {};                // upper left: study and date
+    QStringList names = {};               // below them, the least important last
+    QStringList notes = {};               // upper right
+    QStringList facts = {};               // lower left, the least important last
+    std::vector<LegendLine> legend = {};  // at the right, below the notes; whole or not at all
     std::vector<ShownMeasurement> measurements = {};
     std::vector<slices::PictureLine> interpolatedEdges = {};  // where voxels come from no image
     bool isCalibrated = true;                                 // Provenance of all that the picture shows

@@ -267,6 +267,7 @@ void SecondVolumeBar::showState() {
     setItemEnabled(*views_, int(scene::SecondVolumePlace::over), state->isLinked());
     links_->setCurrentIndex(int(state->link));
     setItemEnabled(*links_, int(scene::SecondVolumeLink::sameFrame), secondVolume_.canShareFrame());
+    setItemEnabled(*links_, int(scene::SecondVolumeLink::registered), secondVolume_.canRegister());
     const bool isOver = state->view == scene::SecondVolumePlace::over;
     const bool mayBe = scene::maySecondBeIn3d(session_.study().identity, second.study.identity);
     const bool isFused = mayBe && scene::isSecondIn3d(*state);
@@ -295,7 +296,8 @@ void SecondVolumeBar::showState() {
     black_->setValue(window.center - 0.5 * window.width);
     white_->setValue(window.center + 0.5 * window.width);
     QString text = second.tag + QStringLiteral(". ");
-    text += secondVolume_.isRegistering() ? tr("Registering…") : linkText(*state);
+    text +=
+        secondVolume_.isRegistering() ? tr("Registering…") : linkText(*state, second.study.dose.has_value());
     tag_->setFullText(text, second.patientNote);
 }
 

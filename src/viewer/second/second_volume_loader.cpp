@@ -130,6 +130,10 @@ const scene::SecondVolumeState* SecondVolumeLoader::state() const {
     return second_ && state && scene::isPlacedFor(*state, second_->study, second_->pair) ? &*state : nullptr;
 }
 
+bool SecondVolumeLoader::canRegister() const {
+    return second_ && !second_->study.dose && !session_.study().dose;
+}
+
 bool SecondVolumeLoader::canShareFrame() const {
     return second_ && study::shareFrameOfReference(session_.study(), second_->study);
 }
@@ -170,20 +174,22 @@ void SecondVolumeLoader::show(study::OpenedStudy second) {
     const std::optional<scene::SecondVolumeState> before = session_.state().secondVolume;
     isPlacedAnew_ = !wasLeft && before && scene::namesSecond(*before, second_->study);
     if (!wasLeft) {
+        const slices::Orientation acquired = slices::acquiredOrientation(*session_.study().volume);
         session_.change(tr("Second volume"), [&](scene::StudyState& next) {
             next.secondVolume = scene::firstLink(session_.study(), second_->study, second_->pair);
             if (isPlacedAnew_) next.secondVolume = scene::withLookOf(*next.secondVolume, *before);
             // Two columns in a quarter of the window are too small to compare anything.
-            if (next.layout == scene::Layout::fourPanes || next.layout == scene::Layout::volume)
-                next.layout = layoutOf(slices::acquiredOrientation(*session_.study().volume));
+            const bool areBeside = next.secondVolume->view == scene::SecondVolumePlace::beside;
+            if (areBeside && next.layout == scene::Layout::fourPanes) next.layout = layoutOf(acquired);
+            if (next.layout == scene::Layout::volume) next.layout = layoutOf(acquired);
         });
     }
     Q_EMIT secondChanged();
-    if (!wasLeft && state() != nullptr && !state()->isLinked()) registerNow();
+    if (!wasLeft && state() != nullptr && !state()->isLinked() && canRegister()) registerNow();
 }
 
 void SecondVolumeLoader::registerNow() {
-    if (state() == nullptr) return;
+    if (state() == nullptr || !canRegister()) return;
     registration_.start(
         [fixed = session_.study().measured(), moving = second_->study.measured()](Progress& progress) {
             return registration::registerRigid(*fixed, *moving, progress);

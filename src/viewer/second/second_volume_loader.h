@@ -21,8 +21,8 @@ namespace macula::viewer {
 
 // Holds at most one second volume while the study is open, and proposes its link and view to the session,
 // which can undo them. A volume with the study's frame of reference is linked by it; any other is registered
-// in the background and linked by hand until that succeeds. A volume of another patient is shown only after a
-// person confirms it. Lives on the UI thread.
+// in the background and linked by hand until that succeeds; a dose is not. A volume of another patient is
+// shown only after a person confirms it. Lives on the UI thread.
 class SecondVolumeLoader : public QObject {
     Q_OBJECT
 
@@ -44,6 +44,8 @@ class SecondVolumeLoader : public QObject {
     const std::shared_ptr<const SecondVolumeTexts>& second() const { return second_; }
     // Null unless the state describes this second volume.
     const scene::SecondVolumeState* state() const;
+    // Whether both show anatomy: a dose has none that a registration could match.
+    bool canRegister() const;
     bool canShareFrame() const;  // both volumes name the same frame of reference
     // The stored link was for other voxels or positions under the same UIDs, and was discarded.
     bool isPlacedAnew() const { return isPlacedAnew_; }

@@ -6,7 +6,10 @@
 #include <utility>
 
 #include "pipeline/volume/window.h"
+#include "scene/second/dose_lines.h"
 #include "slices/interpolated.h"
+#include "study/dose/found_dose.h"
+#include "viewer/language/window_language.h"
 #include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {
@@ -55,11 +58,22 @@ void showSecond(const PaneContent& content, const scene::SecondVolumeState& stat
     request.positionText = secondPositionText(content, state, request);
     request.tags = {second.tag};
     request.names = second.lines;
-    request.secondNotes = {linkText(state)};
+    request.secondNotes = {linkText(state, second.study.dose.has_value())};
     if (!request.volume->provenance().interpolatedSlices.empty())
         request.secondNotes.push_back(PaneRequest::tr("Some of its slices are interpolated"));
     if (!request.volume->provenance().isCalibrated)
         request.secondNotes.push_back(PaneRequest::tr("The size of its pixels is not calibrated"));
+}
+
+void showDose(const dicom::DoseFacts& facts, const study::OpenedStudy& study,
+              const scene::SecondVolumeState& state, SliceRequest& request) {
+    DoseOver dose{.reference = scene::doseReference(study, state.isodoses), .lines = {}};
+    if (state.isodoses && state.isodoses->areShown)
+        dose.lines = scene::doseLines(*state.isodoses, dose.reference);
+    request.over->dose = std::move(dose);
+    request.secondNotes << inWindowsLanguage(study::doseText(facts));
+    if (!facts.isInGy()) request.secondNotes << PaneRequest::tr("The dose is relative, and not in Gy");
+    if (facts.type == "ERROR") request.secondNotes << PaneRequest::tr("A difference of doses, and no dose");
 }
 
 void showSecondOver(const PaneContent& content, const scene::SecondVolumeState& state,
@@ -73,7 +87,8 @@ void showSecondOver(const PaneContent& content, const scene::SecondVolumeState& 
                              .colours = state.colours,
                              .opacity = state.opacity};
     request.tags.push_back(PaneRequest::tr("In colours: %1").arg(second.tag));
-    request.secondNotes = {linkText(state)};
+    request.secondNotes = {linkText(state, second.study.dose.has_value())};
+    if (const auto& dose = second.study.dose) showDose(*dose, second.study, state, request);
     if (!second.study.measured()->provenance().interpolatedSlices.empty())
         request.secondNotes.push_back(PaneRequest::tr("In colours: some slices are interpolated"));
     if (!second.study.measured()->provenance().isCalibrated)

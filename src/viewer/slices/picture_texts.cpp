@@ -78,6 +78,8 @@ QStringList notesOf(const SlicePicture& shown, bool areAcquired, bool isMeasurin
         notes.push_back(slab);
         if (!shown.segments.isNull()) notes.push_back(PictureTexts::tr("Segments: middle of the slab"));
     }
+    if (!shown.isodoses.empty() && shown.of.slab.thicknessMm > 0.0)
+        notes.push_back(PictureTexts::tr("Isodoses: middle of the slab"));
     notes += segmentNotes(shown);
     if (shown.of.isInverted) notes.push_back(invertedNote(shown.of));
     if (const QString interpolated = interpolatedNote(shown.of, areAcquired); !interpolated.isEmpty())
@@ -99,6 +101,10 @@ QString probedText(const SliceRequest& shown, const QPointF& place) {
 QString overProbedText(const SliceRequest& shown, const QPointF& place) {
     if (!shown.over) return {};
     const glm::dvec3 mm = transformPoint(shown.over->volumeFromPane, shown.worldFromPane(place));
+    if (shown.over->dose) {
+        const QString text = doseText(*shown.over->dose, shown.over->volume, mm);
+        return shown.slab.thicknessMm > 0.0 ? PictureTexts::tr("Middle of the slab: %1").arg(text) : text;
+    }
     return PictureTexts::tr("In colours: %1").arg(probeText(*shown.over->volume, mm));
 }
 
@@ -116,6 +122,9 @@ SliceOverlay overlayOf(const SliceRequest& shown, slices::Orientation orientatio
             std::ranges::copy(slices::edgesOf(range, *shown.volume, shown.frame),
                               std::back_inserter(overlay.interpolatedEdges));
     }
+    if (shown.over && shown.over->dose)
+        overlay.legend =
+            legendOf(*shown.over->dose, harmless(QString::fromStdString(shown.over->volume->unitName())));
     if (pointedAt) {
         for (const QString& probed : {overProbedText(shown, *pointedAt), probedText(shown, *pointedAt)})
             if (!probed.isEmpty()) overlay.facts.push_back(probed);

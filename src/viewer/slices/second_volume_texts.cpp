@@ -67,9 +67,11 @@ SecondVolumeTexts secondSeries(const study::OpenedStudy& study, study::OpenedStu
     return made;
 }
 
-QString linkText(const scene::SecondVolumeState& state) {
+QString linkText(const scene::SecondVolumeState& state, bool isDose) {
     switch (state.link) {
         case scene::SecondVolumeLink::sameFrame:
+            if (isDose)
+                return Words::tr("Dose in the frame of reference of the images: nothing is registered");
             return Words::tr("Same frame, not registered: the patient may have moved");
         case scene::SecondVolumeLink::registered:
             if (state.isDoubtful && state.rivalMm > 0.0)

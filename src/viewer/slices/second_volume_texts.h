@@ -24,8 +24,9 @@ struct SecondVolumeTexts {
 
 SecondVolumeTexts secondSeries(const study::OpenedStudy& study, study::OpenedStudy second, std::string pair);
 
-// How the second volume is linked, as a note over its pictures.
-QString linkText(const scene::SecondVolumeState& state);
+// How the second volume is linked, as a note over its pictures. A dose was computed in its frame of
+// reference.
+QString linkText(const scene::SecondVolumeState& state, bool isDose);
 
 // "0 to 6.1 SUV, 75 % of the highest" for activity, else as scene::windowText.
 QString secondWindowText(const Volume& second, const DisplayWindow& window);

@@ -45,6 +45,7 @@ void SlicePainting::paint(QPainter& painter, const QRect& pane, const QStringLis
     painter.drawImage(whole, shown.grey);
     if (!shown.segments.isNull()) painter.drawImage(whole, shown.segments);
     if (!shown.colours.isNull()) painter.drawImage(whole, shown.colours);
+    paintIsodoses(painter, shown.isodoses, shown.of.pixelRatio);
     parts_.clip.paint(painter, pane.size(), shown.of, pointedAt);
     parts_.curve.paint(painter, shown.of);
     paintOverlay(painter, pane.size(), overlay(notes, pointedAt, turns));

@@ -78,6 +78,7 @@ void SliceSampler::run() {
             lastOver_.reset();
             painted_ = {};
             segments_ = {};
+            forgetIsodoses();
             continue;
         }
         SlicePicture picture = make(*request);
@@ -90,8 +91,8 @@ void SliceSampler::run() {
 SlicePicture SliceSampler::make(const SliceRequest& request) {
     SlicePicture picture{.of = request, .grey = {}, .colours = {}};
     try {
-        const auto* slice =
-            sampled(last_, request.volume, transformed(request.frame, request.volumeFromPane), request);
+        const auto* slice = sampled(last_, request.volume, transformed(request.frame, request.volumeFromPane),
+                                    request.slab, request.study);
         if (slice == nullptr) return picture;
         picture.grey =
             imageOf(slices::toGrey(slice->values, request.window, request.isInverted), request.frame.sizePx);
@@ -100,18 +101,23 @@ SlicePicture SliceSampler::make(const SliceRequest& request) {
         picture.segments = segments_;
         if (!request.over) {
             lastOver_.reset();
+            forgetIsodoses();
             return picture;
         }
         const SliceOver& over = *request.over;
-        slice = sampled(lastOver_, over.volume, transformed(request.frame, over.volumeFromPane), request);
+        slice = sampled(lastOver_, over.volume, transformed(request.frame, over.volumeFromPane), request.slab,
+                        request.study);
         if (slice == nullptr) return {.of = request, .grey = {}};
         picture.colours = imageOf(
             slices::toColours(slice->values, over.window, over.isInverted, over.colours, over.opacity),
             request.frame.sizePx);
+        drawIsodoses(request);
+        picture.isodoses = isodoses_;
     } catch (const std::bad_alloc&) {
         last_.reset();
         lastOver_.reset();
         painted_ = {};
+        forgetIsodoses();
         picture.grey = {};  // a partial picture must not pass for a whole one
         log::error("No memory for a slice of {} x {} pixels", request.frame.sizePx.x, request.frame.sizePx.y);
     }
@@ -135,19 +141,42 @@ void SliceSampler::paintSegments(const SliceRequest& request) {
     painted_ = request;
 }
 
+void SliceSampler::forgetIsodoses() {
+    drawn_ = {};
+    isodoses_.clear();
+}
+
+void SliceSampler::drawIsodoses(const SliceRequest& request) {
+    const SliceOver& over = *request.over;
+    if (!over.dose || over.dose->lines.empty()) return forgetIsodoses();
+    if (drawn_.dose && drawn_.dose->lines == over.dose->lines && drawn_.volume == over.volume &&
+        drawn_.volumeFromPane == over.volumeFromPane && drawnFrame_ == request.frame)
+        return;
+    forgetIsodoses();
+    const auto isGivenUp = [this, study = request.study] { return ends_ || study_ != study; };
+    const bool isSlab = request.slab.thicknessMm > 0.0;
+    std::optional<Sampled> ofPlane;  // a projection through a slab has no isodose
+    const auto* slice =
+        sampled(isSlab ? ofPlane : lastOver_, over.volume, transformed(request.frame, over.volumeFromPane),
+                isSlab ? slices::Slab() : request.slab, request.study);
+    if (slice == nullptr) return;
+    isodoses_ = isodosePaths(*slice, over.dose->lines, isGivenUp);
+    if (isGivenUp()) return forgetIsodoses();
+    drawn_ = over;
+    drawnFrame_ = request.frame;
+}
+
 // Null if the request was cancelled.
 const slices::SampledSlice* SliceSampler::sampled(std::optional<Sampled>& kept,
                                                   const std::shared_ptr<const Volume>& volume,
-                                                  const slices::SliceFrame& frame,
-                                                  const SliceRequest& request) {
-    if (kept && kept->volume == volume && kept->frame == frame && kept->slab == request.slab)
-        return &kept->slice;
+                                                  const slices::SliceFrame& frame, const slices::Slab& slab,
+                                                  std::uint64_t study) {
+    if (kept && kept->volume == volume && kept->frame == frame && kept->slab == slab) return &kept->slice;
     kept.reset();
-    const auto isGivenUp = [this, study = request.study] { return ends_ || study_ != study; };
-    slices::SampledSlice slice =
-        slices::sampleSlice(*volume, frame, request.slab, slices::Filter::linear, isGivenUp);
+    const auto isGivenUp = [this, study] { return ends_ || study_ != study; };
+    slices::SampledSlice slice = slices::sampleSlice(*volume, frame, slab, slices::Filter::linear, isGivenUp);
     if (slice.sizePx != frame.sizePx || isGivenUp()) return nullptr;
-    kept = Sampled{.volume = volume, .frame = frame, .slab = request.slab, .slice = std::move(slice)};
+    kept = Sampled{.volume = volume, .frame = frame, .slab = slab, .slice = std::move(slice)};
     return &kept->slice;
 }
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "base/volume.h"
 #include "live/frame/latest.h"
@@ -18,6 +19,7 @@
 #include "slices/sampled_slice.h"
 #include "slices/segment_picture.h"
 #include "slices/slice_plane.h"
+#include "viewer/slices/dose_over.h"
 
 namespace macula::viewer {
 
@@ -36,6 +38,7 @@ struct SliceOver {
     bool isInverted = false;
     slices::ColourTable colours = slices::ColourTable::hotIron;
     double opacity = 1.0;
+    std::optional<DoseOver> dose = {};  // if it is a dose
 
     bool operator==(const SliceOver&) const = default;
 };
@@ -77,9 +80,10 @@ struct SliceRequest {
 
 struct SlicePicture {
     SliceRequest of;
-    QImage grey;           // of the frame's size; null when there was no memory for it
-    QImage segments = {};  // over `grey`; null without segments
-    QImage colours = {};   // a second volume in colours, over both; null without one
+    QImage grey;                             // of the frame's size; null when there was no memory for it
+    QImage segments = {};                    // over `grey`; null without segments
+    QImage colours = {};                     // a second volume in colours, over both; null without one
+    std::vector<IsodosePath> isodoses = {};  // over all of these; of the plane alone, whatever the slab
 };
 
 // Makes one picture at a time; of the requests that arrive meanwhile, only the newest is made next. Samples
@@ -99,11 +103,14 @@ class SliceSampler {
     void run();
     SlicePicture make(const SliceRequest& request);
     void paintSegments(const SliceRequest& request);  // into segments_
+    void drawIsodoses(const SliceRequest& request);   // into isodoses_
+    void forgetIsodoses();
 
     struct Sampled;
     const slices::SampledSlice* sampled(std::optional<Sampled>& kept,
                                         const std::shared_ptr<const Volume>& volume,
-                                        const slices::SliceFrame& frame, const SliceRequest& request);
+                                        const slices::SliceFrame& frame, const slices::Slab& slab,
+                                        std::uint64_t study);
 
     struct Sampled {
         std::shared_ptr<const Volume> volume;
@@ -120,6 +127,9 @@ class SliceSampler {
     std::optional<Sampled> lastOver_;  // for the second volume over it
     SliceRequest painted_;             // the request of `segments_`
     QImage segments_;
+    SliceOver drawn_;  // the dose of `isodoses_`, in `drawnFrame_`
+    slices::SliceFrame drawnFrame_;
+    std::vector<IsodosePath> isodoses_;
     std::jthread thread_;  // last member: the thread uses the others
 };
 

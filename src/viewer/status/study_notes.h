@@ -22,6 +22,7 @@ enum class NoteOn {
     table,
     second,  // the second volume
     segments,
+    dose,     // that one lies on the study
     picture,  // what the device shows of the study
     device,
 };

@@ -20,6 +20,8 @@
 #include "viewer/curve/curve_controller.h"
 #include "viewer/curve/curve_panel.h"
 #include "viewer/clip/scissor_tool.h"
+#include "viewer/dose/dose_controller.h"
+#include "viewer/dose/dose_panel.h"
 #include "viewer/editor/undo_actions.h"
 #include "viewer/headset/headset_controller.h"
 #include "viewer/headset/headset_mirror.h"
@@ -204,6 +206,8 @@ void MainWindow::makePanels() {
 
 void MainWindow::makeOthers() {
     second_ = new SecondVolumeController(context_, *browser_, panes_->pairs());
+    dose_ = new DoseController(context_, second_->loader());
+    panels_->add(Qt::RightDockWidgetArea, &dose_->panel(), tr("Dose"), "dose-panel");
     archive_->setOpensBeside([this](const std::filesystem::path& folder) { second_->loader().open(folder); });
     receive_ = new ReceiveController(
         context_, {.settings = *settings_, .arrivals = watch_->bar(), .quiet = options_.watchPace.quiet});
@@ -351,6 +355,8 @@ MainWindow::~MainWindow() {
     delete &panes_->tools();
     delete presets_;
     notes_->setSource(NoteOn::second, {});
+    notes_->setSource(NoteOn::dose, {});
+    delete dose_;
     delete second_;
     delete takeCentralWidget();  // with the panes
     viewport_ = nullptr;         // for viewport()

@@ -32,6 +32,7 @@ class ArchiveController;
 class BrowserController;
 class ClipsController;
 class CurveController;
+class DoseController;
 class HeadsetController;
 class LightsController;
 class LinksController;
@@ -119,6 +120,7 @@ class MainWindow : public QMainWindow {
     PaneGrid& panes() { return panes_->grid(); }
     PlanarController& images() { return *planar_; }  // those that are no volumes
     SecondVolumeLoader& secondVolume();
+    DoseController& dose() { return *dose_; }
     // The last error; the notes on the study. Empty without one, or after it was dismissed.
     QString message() const { return notifications_->text(); }
     QString notes() const { return notes_->text(); }
@@ -208,6 +210,7 @@ class MainWindow : public QMainWindow {
     ManifestsController* manifests_ = nullptr;
     BrowserController* browser_ = nullptr;
     SecondVolumeController* second_ = nullptr;
+    DoseController* dose_ = nullptr;
     QualityController* quality_ = nullptr;
     MoviesController* movies_ = nullptr;
     ModelsController* models_ = nullptr;

@@ -10,6 +10,7 @@
 #include "viewer/browser/browser_controller.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/clip/clips_controller.h"
+#include "viewer/dose/dose_controller.h"
 #include "viewer/editor/undo_actions.h"
 #include "viewer/headset/headset_controller.h"
 #include "viewer/keys/keys.h"
@@ -99,6 +100,7 @@ void MainWindow::makeViewMenu() {
     view->addSeparator();
     panes_->addActions(*view);
     second_->addViewActions(*view);
+    dose_->addViewActions(*view);
     view->addSeparator();
     view->addActions(panels_->actions());
     view->addSeparator();

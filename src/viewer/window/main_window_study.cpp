@@ -12,6 +12,7 @@
 #include "viewer/browser/browser_controller.h"
 #include "viewer/clip/clips_controller.h"
 #include "viewer/clip/voxel_cutting.h"
+#include "viewer/dose/dose_controller.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
 #include "viewer/links/links_controller.h"
@@ -75,6 +76,7 @@ void MainWindow::showNames(bool shown) {
     links_->showNames(shown);
     watch_->showNames(shown);
     send_->showNames(shown);
+    dose_->showNames(shown);
     segmentations_->panel().showNames(shown);
     names_->setChecked(shown);
     status_->showTexts();
