@@ -42,7 +42,7 @@ inline constexpr std::array kSliceTools{
         SliceTool::probe, Glyph::probe, "probe", QT_TRANSLATE_NOOP("SliceTool", "Probe"), "V",
         QT_TRANSLATE_NOOP("SliceTool", "Read the value of the voxel that is pointed at, in its unit")},
     SliceToolRow{SliceTool::segment, Glyph::segment, "segment", QT_TRANSLATE_NOOP("SliceTool", "Segment"),
-                 "T",
+                 "U",
                  QT_TRANSLATE_NOOP("SliceTool", "Paint, erase or grow the own segment that is selected")},
 };
 

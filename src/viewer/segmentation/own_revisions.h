@@ -22,6 +22,7 @@ class OwnRevisions {
     void clear();
     void add(Revision revision);                                           // it is the newest
     const study::LoadedSegmentation* find(std::string_view digest) const;  // null: not among them
+    const Revision& newest() const { return revisions_.back(); }           // there must be one
     // The one that `choices` name, else the newest; null without any.
     const Revision& current() const { return current_; }
     // Returns whether another one is current now.

@@ -140,7 +140,14 @@ void SegmentationKeeper::takeOwn(Loaded left) {
 }
 
 void SegmentationKeeper::changeOwn(const QString& what, Loaded next) {
-    const std::string before = own() ? own()->digest : next->digest;
+    // What an undo of the first change goes back to: named by the state like any other revision.
+    if (!own()) {
+        own_.add(scene::ownRevision({}, *session_.study().volume));
+        session_.follow([this](scene::StudyState& state) {
+            scene::choose(state.segmentations, SegmentationSettings{own_.newest()->digest, true, {}});
+        });
+    }
+    const std::string before = own()->digest;
     own_.add(next);
     session_.change(what, [&](scene::StudyState& state) {
         SegmentationSettings choice = scene::choiceOf(state.segmentations, before);
@@ -280,7 +287,7 @@ QString SegmentationKeeper::note() const {
         });
     };
     for (const SegmentationSettings& choice : session_.state().segmentations) {
-        if (choice.isShown && !isThere(choice))
+        if (choice.isShown && !isThere(choice) && !isOwn(choice.digest))
             return tr(
                 "A segmentation that was shown with this study is not in the folder; nothing of it is "
                 "shown or hidden.");
