@@ -15,6 +15,7 @@
 #include "study/open/opened_study.h"
 #include "study/segmentation/loaded_segmentation.h"
 #include "support.h"
+#include "synthetic.h"
 
 namespace macula::scene {
 namespace {

@@ -252,11 +252,11 @@ TEST_F(SegmentingTest, AProgramGetsTheVolumeAndGivesSegments) {
     };
     EXPECT_FALSE(runs("true {input}")) << "no place for a result";
     // The volume has 0 HU, and 1000 in the block: so it is a map of numbers, too.
-    ASSERT_TRUE(runs("sh -c 'cp \"$0\" \"$1\"' {input} {output}"));
+    ASSERT_TRUE(runs("sh -c \"cp $0 $1\" {input} {output}"));
     ASSERT_EQ(found.size(), 1u) << (error ? error->message.english() : std::string());
     EXPECT_EQ(found[0].segment.number, 1000);
     EXPECT_EQ(found[0].voxels->count(), 245u);
-    ASSERT_TRUE(runs("sh -c 'echo no model >&2; exit 3' {input} {output}"));
+    ASSERT_TRUE(runs("sh -c \"echo no model >&2; exit 3\" {input} {output}"));
     ASSERT_TRUE(error);
     EXPECT_NE(error->message.english().find("code 3"), std::string::npos);
     EXPECT_NE(error->hint.english().find("no model"), std::string::npos);
@@ -264,10 +264,10 @@ TEST_F(SegmentingTest, AProgramGetsTheVolumeAndGivesSegments) {
     EXPECT_NE(error->message.english().find("no result"), std::string::npos);
     ASSERT_TRUE(runs("/no/such/program {input} {output}"));
     EXPECT_NE(error->message.english().find("could not be started"), std::string::npos);
-    ASSERT_TRUE(runs("sh -c 'echo nonsense > \"$1\"' {input} {output}"));
+    ASSERT_TRUE(runs("sh -c \"echo nonsense > $1\" {input} {output}"));
     EXPECT_TRUE(error);
     // A cancel kills what a script has started, too.
-    ASSERT_TRUE(run.start({.command = QStringLiteral("sh -c 'sleep 300 & wait' {input} {output}")},
+    ASSERT_TRUE(run.start({.command = QStringLiteral("sh -c \"sleep 300 & wait\" {input} {output}")},
                           session_->study().measured()));
     waitUntil([] { return false; }, 1);
     run.cancel();

@@ -101,7 +101,7 @@ TEST_F(SegmentingWindowTest, AProgramThatFailsSaysWhy) {
     auto* dialog = window_->findChild<QDialog*>(QStringLiteral("program-dialog"));
     ASSERT_NE(dialog, nullptr);
     dialog->findChild<QLineEdit*>(QStringLiteral("program-command"))
-        ->setText(QStringLiteral("sh -c 'echo weights are missing >&2; exit 4' {input} {output}"));
+        ->setText(QStringLiteral("sh -c \"echo weights are missing >&2; exit 4\" {input} {output}"));
     dialog->accept();
     ASSERT_TRUE(waitUntil([&] { return window_->message().contains(QStringLiteral("weights are missing")); }))
         << window_->message().toStdString();

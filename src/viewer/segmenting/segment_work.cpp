@@ -209,7 +209,7 @@ void SegmentWork::growAt(const glm::dvec3& mm) {
     segment::GrowRequest request{.seed = at->voxel,
                                  .tolerance = brush_.tolerance,
                                  .corners = brush_.overCorners,
-                                 .mostVoxels = std::size_t(std::max(1.0, brush_.mostMl / voxelMl))};
+                                 .mostVoxels = std::size_t(std::max(1.0, brush_.mostMl / voxelMl + 1e-6))};
     const QString cutShort = tr("Growing stopped at %1 ml: it may have leaked.").arg(mlText(brush_.mostMl));
     finding_.start(
         [request, cutShort, volume = volume(),
