@@ -110,6 +110,24 @@ study::FoundSegmentation foundOwn(const study::LoadedSegmentation& revision, std
     return found;
 }
 
+void chooseRevision(std::vector<SegmentationSettings>& choices, const std::string& before,
+                    const study::LoadedSegmentation& next) {
+    SegmentationSettings choice = choiceOf(choices, before);
+    std::erase_if(choices, [&](const SegmentationSettings& each) { return each.digest == before; });
+    choice.digest = next.digest;
+    choice.isShown = true;
+    std::erase_if(choice.segments,
+                  [&](const SegmentSettings& each) { return next.segment(each.number) == nullptr; });
+    for (const study::LoadedSegment& each : next.segments) {
+        SegmentSettings one = choiceOf(choice, each.segment.number);
+        if (!one.rgb) one.rgb = study::usualRgb(each.segment);
+        std::erase_if(choice.segments,
+                      [&](const SegmentSettings& other) { return other.number == one.number; });
+        choice.segments.push_back(one);
+    }
+    choose(choices, std::move(choice));
+}
+
 Result<FlatSegments> flattened(std::span<const OwnSegment> segments, const Volume& volume) {
     const glm::ivec3 size = volume.size();
     MACULA_TRY_VOID(segment::checkMemory(double(volume.voxelCount()), 2.0));

@@ -13,6 +13,7 @@
 #include "base/result.h"
 #include "base/volume.h"
 #include "base/voxel_set.h"
+#include "scene/segments/segmentation_settings.h"
 #include "study/segmentation/found_segmentation.h"
 #include "study/segmentation/loaded_segmentation.h"
 
@@ -33,6 +34,11 @@ std::shared_ptr<const study::LoadedSegmentation> ownRevision(std::vector<OwnSegm
 std::vector<OwnSegment> segmentsOf(const study::LoadedSegmentation& revision);
 // As if it were found in the folder; it has no file.
 study::FoundSegmentation foundOwn(const study::LoadedSegmentation& revision, std::string title);
+
+// Puts a revision in the place of the one before: it is shown, and segments keep how they are shown. Each has
+// a colour of its own in `choices`, so that the choice also stays there while the segmentation is hidden.
+void chooseRevision(std::vector<SegmentationSettings>& choices, const std::string& before,
+                    const study::LoadedSegmentation& next);
 
 // The segments as one map of numbers on the grid of the volume; where some overlap, the last one counts, and
 // `overlapping` is the number of such voxels. May throw std::bad_alloc.

@@ -149,23 +149,8 @@ void SegmentationKeeper::changeOwn(const QString& what, Loaded next) {
     }
     const std::string before = own()->digest;
     own_.add(next);
-    session_.change(what, [&](scene::StudyState& state) {
-        SegmentationSettings choice = scene::choiceOf(state.segmentations, before);
-        std::erase_if(state.segmentations,
-                      [&](const SegmentationSettings& each) { return each.digest == before; });
-        choice.digest = next->digest;
-        choice.isShown = true;
-        std::erase_if(choice.segments, [&](const scene::SegmentSettings& each) {
-            return next->segment(each.number) == nullptr;
-        });
-        scene::choose(state.segmentations, choice);
-        // With a colour of its own the choice stays in the state, also while the segment is hidden.
-        for (const study::LoadedSegment& each : next->segments) {
-            scene::SegmentSettings one = scene::choiceOf(choice, each.segment.number);
-            if (!one.rgb) one.rgb = study::usualRgb(each.segment);
-            scene::choose(state.segmentations, next->digest, one);
-        }
-    });
+    session_.change(
+        what, [&](scene::StudyState& state) { scene::chooseRevision(state.segmentations, before, *next); });
 }
 
 void SegmentationKeeper::setPreview(std::optional<slices::ShownSegment> preview) {
