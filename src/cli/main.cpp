@@ -15,6 +15,7 @@ void addVerbs(CLI::App& app, macula::cli::Action& action) {
     cli::addExport(app, action);
     cli::addPicture(app, action);
     cli::addDose(app, action);
+    cli::addSegment(app, action);
     cli::addPresets(app, action);
     cli::addDevices(app, action);
     cli::addPhantom(app, action);

@@ -20,7 +20,8 @@ bool SliceHand::isUndoStep(Drag drag) {
 
 // False for tools that act on the whole picture.
 bool SliceHand::takesHold() const {
-    return tool_ != SliceTool::window && tool_ != SliceTool::zoom && tool_ != SliceTool::pan;
+    return tool_ != SliceTool::window && tool_ != SliceTool::zoom && tool_ != SliceTool::pan &&
+           tool_ != SliceTool::segment;
 }
 
 bool SliceHand::press(Qt::MouseButton button, const QPointF& place, const SliceRequest& shown) {
@@ -49,6 +50,7 @@ void SliceHand::pressLeft(const QPointF& place, const SliceRequest& shown) {
         drag_ = measurements.isDrawing() ? Drag::draw : Drag::none;
         return;
     }
+    if (tool_ == SliceTool::segment) return pressBrush(place, shown);
     if (takeClip(place, shown) || takeMeasurement(place, shown) || takeRing(place, shown)) return;
     measurements.deselect();
     if (tool_ == SliceTool::curve && shown.showsStudy()) parts_.curve.hold(place, shown);
@@ -58,6 +60,12 @@ void SliceHand::pressLeft(const QPointF& place, const SliceRequest& shown) {
     }
     drag_ = dragOfTool();
     if (drag_ == Drag::crosshair) parts_.travel.pointAt(shown.worldFromPane(place), shown.shows);
+}
+
+// Segments are drawn on the voxels of the study alone.
+void SliceHand::pressBrush(const QPointF& place, const SliceRequest& shown) {
+    const BrushTouch touch{shown.worldFromPane(place), shown.frame.plane.normal()};
+    if (shown.showsStudy() && brush_ != nullptr && brush_->press(touch)) drag_ = Drag::brush;
 }
 
 SliceHand::Drag SliceHand::dragOfTool() const {
@@ -78,6 +86,8 @@ SliceHand::Drag SliceHand::dragOfTool() const {
         case SliceTool::angle:
         case SliceTool::ellipse:
             return Drag::draw;
+        case SliceTool::segment:
+            break;
     }
     return Drag::none;
 }
@@ -131,6 +141,7 @@ std::optional<Qt::CursorShape> SliceHand::cursorAt(const QPointF& place, const S
 void SliceHand::move(const Pointer& pointer, const SliceRequest& shown, const glm::ivec2& sizePx) {
     // The button went up elsewhere, without an event here.
     if (isHolding() && !pointer.buttons.testFlag(button_)) {
+        if (drag_ == Drag::brush) brush_->release();
         drag_ = Drag::none;
         parts_.clip.letGo();
         parts_.turn.letGo();
@@ -164,6 +175,8 @@ void SliceHand::dragTo(const Pointer& pointer, const SliceRequest& shown, const 
             return parts_.curve.dragTo(place, shown);
         case Drag::turn:
             return parts_.turn.dragTo(place, shown, pointer.modifiers.testFlag(Qt::ShiftModifier));
+        case Drag::brush:
+            return brush_->drag({shown.worldFromPane(place), shown.frame.plane.normal()});
         case Drag::draw:
         case Drag::none:
             return parts_.measurements.moveDrawing(shown.worldFromPane(place));
@@ -184,6 +197,7 @@ bool SliceHand::release(Qt::MouseButton button, const QPointF& place, const Slic
     parts_.clip.letGo();
     parts_.turn.letGo();
     parts_.curve.letGo();
+    if (ended == Drag::brush) brush_->release();
     if (ended == Drag::draw && shown != nullptr)
         parts_.measurements.releaseDrawing(shown->worldFromPane(place));
     if (isUndoStep(ended)) parts_.session.endDrag();
@@ -196,6 +210,7 @@ void SliceHand::loseHandle() {
 
 void SliceHand::end() {
     if (isUndoStep(drag_)) parts_.session.endDrag();
+    if (drag_ == Drag::brush) brush_->drop();
     drag_ = Drag::none;
     parts_.clip.letGo();
     parts_.turn.letGo();

@@ -14,6 +14,7 @@
 #include "viewer/slices/pane_measurements.h"
 #include "viewer/slices/pane_turn.h"
 #include "viewer/slices/pane_zoom.h"
+#include "viewer/slices/slice_brush.h"
 #include "viewer/slices/slice_sampler.h"
 #include "viewer/slices/slice_travel.h"
 #include "viewer/slices/slice_windowing.h"
@@ -38,6 +39,8 @@ class SliceHand {
 
     SliceTool tool() const { return tool_; }
     void setTool(SliceTool tool) { tool_ = tool; }
+    void setBrush(SliceBrush* brush) { brush_ = brush; }  // outlives it; null: none
+    double ringMm() const { return tool_ == SliceTool::segment && brush_ ? brush_->radiusMm() : 0.0; }
 
     bool isHolding() const { return drag_ != Drag::none; }
     bool holdsClip() const { return drag_ == Drag::clip; }
@@ -63,11 +66,12 @@ class SliceHand {
     std::optional<Qt::CursorShape> cursorAt(const QPointF& place, const SliceRequest& shown) const;
 
   private:
-    enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe, clip, turn, curve };
+    enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe, clip, turn, curve, brush };
 
     static bool isUndoStep(Drag drag);
     bool takesHold() const;
     void pressLeft(const QPointF& place, const SliceRequest& shown);
+    void pressBrush(const QPointF& place, const SliceRequest& shown);
     bool takeClip(const QPointF& place, const SliceRequest& shown);
     bool takeMeasurement(const QPointF& place, const SliceRequest& shown);
     bool takeRing(const QPointF& place, const SliceRequest& shown);
@@ -76,6 +80,7 @@ class SliceHand {
     void dragTo(const Pointer& pointer, const SliceRequest& shown, const glm::ivec2& sizePx);
 
     Parts parts_;
+    SliceBrush* brush_ = nullptr;
     SliceTool tool_ = SliceTool::crosshair;
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;

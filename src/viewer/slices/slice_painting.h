@@ -41,6 +41,8 @@ class SlicePainting {
     // `turns`: whether the left button turns the planes.
     void paint(QPainter& painter, const QRect& pane, const QStringList& notes,
                const std::optional<QPointF>& pointedAt, bool turns);
+    // Around the pointer; nothing for a radius of 0, over a second volume, or without a picture.
+    void paintRing(QPainter& painter, const QPointF& pointedAt, double radiusMm) const;
     static void paintFocus(QPainter& painter, const QRect& pane, const QColor& ink);
     static QString noStudyText();
 

@@ -192,6 +192,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     if (wanted != nullptr && wanted->pixelRatio != devicePixelRatioF()) request();  // on another screen
     QPainter painter(this);
     painting_.paint(painter, rect(), notes(), hoverAt_, hand_.tool() == SliceTool::crosshair);
+    if (hoverAt_) painting_.paintRing(painter, *hoverAt_, hand_.ringMm());
     if (hasFocus()) SlicePainting::paintFocus(painter, rect(), palette().color(QPalette::Highlight));
 }
 

@@ -51,6 +51,7 @@ class SliceView : public QWidget {
     void showClip(bool shown, bool withHandles);
     // Segments over the slices of the open study; null: none.
     void setSegments(std::shared_ptr<const slices::ShownSegments> segments);
+    void setBrush(SliceBrush* brush) { hand_.setBrush(brush); }  // for SliceTool::segment; outlives it
 
     // Another phase of the study in its place, and a text that says which; null: the study itself.
     void setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text);

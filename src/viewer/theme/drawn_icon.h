@@ -15,6 +15,7 @@ enum class Glyph {
     ellipse,
     probe,
     curve,
+    segment,
     slabMean,
     slabMaximum,
     slabMinimum,

@@ -56,6 +56,7 @@ class SecondVolumeController;
 class SecondVolumeLoader;
 class SegmentationKeeper;
 class SegmentationsController;
+class SegmentingController;
 class SendController;
 class SlicePair;
 class SliceView;
@@ -109,6 +110,7 @@ class MainWindow : public QMainWindow {
     bool loading() const { return opening_->loader().loading(); }
     bool loaderAtRest() const { return opening_->loader().atRest(); }
     SegmentationKeeper& segments() { return shown_->segments(); }
+    SegmentingController& segmenting() { return *segmenting_; }
     bool searchingTable() const;
     bool cutting() const;  // the scissors' mask is being computed
     // The scissors over the 3D picture.
@@ -205,6 +207,7 @@ class MainWindow : public QMainWindow {
     TransferFunctionEditor* transfer_ = nullptr;
     SegmentationsController* segmentations_ = nullptr;
     CurveController* curve_ = nullptr;
+    SegmentingController* segmenting_ = nullptr;
     ArchiveController* archive_ = nullptr;
     LinksController* links_ = nullptr;
     ManifestsController* manifests_ = nullptr;
