@@ -10,7 +10,7 @@
 namespace macula::unpack {
 
 // Names in archives are not to be trusted: they lead out of folders, hold control characters, and name
-// patients. A part of a path stays as it is if it has at most 64 letters (A to Z), digits, hyphens,
+// patients. A part of a path stays as it is if it has at most 100 letters (A to Z), digits, hyphens,
 // underscores and points, and does not begin with a point: by such names a DICOMDIR refers to its files. Any
 // other part becomes a number, with the extension if that is plain; equal parts in one folder become one
 // number, so that the files of a folder stay together.

@@ -100,7 +100,7 @@ TEST_F(ScannedPlaceTest, AnArchiveIsLoadedByVerbs) {
 
 TEST_F(ScannedPlaceTest, WhatIsMissingIsSaid) {
     fs::path file = archive(Format::tar);
-    fs::resize_file(file, fs::file_size(file) * 8 / 10);
+    fs::resize_file(file, fs::file_size(file) * 6 / 10);
     const auto cut = open(file);
     ASSERT_TRUE(cut) << cut.error().message;
     EXPECT_TRUE(tells(*cut, "The archive is cut off or damaged"));
