@@ -38,6 +38,7 @@ PlanarPane::PlanarPane(PlanarView& view, PlanarBar& bar, QObject* parent)
         Q_EMIT changed();
     });
     connect(presenting_, &PlanarPresenting::chosenChanged, this, &PlanarPane::present);
+    connect(presenting_, &PlanarPresenting::failed, this, &PlanarPane::choicesNeeded);
     bar_.setHasMeasurements(false);
 }
 

@@ -60,13 +60,12 @@ void PlanarPresenting::choose(const std::filesystem::path& file) {
 }
 
 void PlanarPresenting::take(const Result<dicom::SoftcopyState>& read) {
-    if (read) {
-        chosen_ = wanted_;
-        state_ = *read;
-    } else {
+    if (!read) {
         wanted_ = chosen_;
-        Q_EMIT failed(read.error());
+        return Q_EMIT failed(read.error());
     }
+    chosen_ = wanted_;
+    state_ = *read;
     Q_EMIT chosenChanged();
 }
 
