@@ -51,6 +51,16 @@ std::optional<std::size_t> IsodoseTable::current() const {
     return std::size_t(currentRow() >= 0 ? currentRow() : rowCount() - 1);
 }
 
+// Items stay: one of them may be telling that it was edited.
+QTableWidgetItem& IsodoseTable::cellAt(int row, int column) {
+    if (QTableWidgetItem* there = item(row, column)) return *there;
+    auto* made = new QTableWidgetItem;
+    made->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable |
+                   (column == kLevel ? Qt::ItemIsEditable : Qt::NoItemFlags));
+    setItem(row, column, made);
+    return *made;
+}
+
 void IsodoseTable::fill() {
     const QScopedValueRollback fills(isFilling_, true);
     const int was = currentRow();
@@ -62,20 +72,15 @@ void IsodoseTable::fill() {
     for (int row = 0; row < rowCount(); ++row) {
         const scene::Isodose& each = isodoses_.levels[std::size_t(row)];
         const QColor ink(each.rgb[0], each.rgb[1], each.rgb[2]);
-        auto* colour = new QTableWidgetItem;
-        colour->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-        colour->setBackground(ink);
-        colour->setData(Qt::AccessibleTextRole, ink.name());
-        auto* level = new QTableWidgetItem(numberText(each.level));
-        level->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
-        auto* other = new QTableWidgetItem;
-        other->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-        if (reference_)
-            other->setText(numberText(isodoses_.areInPercent ? each.level / kPercent * reference_->value
+        QTableWidgetItem& colour = cellAt(row, kColour);
+        colour.setBackground(ink);
+        colour.setData(Qt::AccessibleTextRole, ink.name());
+        cellAt(row, kLevel).setText(numberText(each.level));
+        cellAt(row, kOther)
+            .setText(!reference_
+                         ? QString()
+                         : numberText(isodoses_.areInPercent ? each.level / kPercent * reference_->value
                                                              : kPercent * each.level / reference_->value));
-        setItem(row, kColour, colour);
-        setItem(row, kLevel, level);
-        setItem(row, kOther, other);
     }
     if (was >= 0 && was < rowCount()) setCurrentCell(was, kLevel);
 }

@@ -29,6 +29,7 @@ class IsodoseTable : public QTableWidget {
 
   private:
     void fill();
+    QTableWidgetItem& cellAt(int row, int column);
     void onChanged(QTableWidgetItem* item);
 
     scene::Isodoses isodoses_;
