@@ -70,18 +70,21 @@ class Envelope {
 
 }  // namespace
 
-std::vector<float> distanceTo(const Grid& grid, const Mask& mask) {
+std::vector<float> distanceTo(const Grid& grid, const Mask& mask, const CancelToken& token) {
     const int na = grid.size.x, nb = grid.size.y, nc = grid.size.z;
     std::vector<double> mm2(mask.size());
     std::transform(mask.begin(), mask.end(), mm2.begin(),
                    [](std::uint8_t in) { return in != 0 ? 0.0 : kFar; });
     const auto along = [&](int blocks, double spacingMm, int lines, int sheets, auto firstOf,
                            std::size_t stride) {
-        parallelFor(std::size_t(sheets), [&](std::size_t sheet) {
-            Envelope envelope(blocks, spacingMm);
-            for (int line = 0; line < lines; ++line)
-                envelope.pass(mm2.data() + firstOf(line, static_cast<int>(sheet)), stride);
-        });
+        parallelFor(
+            std::size_t(sheets),
+            [&](std::size_t sheet) {
+                Envelope envelope(blocks, spacingMm);
+                for (int line = 0; line < lines; ++line)
+                    envelope.pass(mm2.data() + firstOf(line, static_cast<int>(sheet)), stride);
+            },
+            token);
     };
     along(
         na, grid.spacingMm.x, nb, nc, [&](int b, int c) { return grid.index(0, b, c); }, 1);

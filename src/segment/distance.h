@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/progress.h"
 #include "segment/coarse_grid.h"
 
 namespace macula::segment {
@@ -10,8 +11,8 @@ namespace macula::segment {
 // The distance of each block's centre to that of the nearest block in the mask, in mm: 0 within, infinite
 // where the mask is empty. Exact except for rounding: a pass for each axis takes the lower envelope of the
 // parabolas around its blocks (Felzenszwalb and Huttenlocher, Distance transforms of sampled functions,
-// 2012). May throw std::bad_alloc.
-std::vector<float> distanceTo(const Grid& grid, const Mask& mask);
+// 2012). Incomplete when cancelled. May throw std::bad_alloc.
+std::vector<float> distanceTo(const Grid& grid, const Mask& mask, const CancelToken& token = {});
 
 struct Opened {
     Mask mask;
