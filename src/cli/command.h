@@ -18,6 +18,7 @@ void addDevices(CLI::App& app, Action& action);
 void addPresets(CLI::App& app, Action& action);
 void addPhantom(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
+void addSegment(CLI::App& app, Action& action);
 void addSessions(CLI::App& app, Action& action);
 void addTrain(CLI::App& app, Action& action);
 void addPacs(CLI::App& app, Action& action);

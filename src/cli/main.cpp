@@ -13,6 +13,7 @@ void addVerbs(CLI::App& app, macula::cli::Action& action) {
     cli::addSplatRender(app, action);
     cli::addSplatExport(app, action);
     cli::addExport(app, action);
+    cli::addSegment(app, action);
     cli::addPresets(app, action);
     cli::addDevices(app, action);
     cli::addPhantom(app, action);

@@ -44,6 +44,7 @@ const std::vector<Writer> kWriters{
     {"a.nhdr", {"export", "IN/ball.nrrd", "-o", "OUT"}},
     {"a.mha", {"export", "IN/ball.nrrd", "-o", "OUT"}},
     {"a.mhd", {"export", "IN/ball.nrrd", "-o", "OUT"}},
+    {"a.stl", {"segment", "IN/ball.nrrd", "-o", "OUT", "--threshold", "50", "100000"}},
     {"a.json", {"presets", "export", "ct-bone", "-o", "OUT"}},
     {"a.json", {"presets", "import", "IN/preset.json", "-o", "OUT"}},
     {"dot.png", {"splat-render", "IN/dot.ply", "-o", "DIR", "--camera", "IN/dot.json", "--size", "64x64"}},

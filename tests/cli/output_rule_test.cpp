@@ -61,6 +61,7 @@ TEST_F(OutputRule, AFileThatExistsNeedsOverwrite) {
     expectKept(render({"-o", at("b.png"), "--json", at("a.json")}), words);
     expectKept({"sheet", "-o", at("a.png")}, words);
     expectKept({"export", "phantom:", "-o", at("a.nii")}, words);
+    expectKept({"segment", "phantom:", "-o", at("a.nii"), "--threshold", "300", "3000"}, words);
     expectKept({"presets", "export", "ct-bone", "-o", at("a.json")}, words);
     expectKept({"train", "phantom:", "-o", at("a.ply")}, words);
     expectKept({"train", "phantom:", "-o", at("b.ply"), "--json", at("a.json")}, words);
@@ -112,6 +113,7 @@ TEST_F(OutputRule, NoInputIsReplaced) {
     const std::string view = write("view.json", R"({"version": 1})");
     expectNeverReplaced(render({"-o", at("b.png"), "--session", view, "--json", view}), words);
     expectNeverReplaced({"export", volume, "-o", volume}, words);
+    expectNeverReplaced({"segment", volume, "-o", volume, "--threshold", "300", "3000"}, words);
     // The other header would have its values in the same file.
     expectNeverReplaced({"export", header, "-o", at("a.nhdr")}, words);
     expectNeverReplaced({"presets", "import", at("preset.json"), "-o", at("preset.json")}, words);

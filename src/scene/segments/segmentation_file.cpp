@@ -56,7 +56,10 @@ Error fileHasChanged(const std::filesystem::path& file) {
 // Returns how many segments have no voxel here.
 Result<std::size_t> addPart(dicom::WrittenSegmentation& to, const SegmentationRequest::Part& part,
                             bool isDeidentified) {
-    MACULA_TRY(const auto read, dicom::readSegmentCodes(part.file));
+    dicom::CodesOfSegments read;
+    if (!part.file.empty()) {
+        MACULA_TRY(read, dicom::readSegmentCodes(part.file));
+    }
     if (!read.sopInstanceUid.empty() && sha256Hex(read.sopInstanceUid) != part.loaded->digest)
         return fileHasChanged(part.file);
     std::size_t empty = 0;

@@ -17,8 +17,8 @@ namespace macula::scene {
 struct SegmentationRequest {
     struct Part {
         std::shared_ptr<const study::LoadedSegmentation> loaded;  // on the grid of the volume
-        std::filesystem::path file;                               // gives the codes of its segments
-        std::vector<std::uint16_t> numbers;                       // of the segments that are shown
+        std::filesystem::path file;          // gives the codes of its segments; empty: none
+        std::vector<std::uint16_t> numbers;  // of the segments that are shown
     };
     std::vector<Part> parts;
     std::shared_ptr<const Volume> volume;

@@ -24,6 +24,7 @@ struct FoundSegmentation {
     Text whyNot = {};    // a sentence: why it cannot be shown; empty: it can
     // A sentence where it was drawn on another series of the same coordinate system; otherwise empty.
     Text note = {};
+    bool isOwn = false;  // a person makes it here: it has no file
 
     bool canBeShown() const { return whyNot.empty(); }
 };
