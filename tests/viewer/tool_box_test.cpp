@@ -63,7 +63,7 @@ TEST_F(ToolBoxTest, KeysOfToolsAreLettersThatNothingElseHas) {
         EXPECT_EQ(tool.shortcut(), keyOf(row));
         EXPECT_TRUE(tool.toolTip().contains(QStringLiteral("(%1)").arg(key))) << row.name;
     }
-    EXPECT_EQ(kSliceTools.size(), std::size_t(SliceTool::probe) + 1);
+    EXPECT_EQ(kSliceTools.size(), std::size_t(SliceTool::segment) + 1);
 }
 
 TEST_F(ToolBoxTest, OneToolIsChosen) {

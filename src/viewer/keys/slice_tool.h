@@ -3,7 +3,7 @@
 
 namespace macula::viewer {
 
-enum class SliceTool { crosshair, window, zoom, pan, distance, angle, ellipse, probe };
+enum class SliceTool { crosshair, window, zoom, pan, distance, angle, ellipse, probe, segment };
 
 constexpr bool measures(SliceTool tool) {
     return tool == SliceTool::distance || tool == SliceTool::angle || tool == SliceTool::ellipse;

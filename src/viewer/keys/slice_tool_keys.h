@@ -41,6 +41,9 @@ inline constexpr std::array kSliceTools{
     SliceToolRow{
         SliceTool::probe, Glyph::probe, "probe", QT_TRANSLATE_NOOP("SliceTool", "Probe"), "V",
         QT_TRANSLATE_NOOP("SliceTool", "Read the value of the voxel that is pointed at, in its unit")},
+    SliceToolRow{SliceTool::segment, Glyph::segment, "segment", QT_TRANSLATE_NOOP("SliceTool", "Segment"),
+                 "U",
+                 QT_TRANSLATE_NOOP("SliceTool", "Paint, erase or grow the own segment that is selected")},
 };
 
 inline QString titleOf(const SliceToolRow& row) {

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "scene/segments/own_segments.h"
 #include "study/open/found_volumes.h"
 #include "viewer/language/window_language.h"
 
@@ -68,6 +69,10 @@ void SegmentationKeeper::onStudyShown() {
     made_.clear();
     maskedOf_ = 0;
     shown_.reset();
+    own_.clear();
+    listedOwn_.clear();
+    isOwnExpected_ = false;
+    preview_.reset();
     if (stack() != nullptr) {
         finding_.start(
             [found = session_.study().found, index = session_.study().volumeIndex](Progress& progress) {
@@ -81,6 +86,7 @@ void SegmentationKeeper::onStudyShown() {
 void SegmentationKeeper::onFound(const Result<Found>& outcome) {
     if (outcome) {
         found_ = *outcome;
+        listOwn();
     } else {
         Q_EMIT failed(outcome.error());
     }
@@ -90,6 +96,11 @@ void SegmentationKeeper::onFound(const Result<Found>& outcome) {
 
 void SegmentationKeeper::onChanged(const scene::StudyState& before) {
     if (session_.state().segmentations == before.segmentations) return;
+    const bool isOtherOwn = own_.follow(session_.state().segmentations);
+    if (isOtherOwn) {
+        listOwn();
+        Q_EMIT listChanged();
+    }
     // Retries a failed segmentation when a person shows it again.
     for (const SegmentationSettings& choice : session_.state().segmentations) {
         if (choice.isShown && !scene::choiceOf(before.segmentations, choice.digest).isShown)
@@ -103,6 +114,49 @@ void SegmentationKeeper::onChanged(const scene::StudyState& before) {
     loadNext();
     showOnSlices();
     mask();
+    if (isOtherOwn) Q_EMIT ownChanged();
+}
+
+// Puts the current revision in the place of the one that is listed.
+void SegmentationKeeper::listOwn() {
+    std::erase_if(found_, [](const study::FoundSegmentation& each) { return each.isOwn; });
+    std::erase_if(loaded_, [this](const Loaded& each) { return each->digest == listedOwn_; });
+    listedOwn_.clear();
+    const Loaded& now = own_.current();
+    if (!now || now->segments.empty()) return;
+    found_.insert(found_.begin(), scene::foundOwn(*now, tr("Own segments").toStdString()));
+    loaded_.push_back(now);
+    listedOwn_ = now->digest;
+}
+
+void SegmentationKeeper::takeOwn(Loaded left) {
+    own_.add(std::move(left));
+    if (!own_.follow(session_.state().segmentations)) return;
+    listOwn();
+    Q_EMIT listChanged();
+    showOnSlices();
+    mask();
+    Q_EMIT ownChanged();
+}
+
+void SegmentationKeeper::changeOwn(const QString& what, Loaded next) {
+    // What an undo of the first change goes back to: named by the state like any other revision.
+    if (!own()) {
+        own_.add(scene::ownRevision({}, *session_.study().volume));
+        session_.follow([this](scene::StudyState& state) {
+            scene::choose(state.segmentations, SegmentationSettings{own_.newest()->digest, true, {}});
+        });
+    }
+    const std::string before = own()->digest;
+    own_.add(next);
+    session_.change(
+        what, [&](scene::StudyState& state) { scene::chooseRevision(state.segmentations, before, *next); });
+}
+
+void SegmentationKeeper::setPreview(std::optional<slices::ShownSegment> preview) {
+    if (!preview && !preview_) return;
+    preview_ = std::move(preview);
+    showOnSlices();
 }
 
 // Loads the first segmentation that is shown but not loaded yet.
@@ -170,6 +224,7 @@ void SegmentationKeeper::showOnSlices() {
             shown->push_back(std::move(each));
         }
     }
+    if (preview_) shown->push_back(*preview_);
     if (shown->empty() ? !shown_ : shown_ && *shown_ == *shown) return;
     shown_.reset();
     if (!shown->empty()) shown_ = std::move(shown);
@@ -210,19 +265,20 @@ void SegmentationKeeper::onRefused(const Error& error) {
 }
 
 QString SegmentationKeeper::note() const {
-    if (!session_.hasStudy() || isFinding()) return {};
+    if (!session_.hasStudy() || isFinding() || isOwnExpected_) return {};
     const auto isThere = [this](const SegmentationSettings& choice) {
         return std::ranges::any_of(found_, [&](const study::FoundSegmentation& each) {
             return each.digest == choice.digest && each.canBeShown();
         });
     };
     for (const SegmentationSettings& choice : session_.state().segmentations) {
-        if (choice.isShown && !isThere(choice))
+        if (choice.isShown && !isThere(choice) && !isOwn(choice.digest))
             return tr(
                 "A segmentation that was shown with this study is not in the folder; nothing of it is "
                 "shown or hidden.");
     }
-    const auto count = std::ranges::count_if(found_, &study::FoundSegmentation::canBeShown);
+    const auto count = std::ranges::count_if(
+        found_, [](const study::FoundSegmentation& each) { return each.canBeShown() && !each.isOwn; });
     if (count == 0) return {};
     return tr("There are %n segmentations of this volume: F11.", nullptr, int(count));
 }

@@ -17,6 +17,7 @@
 #include "study/segmentation/loaded_segmentation.h"
 #include "viewer/editor/study_editor.h"
 #include "viewer/jobs/background_job.h"
+#include "viewer/segmentation/own_revisions.h"
 
 namespace macula::viewer {
 
@@ -49,6 +50,19 @@ class SegmentationKeeper : public QObject {
     // Stops loading, and hides the segmentations that are not loaded.
     void cancel();
 
+    // The segments that a person makes here: one segmentation among found() and allLoaded(), at the revision
+    // that the state names. Null without any.
+    const std::shared_ptr<const study::LoadedSegmentation>& own() const { return own_.current(); }
+    bool isOwn(std::string_view digest) const { return own_.find(digest) != nullptr; }
+    // As they were left; makes no undo step.
+    void takeOwn(std::shared_ptr<const study::LoadedSegmentation> left);
+    // One undo step, after which the segmentation is shown, each segment in a colour of its own.
+    void changeOwn(const QString& what, std::shared_ptr<const study::LoadedSegmentation> next);
+    // Whether own segments of this study may still come: until then note() does not miss them.
+    void expectOwn(bool expected) { isOwnExpected_ = expected; }
+    // Over the segments on slices, until the next study; nothing: none.
+    void setPreview(std::optional<slices::ShownSegment> preview);
+
   Q_SIGNALS:
     void listChanged();                                      // found(), loaded() or trouble()
     void shownChanged();                                     // shown()
@@ -59,6 +73,7 @@ class SegmentationKeeper : public QObject {
     void progressed(const QString& stage, double fraction);
     void ended();
     void failed(const macula::Error& error);
+    void ownChanged();  // another revision of own() counts
 
   private:
     using Found = std::vector<study::FoundSegmentation>;
@@ -72,6 +87,7 @@ class SegmentationKeeper : public QObject {
     void showOnSlices();
     void mask();
     void onRefused(const Error& error);
+    void listOwn();
     const dicom::Stack* stack() const;  // the open volume's images; null if it is from no folder
 
     StudyEditor& session_;
@@ -80,6 +96,10 @@ class SegmentationKeeper : public QObject {
     std::map<std::string, QString, std::less<>> troubles_;  // the key is a digest
     std::string isBeingLoaded_;                             // digest
     std::shared_ptr<const slices::ShownSegments> shown_;
+    OwnRevisions own_;
+    std::string listedOwn_;  // digest of the revision among found_ and loaded_
+    bool isOwnExpected_ = false;
+    std::optional<slices::ShownSegment> preview_;
     std::vector<scene::In3dOf> masked_;  // the choices wanted for the last mask
     std::vector<scene::In3dOf> making_;  // those of `masked_` that are loaded
     std::vector<scene::In3dOf> made_;    // the choices behind the last finished mask

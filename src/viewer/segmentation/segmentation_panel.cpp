@@ -1,6 +1,7 @@
 #include "viewer/segmentation/segmentation_panel.h"
 
 #include <QColorDialog>
+#include <QFont>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -113,7 +114,9 @@ void SegmentationPanel::makeTree() {
     tree_->header()->setStretchLastSection(false);
     connect(tree_, &QTreeWidget::itemChanged, this, &SegmentationPanel::onItemChanged);
     connect(tree_, &QTreeWidget::currentItemChanged, this, [this] {
-        if (!isFilling_) showControls();
+        if (isFilling_) return;
+        showControls();
+        Q_EMIT selectionChanged();
     });
 }
 
@@ -200,10 +203,21 @@ void SegmentationPanel::fill() {
         for (const study::FoundSegmentation& found : keeper_.found()) addSegmentation(found, ++place);
         tree_->expandAll();
         for (QTreeWidgetItemIterator at(tree_); was && *at != nullptr; ++at) {
-            if (idOf(**at) == *was) tree_->setCurrentItem(*at);
+            if (isSame(idOf(**at), *was)) tree_->setCurrentItem(*at);
         }
     }
     showChoices();
+    Q_EMIT selectionChanged();
+}
+
+bool SegmentationPanel::isSame(const SegmentId& a, const SegmentId& b) const {
+    return a.number == b.number &&
+           (a.digest == b.digest || (keeper_.isOwn(a.digest) && keeper_.isOwn(b.digest)));
+}
+
+void SegmentationPanel::select(const SegmentId& id) {
+    for (QTreeWidgetItemIterator at(tree_); *at != nullptr; ++at)
+        if (isSame(idOf(**at), id)) tree_->setCurrentItem(*at);
 }
 
 void SegmentationPanel::addSegmentation(const study::FoundSegmentation& found, std::size_t place) {
@@ -212,6 +226,13 @@ void SegmentationPanel::addSegmentation(const study::FoundSegmentation& found, s
     const QString title = namesShown_ ? shown(found.title) : tr("Segmentation %1").arg(place);
     item->setText(kName, title);
     item->setToolTip(kName, title.toHtmlEscaped());
+    if (found.isOwn) {
+        item->setText(kName, QString::fromStdString(found.title));  // names nobody
+        item->setToolTip(kName, tr("Made here, by you: they are in no file of the folder"));
+        QFont own = item->font(kName);
+        own.setItalic(true);
+        item->setFont(kName, own);
+    }
     if (!found.canBeShown()) {
         // The reason is a row below, so that nobody has to look for it.
         auto* why = new QTreeWidgetItem(item);

@@ -24,8 +24,13 @@ class SegmentationPanel : public QWidget {
   public:
     SegmentationPanel(StudyEditor& session, SegmentationKeeper& keeper, QWidget* parent = nullptr);
 
-    void showNames(bool shown);         // a segmentation's texts may name the patient
-    void setColour(const QColor& rgb);  // colours the selected segment, if any
+    void showNames(bool shown);                 // a segmentation's texts may name the patient
+    void setColour(const QColor& rgb);          // colours the selected segment, if any
+    std::optional<SegmentId> selected() const;  // a segment that can be shown
+    void select(const SegmentId& id);           // does nothing for one that is not listed
+
+  Q_SIGNALS:
+    void selectionChanged();  // or the list
 
   private:
     QWidget* makeControls();
@@ -45,8 +50,8 @@ class SegmentationPanel : public QWidget {
     void centre();
 
     static SegmentId idOf(const QTreeWidgetItem& item);
-    std::optional<SegmentId> selected() const;  // a segment that can be shown
-    bool isCalibrated() const;                  // whether the volume is; true without one
+    bool isSame(const SegmentId& a, const SegmentId& b) const;  // revisions of own segments are the same
+    bool isCalibrated() const;                                  // whether the volume is; true without one
 
     StudyEditor& session_;
     SegmentationKeeper& keeper_;

@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <exception>
+#include <memory>
 #include <utility>
 
 #include "base/exceptions.h"
@@ -21,6 +22,20 @@
 #include "viewer/status/study_notes.h"
 
 namespace macula::viewer {
+
+namespace {
+
+// The file of own segments recommends the colours that they have here.
+std::shared_ptr<const study::LoadedSegmentation> inChosenColours(const study::LoadedSegmentation& own,
+                                                                 const scene::SegmentationSettings& choice) {
+    auto coloured = std::make_shared<study::LoadedSegmentation>(own);
+    for (study::LoadedSegment& each : coloured->segments)
+        if (const auto rgb = scene::choiceOf(choice, each.segment.number).rgb)
+            each.segment.recommendedRgb = rgb;
+    return coloured;
+}
+
+}  // namespace
 
 SegmentationsController::SegmentationsController(const WindowContext& context, SegmentationKeeper& keeper,
                                                  const std::array<SliceView*, 3>& slices)
@@ -75,7 +90,8 @@ Result<scene::SegmentationRequest> SegmentationsController::onScreen() const {
         if (!choice.isShown) continue;
         for (const auto& loaded : keeper_.allLoaded()) {
             if (loaded->digest != found.digest) continue;
-            scene::SegmentationRequest::Part part{loaded, found.header.file, {}};
+            scene::SegmentationRequest::Part part{
+                found.isOwn ? inChosenColours(*loaded, choice) : loaded, found.header.file, {}};
             for (const study::LoadedSegment& each : loaded->segments)
                 if (scene::choiceOf(choice, each.segment.number).isVisible)
                     part.numbers.push_back(each.segment.number);

@@ -19,7 +19,8 @@ bool SliceHand::isUndoStep(Drag drag) {
 
 // False for tools that act on the whole picture.
 bool SliceHand::takesHold() const {
-    return tool_ != SliceTool::window && tool_ != SliceTool::zoom && tool_ != SliceTool::pan;
+    return tool_ != SliceTool::window && tool_ != SliceTool::zoom && tool_ != SliceTool::pan &&
+           tool_ != SliceTool::segment;
 }
 
 bool SliceHand::press(Qt::MouseButton button, const QPointF& place, const SliceRequest& shown) {
@@ -48,6 +49,7 @@ void SliceHand::pressLeft(const QPointF& place, const SliceRequest& shown) {
         drag_ = measurements.isDrawing() ? Drag::draw : Drag::none;
         return;
     }
+    if (tool_ == SliceTool::segment) return pressBrush(place, shown);
     if (takeClip(place, shown) || takeMeasurement(place, shown)) return;
     measurements.deselect();
     if (measures(tool_)) {
@@ -56,6 +58,12 @@ void SliceHand::pressLeft(const QPointF& place, const SliceRequest& shown) {
     }
     drag_ = dragOfTool();
     if (drag_ == Drag::crosshair) parts_.travel.pointAt(shown.worldFromPane(place), shown.shows);
+}
+
+// Segments are drawn on the voxels of the study alone.
+void SliceHand::pressBrush(const QPointF& place, const SliceRequest& shown) {
+    const BrushTouch touch{shown.worldFromPane(place), shown.frame.plane.normal()};
+    if (shown.showsStudy() && brush_ != nullptr && brush_->press(touch)) drag_ = Drag::brush;
 }
 
 SliceHand::Drag SliceHand::dragOfTool() const {
@@ -74,6 +82,8 @@ SliceHand::Drag SliceHand::dragOfTool() const {
         case SliceTool::angle:
         case SliceTool::ellipse:
             return Drag::draw;
+        case SliceTool::segment:
+            break;
     }
     return Drag::none;
 }
@@ -115,6 +125,7 @@ void SliceHand::move(const QPointF& place, Qt::MouseButtons buttons, const Slice
                      const glm::ivec2& sizePx) {
     // The button went up elsewhere, without an event here.
     if (isHolding() && !buttons.testFlag(button_)) {
+        if (drag_ == Drag::brush) brush_->release();
         drag_ = Drag::none;
         parts_.clip.letGo();
         parts_.session.endDrag();
@@ -141,6 +152,8 @@ void SliceHand::dragTo(const QPointF& place, const SliceRequest& shown, const gl
             return parts_.measurements.moveHandle(heldHandle_, shown.worldFromPane(place));
         case Drag::clip:
             return parts_.clip.dragTo(place, shown);
+        case Drag::brush:
+            return brush_->drag({shown.worldFromPane(place), shown.frame.plane.normal()});
         case Drag::draw:
         case Drag::none:
             return parts_.measurements.moveDrawing(shown.worldFromPane(place));
@@ -159,6 +172,7 @@ bool SliceHand::release(Qt::MouseButton button, const QPointF& place, const Slic
     if (!isHolding() || button != button_) return false;
     const Drag ended = std::exchange(drag_, Drag::none);
     parts_.clip.letGo();
+    if (ended == Drag::brush) brush_->release();
     if (ended == Drag::draw && shown != nullptr)
         parts_.measurements.releaseDrawing(shown->worldFromPane(place));
     if (isUndoStep(ended)) parts_.session.endDrag();
@@ -171,6 +185,7 @@ void SliceHand::loseHandle() {
 
 void SliceHand::end() {
     if (isUndoStep(drag_)) parts_.session.endDrag();
+    if (drag_ == Drag::brush) brush_->drop();
     drag_ = Drag::none;
     parts_.clip.letGo();
     parts_.measurements.dropDrawing();

@@ -12,6 +12,7 @@
 #include "viewer/slices/pane_clip.h"
 #include "viewer/slices/pane_measurements.h"
 #include "viewer/slices/pane_zoom.h"
+#include "viewer/slices/slice_brush.h"
 #include "viewer/slices/slice_sampler.h"
 #include "viewer/slices/slice_travel.h"
 #include "viewer/slices/slice_windowing.h"
@@ -34,6 +35,8 @@ class SliceHand {
 
     SliceTool tool() const { return tool_; }
     void setTool(SliceTool tool) { tool_ = tool; }
+    void setBrush(SliceBrush* brush) { brush_ = brush; }  // outlives it; null: none
+    double ringMm() const { return tool_ == SliceTool::segment && brush_ ? brush_->radiusMm() : 0.0; }
 
     bool isHolding() const { return drag_ != Drag::none; }
     bool holdsClip() const { return drag_ == Drag::clip; }
@@ -55,11 +58,12 @@ class SliceHand {
     std::optional<Qt::CursorShape> cursorAt(const QPointF& place, const SliceRequest& shown) const;
 
   private:
-    enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe, clip };
+    enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe, clip, brush };
 
     static bool isUndoStep(Drag drag);
     bool takesHold() const;
     void pressLeft(const QPointF& place, const SliceRequest& shown);
+    void pressBrush(const QPointF& place, const SliceRequest& shown);
     bool takeClip(const QPointF& place, const SliceRequest& shown);
     bool takeMeasurement(const QPointF& place, const SliceRequest& shown);
     Drag dragOfTool() const;
@@ -67,6 +71,7 @@ class SliceHand {
     void dragTo(const QPointF& place, const SliceRequest& shown, const glm::ivec2& sizePx);
 
     Parts parts_;
+    SliceBrush* brush_ = nullptr;
     SliceTool tool_ = SliceTool::crosshair;
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;

@@ -1,5 +1,7 @@
 #include "viewer/slices/slice_painting.h"
 
+#include <utility>
+
 #include "viewer/language/harmless_text.h"
 #include "viewer/slices/picture_texts.h"
 
@@ -49,6 +51,20 @@ void SlicePainting::paint(QPainter& painter, const QRect& pane, const QStringLis
     paintOverlay(painter, pane.size(), overlay(notes, pointedAt));
     // Marks the second volume, so that nobody mistakes it for the study at a glance.
     if (!shown.of.showsStudy()) paintEdge(painter, pane, kSecondInk, kSecondPx, kFocusPx + kSecondPx / 2);
+}
+
+void SlicePainting::paintRing(QPainter& painter, const QPointF& pointedAt, double radiusMm) const {
+    const SliceRequest* shown = parts_.picture.shown() != nullptr ? parts_.picture.shownRequest() : nullptr;
+    if (!(radiusMm > 0.0) || shown == nullptr || !shown->showsStudy()) return;
+    const double radiusPx = radiusMm / (shown->frame.mmPerPixel * shown->pixelRatio);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const auto& [ink, widthPx] :
+         {std::pair(QColor(Qt::black), 3.0), std::pair(QColor(Qt::white), 1.2)}) {
+        painter.setPen(QPen(ink, widthPx));
+        painter.drawEllipse(pointedAt, radiusPx, radiusPx);
+    }
+    painter.restore();
 }
 
 void SlicePainting::paintFocus(QPainter& painter, const QRect& pane, const QColor& ink) {

@@ -36,6 +36,8 @@ class SlicePainting {
     // `pane` in logical pixels; `notes` are over the picture; `pointedAt`: the pointer, if it is in the pane.
     void paint(QPainter& painter, const QRect& pane, const QStringList& notes,
                const std::optional<QPointF>& pointedAt);
+    // Around the pointer; nothing for a radius of 0, over a second volume, or without a picture.
+    void paintRing(QPainter& painter, const QPointF& pointedAt, double radiusMm) const;
     static void paintFocus(QPainter& painter, const QRect& pane, const QColor& ink);
     static QString noStudyText();
 

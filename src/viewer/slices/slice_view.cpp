@@ -182,6 +182,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     if (wanted != nullptr && wanted->pixelRatio != devicePixelRatioF()) request();  // on another screen
     QPainter painter(this);
     painting_.paint(painter, rect(), notes(), hoverAt_);
+    if (hoverAt_) painting_.paintRing(painter, *hoverAt_, hand_.ringMm());
     if (hasFocus()) SlicePainting::paintFocus(painter, rect(), palette().color(QPalette::Highlight));
 }
 

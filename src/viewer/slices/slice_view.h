@@ -51,6 +51,7 @@ class SliceView : public QWidget {
     void showClip(bool shown, bool withHandles);
     // Segments over the slices of the open study; null: none.
     void setSegments(std::shared_ptr<const slices::ShownSegments> segments);
+    void setBrush(SliceBrush* brush) { hand_.setBrush(brush); }  // for SliceTool::segment; outlives it
 
     // Null: no second volume. The session says how to show it (scene::SecondVolumeState).
     void setSecond(std::shared_ptr<const SecondVolumeTexts> second);

@@ -65,14 +65,15 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     if (asksForMenu) popups_.openMenu(event->position());
 }
 
-// Drops the measurement that the first click began, which was not intended. During a drawing, a double-click
-// is a click like any other.
+// Drops the measurement that the first click began, which was not intended. During a drawing, and with a
+// brush, a double-click is a click like any other.
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() == Qt::RightButton) {  // the first click opened no menu here
         hand_.drop();
         return fit();
     }
-    if (event->button() != Qt::LeftButton || measurements_.isBeyondFirstPoint())
+    if (event->button() != Qt::LeftButton || measurements_.isBeyondFirstPoint() ||
+        hand_.tool() == SliceTool::segment)
         return mousePressEvent(event);
     measurements_.dropDrawing();
     update();

@@ -94,6 +94,12 @@ void drawProbe(QPainter& painter) {
     painter.drawRect(QRectF(12, 4, 9, 8));
 }
 
+// A brush over what it has painted.
+void drawSegment(QPainter& painter) {
+    fillDot(painter, {8, 16}, 6);
+    painter.drawLine(QPointF(11, 13), QPointF(21, 3));
+}
+
 // The values across a slab, and the one that the projection takes.
 void drawSlab(QPainter& painter, double takenAtY, double fromX, double toX) {
     QPainterPath curve;
@@ -160,6 +166,8 @@ void drawGlyph(QPainter& painter, Glyph glyph) {
             return drawEllipse(painter);
         case Glyph::probe:
             return drawProbe(painter);
+        case Glyph::segment:
+            return drawSegment(painter);
         case Glyph::slabMean:
             return drawSlab(painter, 12, 2, 22);
         case Glyph::slabMaximum:

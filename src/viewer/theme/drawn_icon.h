@@ -14,6 +14,7 @@ enum class Glyph {
     angle,
     ellipse,
     probe,
+    segment,
     slabMean,
     slabMaximum,
     slabMinimum,

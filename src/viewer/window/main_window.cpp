@@ -47,6 +47,7 @@
 #include "viewer/second/second_volume_loader.h"
 #include "viewer/segmentation/segmentation_panel.h"
 #include "viewer/segmentation/segmentations_controller.h"
+#include "viewer/segmenting/segmenting_controller.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/settings/window_place.h"
 #include "viewer/slices/measurements_controller.h"
@@ -161,6 +162,11 @@ void MainWindow::makePanels() {
     connect(transfer_, &TransferFunctionEditor::saveAsked, &presets_->gallery(),
             &PresetGallery::askToSaveCurve);
     segmentations_ = new SegmentationsController(context_, shown_->segments(), panes_->allSlices());
+    segmenting_ = new SegmentingController(context_, {.keeper = shown_->segments(),
+                                                      .list = segmentations_->panel(),
+                                                      .slices = panes_->allSlices(),
+                                                      .store = keeper_.get()});
+    segmenting_->setToolAction(*panes_->tools().findChild<QAction*>(QStringLiteral("slice-tool-segment")));
     browser_ = new BrowserController(context_, *opening_, keeper_.get());
     QDockWidget* studies =
         panels_->add(Qt::LeftDockWidgetArea, &browser_->browser(), tr("Studies"), "studies-panel", key(0));
@@ -178,7 +184,7 @@ void MainWindow::makePanels() {
     clips_->setDock(*second);
     splitDockWidget(first, second, Qt::Vertical);
     QDockWidget* presets = panels_->add(kRight, &presets_->gallery(), tr("Presets"), "presets-panel", key(3));
-    QDockWidget* segments = panels_->add(kRight, &segmentations_->panel(), tr("Segmentations"),
+    QDockWidget* segments = panels_->add(kRight, segmenting_->makePanel(), tr("Segmentations"),
                                          "segments-panel", QKeySequence(Qt::Key_F11));
     QDockWidget* lights = panels_->add(kRight, lights_->panel(), tr("Lights"), "lights-panel", key(4));
     lights_->setDock(*lights);
@@ -228,6 +234,7 @@ void MainWindow::makeOthers() {
     quit_->waitFor(*measurements_);
     quit_->waitFor(*presentations_);
     quit_->waitFor(*segmentations_);
+    quit_->waitFor(*segmenting_);
     quit_->waitFor(*send_);
 }
 
@@ -320,6 +327,7 @@ void MainWindow::place() {
 // reports errors, still exists.
 MainWindow::~MainWindow() {
     states_->keep();
+    segmenting_->keep();
     // Destroys everything that refers to the session before the session itself.
     hide();
     for (QDockWidget* panel : findChildren<QDockWidget*>()) delete panel;

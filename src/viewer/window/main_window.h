@@ -53,6 +53,7 @@ class SecondVolumeController;
 class SecondVolumeLoader;
 class SegmentationKeeper;
 class SegmentationsController;
+class SegmentingController;
 class SendController;
 class SlicePair;
 class SliceView;
@@ -106,6 +107,7 @@ class MainWindow : public QMainWindow {
     bool loading() const { return opening_->loader().loading(); }
     bool loaderAtRest() const { return opening_->loader().atRest(); }
     SegmentationKeeper& segments() { return shown_->segments(); }
+    SegmentingController& segmenting() { return *segmenting_; }
     bool searchingTable() const;
     bool cutting() const;  // the scissors' mask is being computed
     // The scissors over the 3D picture.
@@ -199,6 +201,7 @@ class MainWindow : public QMainWindow {
     PresetsController* presets_ = nullptr;
     TransferFunctionEditor* transfer_ = nullptr;
     SegmentationsController* segmentations_ = nullptr;
+    SegmentingController* segmenting_ = nullptr;
     ArchiveController* archive_ = nullptr;
     LinksController* links_ = nullptr;
     ManifestsController* manifests_ = nullptr;

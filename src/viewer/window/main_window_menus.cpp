@@ -30,6 +30,7 @@
 #include "viewer/receive/receive_controller.h"
 #include "viewer/second/second_volume_controller.h"
 #include "viewer/segmentation/segmentations_controller.h"
+#include "viewer/segmenting/segmenting_controller.h"
 #include "viewer/settings/key_book.h"
 #include "viewer/slices/measurements_controller.h"
 #include "viewer/status/status_widgets.h"
@@ -70,6 +71,7 @@ void MainWindow::makeFileMenu() {
     pictures_->addActions(*file);
     measurements_->addFileActions(*file);
     segmentations_->addFileAction(*file);
+    segmenting_->addFileActions(*file);
     movies_->addActions(*file);
     models_->addActions(*file);
     presets_->addFileAction(*file);
@@ -128,8 +130,8 @@ void MainWindow::makeToolBar() {
 
 void MainWindow::makeStatusBar() {
     for (WorkBar* bar : {opening_->bar(), archive_->bar(), links_->bar(), manifests_->bar(), table_->bar(),
-                         segmentations_->loadingBar(), pictures_->bar(), send_->bar(), movies_->bar(),
-                         models_->bar(), quality_->bar(), clips_->bar()})
+                         segmentations_->loadingBar(), segmenting_->bar(), pictures_->bar(), send_->bar(),
+                         movies_->bar(), models_->bar(), quality_->bar(), clips_->bar()})
         statusBar()->addWidget(bar);
     status_->addTo(*statusBar());
     statusBar()->addPermanentWidget(receive_->label());
