@@ -135,6 +135,7 @@ TEST_F(Segmenting, IslandsAreThoseOfAFlood) {
                 ++parts;
                 if (part.count() > largest.count()) largest = part;
                 if (part.count() >= 4) large = united(large, part);
+                EXPECT_TRUE(*islandOf(set, v, corners, progress_) == part);
             });
             EXPECT_EQ(*islandCount(set, corners, progress_), parts);
             EXPECT_TRUE(*largestIsland(set, corners, progress_) == largest);
@@ -143,6 +144,7 @@ TEST_F(Segmenting, IslandsAreThoseOfAFlood) {
     }
     EXPECT_TRUE(largestIsland({}, true, progress_)->isEmpty());
     EXPECT_EQ(*islandCount({}, true, progress_), 0u);
+    EXPECT_TRUE(islandOf({}, glm::ivec3(0), true, progress_)->isEmpty());
     const VoxelSet all = setWhere(size, [](const glm::ivec3&) { return true; });
     EXPECT_TRUE(*largestIsland(all, false, progress_) == all);
 }
