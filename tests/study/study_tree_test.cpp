@@ -145,7 +145,7 @@ TEST(StudyTree, WhatCannotBeOpenedSaysWhy) {
     EXPECT_EQ(why("Series 1: Scout"), "") << "it is shown as an image";
     EXPECT_NE(tree.rows[rowTitled(tree, "Series 1: Scout")].images, nullptr);
     EXPECT_EQ(why("Series 9: Report of Jane"),
-              "This is no image, and is not shown by itself: Structured report.");
+              "This is no image, and is not shown in 3D: Structured report.");
     EXPECT_EQ(why("Series 10: Broken"), "No file of this series can be read; it has 4.");
     EXPECT_EQ(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].picture, nullptr);
     EXPECT_EQ(inEnglish(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].details),
