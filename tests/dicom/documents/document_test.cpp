@@ -291,12 +291,13 @@ class SharedDocuments : public DocumentTest {
 TEST_F(SharedDocuments, ReportsHaveTheNumbersAndShapesOfTheTruth) {
     SKIP_WITHOUT_SHARED_DATA();
     std::size_t reports = 0;
-    for (const auto& [path, truth] : truth("2_structured").items()) {
-        if (!truth.is_object() || !truth.contains("sr")) continue;
+    const Json all = truth("2_structured");  // outlives the loop
+    for (const auto& [path, of] : all.items()) {
+        if (!of.is_object() || !of.contains("sr")) continue;
         ++reports;
         const StudyDocument document = read(sharedData() / "planar" / path);
-        const Json& sr = truth["sr"];
-        EXPECT_EQ(document.sopInstanceUid, truth["sop_instance"]) << path;
+        const Json& sr = of["sr"];
+        EXPECT_EQ(document.sopInstanceUid, of["sop_instance"]) << path;
         EXPECT_NE(sr["title"].get<std::string>().find("\"" + document.title.english() + "\""),
                   std::string::npos)
             << path;
