@@ -31,6 +31,7 @@ namespace macula::viewer {
 class ArchiveController;
 class BrowserController;
 class ClipsController;
+class DocumentsController;
 class HeadsetController;
 class LightsController;
 class LinksController;
@@ -116,6 +117,7 @@ class MainWindow : public QMainWindow {
     SlicePair& pair(slices::Orientation orientation) { return panes_->pair(orientation); }
     PaneGrid& panes() { return panes_->grid(); }
     PlanarController& images() { return *planar_; }  // those that are no volumes
+    DocumentsController& documents() { return *documents_; }
     SecondVolumeLoader& secondVolume();
     // The last error; the notes on the study. Empty without one, or after it was dismissed.
     QString message() const { return notifications_->text(); }
@@ -203,6 +205,7 @@ class MainWindow : public QMainWindow {
     LinksController* links_ = nullptr;
     ManifestsController* manifests_ = nullptr;
     BrowserController* browser_ = nullptr;
+    DocumentsController* documents_ = nullptr;
     SecondVolumeController* second_ = nullptr;
     QualityController* quality_ = nullptr;
     MoviesController* movies_ = nullptr;

@@ -10,6 +10,7 @@
 #include "viewer/browser/browser_controller.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/clip/clips_controller.h"
+#include "viewer/documents/documents_controller.h"
 #include "viewer/editor/undo_actions.h"
 #include "viewer/headset/headset_controller.h"
 #include "viewer/keys/keys.h"
@@ -57,6 +58,7 @@ void MainWindow::makeFileMenu() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     file->setToolTipsVisible(true);
     opening_->addActions(*file);
+    documents_->addAction(*file);
     archive_->addAction(*file);
     file->addMenu(&browser_->recent());
     watch_->addMenu(*file);

@@ -12,6 +12,7 @@
 #include "viewer/browser/browser_controller.h"
 #include "viewer/clip/clips_controller.h"
 #include "viewer/clip/voxel_cutting.h"
+#include "viewer/documents/documents_controller.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
 #include "viewer/links/links_controller.h"
@@ -73,6 +74,7 @@ void MainWindow::showNames(bool shown) {
     browser_->showNames(shown);
     archive_->showNames(shown);
     links_->showNames(shown);
+    documents_->showNames(shown);
     watch_->showNames(shown);
     send_->showNames(shown);
     segmentations_->panel().showNames(shown);
