@@ -28,6 +28,7 @@ void addFind(CLI::App& app, Action& action);
 void addFetch(CLI::App& app, Action& action);
 void addSend(CLI::App& app, Action& action);
 void addReceive(CLI::App& app, Action& action);
+void addRead(CLI::App& app, Action& action);
 void addXr(CLI::App& app, Action& action);
 void addSessionsVerify(CLI::App& sessions, Action& action);  // a subcommand of sessions
 void addSessionsGc(CLI::App& sessions, Action& action);      // likewise

@@ -26,6 +26,7 @@ void addVerbs(CLI::App& app, macula::cli::Action& action) {
     cli::addFetch(app, action);
     cli::addSend(app, action);
     cli::addReceive(app, action);
+    cli::addRead(app, action);
     cli::addXr(app, action);
 }
 

@@ -145,7 +145,7 @@ TEST(StudyTree, WhatCannotBeOpenedSaysWhy) {
     EXPECT_EQ(why("Series 1: Scout"), "") << "it is shown as an image";
     EXPECT_NE(tree.rows[rowTitled(tree, "Series 1: Scout")].images, nullptr);
     EXPECT_EQ(why("Series 9: Report of Jane"),
-              "This is no image, and is not shown by itself: Structured report.");
+              "This is no image, and is not shown in 3D: Structured report.");
     EXPECT_EQ(why("Series 10: Broken"), "No file of this series can be read; it has 4.");
     EXPECT_EQ(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].picture, nullptr);
     EXPECT_EQ(inEnglish(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].details),
@@ -430,6 +430,43 @@ TEST(PresentationRows, WithoutNamesNothingOfTheFileIsLeftButTheDate) {
         EXPECT_EQ(row.searched.find("jane"), std::string::npos);
     }
     EXPECT_EQ(seen, 2u);
+}
+
+dicom::OtherObject documentOf(const std::string& file, const std::string& title) {
+    dicom::OtherObject object{.file = file,
+                              .sopClassUid = "1.2.840.10008.5.1.4.1.1.88.11",
+                              .kind = Text("Structured report"),
+                              .referencedSeriesUids = {}};
+    object.label = title;
+    return object;
+}
+
+TEST(DocumentRows, ASeriesOfOneDocumentOpensItAndOneOfSeveralHasARowForEach) {
+    dicom::Scan scan;
+    dicom::Series one = test::seriesOf(8, "Report", {}, "SR");
+    one.objects = {documentOf("/doe/a", "Chest of Jane")};
+    dicom::Series several = test::seriesOf(9, "Reports", {}, "SR");
+    several.objects = {documentOf("/doe/b", "First"), documentOf("/doe/c", "")};
+    scan.studies.push_back(test::studyOf(3, "DOE^JANE", "20210405", "Thorax", {one, several}));
+    scan.patients = 4;
+    const FoundVolumes found(std::move(scan));
+    const StudyTree tree = studyTree(found);
+    const StudyRow& only = tree.rows[rowTitled(tree, "Series 8: Report")];
+    ASSERT_TRUE(only.document);
+    EXPECT_EQ(only.document->file, "/doe/a");
+    EXPECT_EQ(only.document->patient, 3);
+    EXPECT_TRUE(only.children.empty());
+    EXPECT_TRUE(only.whyNot.empty());
+    EXPECT_EQ(only.details.back().english(), "Structured report: Chest of Jane");
+    const StudyRow& both = tree.rows[rowTitled(tree, "Series 9: Reports")];
+    EXPECT_FALSE(both.document);
+    EXPECT_TRUE(both.whyNot.empty());
+    EXPECT_EQ(titlesOf(tree, both.children), (Texts{"Structured report: First", "Structured report"}));
+    EXPECT_EQ(tree.rows[both.children[1]].document->file, "/doe/c");
+    const StudyTree hidden = studyTree(found, Names::hidden);
+    for (const StudyRow& row : hidden.rows)
+        for (const Text& detail : row.details)
+            EXPECT_EQ(detail.english().find("Jane"), std::string::npos) << detail.english();
 }
 
 }  // namespace

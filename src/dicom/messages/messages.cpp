@@ -282,7 +282,7 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "between the first and the last was never imaged, and is interpolated here.",
      "Do not read anything into what lies between the slices."},
     // Pixels and values.
-    {key::kUnsupportedSopClass, kInfo, 14, "This is no image, and is not shown by itself: {kind}.", ""},
+    {key::kUnsupportedSopClass, kInfo, 14, "This is no image, and is not shown in 3D: {kind}.", ""},
     {key::kUnsupportedSeries, kBlocksVolume, 13, "Images of this kind ({kind}) are no slices of a volume.",
      "Choose a series of slices."},
     {key::kColourImage, kBlocksVolume, 0, "The images are in colour; a volume needs one value per voxel.",

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "dicom/documents/read_document.h"
 #include "dicom/manifest/imaging_manifest.h"
 #include "dicom/read/presentation_tags.h"
 #include "dicom/read/random_file.h"
@@ -150,6 +151,7 @@ OtherObject readObject(const std::filesystem::path& file, const Dataset& header,
             object.referencedSeriesUids.push_back(std::move(*uid));
     }
     sortOut(object.referencedSeriesUids);
+    object.label = documentTitleOf(header);
     if (isPresentation) {
         object.presentation = headingOf(header, series);
         const PresentationHeading& heading = *object.presentation;

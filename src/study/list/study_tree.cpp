@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parsing.h"
+#include "dicom/documents/document.h"
 #include "dicom/manifest/imaging_manifest.h"
 #include "dicom/read/sop_class.h"
 #include "study/list/search_text.h"
@@ -203,17 +204,27 @@ class Builder {
             if (Text on = doseText(stack, patient); !on.empty()) row.details.push_back(std::move(on));
         }
         const std::vector<const dicom::OtherObject*> presentations = presentationsOf(series);
-        // A series of presentation states alone lacks no volume: a user opens one of the states.
+        const std::vector<const dicom::OtherObject*> documents = documentsOf(series);
+        // A series of presentation states or documents alone lacks no volume: a user opens one of them.
         const bool isOfPresentations = !presentations.empty() && series.stacks.empty();
+        const bool isOfDocuments =
+            !documents.empty() && documents.size() == series.objects.size() && series.stacks.empty();
         if (isOne && found_.isWhole() && canBeShownAsImages(series.stacks.front()))
             setImages(row, series.stacks.front());
-        else if (volumes.empty() && found_.isWhole() && !isOfPresentations)
+        else if (volumes.empty() && found_.isWhole() && !isOfPresentations && !isOfDocuments)
             row.whyNot = whyNoVolume(series);
-        addMessages(series.messages, row);
+        const bool isOneDocument = isOfDocuments && documents.size() == 1;
+        if (isOneDocument) {
+            row.document = StudyRow::Document{documents.front()->file, patient};
+            row.details.push_back(titleOf(*documents.front()));
+        }
+        if (!isOfDocuments) addMessages(series.messages, row);
         if (isOne) addMessages(series.stacks.front().messages, row);
         row.picture = pictureOf(series);
         const std::size_t index = add(std::move(row), {series.modality});
         for (const dicom::OtherObject* object : presentations) addPresentation(*object, patient, index);
+        for (const dicom::OtherObject* object : documents)
+            if (!isOneDocument) addDocument(*object, patient, index);
         if (isOne) return;
         for (std::size_t i = 0; i < series.stacks.size(); ++i) addStack(series.stacks[i], i, index);
     }
@@ -269,6 +280,28 @@ class Builder {
             return std::pair(object->presentation->date, object->presentation->time);
         });
         return all;
+    }
+
+    // Those that can be read. An imaging manifest is none: it is opened to fetch what it names.
+    static std::vector<const dicom::OtherObject*> documentsOf(const dicom::Series& series) {
+        std::vector<const dicom::OtherObject*> all;
+        for (const dicom::OtherObject& object : series.objects) {
+            if (dicom::isDocument(object.sopClassUid) && object.kind != dicom::imagingManifestKind())
+                all.push_back(&object);
+        }
+        return all;
+    }
+
+    Text titleOf(const dicom::OtherObject& document) const {
+        const std::string label(hides_ ? std::string_view() : trimmed(document.label));
+        return label.empty() ? document.kind : Text("{}: {}", document.kind, label);
+    }
+
+    void addDocument(const dicom::OtherObject& object, int patient, std::size_t parent) {
+        StudyRow row{.kind = StudyRow::Kind::document, .parent = parent};
+        row.title = titleOf(object);
+        row.document = StudyRow::Document{object.file, patient};
+        add(std::move(row), {});
     }
 
     void addPresentation(const dicom::OtherObject& object, int patient, std::size_t parent) {

@@ -24,7 +24,8 @@ struct StudyRow {
         series,
         stack,  // one of several stacks of a series
         presentation,
-        leftOut,  // files that are in no other row, or why
+        document,  // one of several of a series
+        leftOut,   // files that are in no other row, or why
     };
 
     // What a presentation state shows: a volume in 3D, or on slices; or images that are no volume.
@@ -33,6 +34,12 @@ struct StudyRow {
         std::size_t volume = 0;  // in FoundVolumes::volumes()
         bool isOfSlices = false;
         const dicom::Stack* images = nullptr;  // not null: these, and no volume
+    };
+
+    // A report, a plan, a selection of key images, a PDF (dicom/documents).
+    struct Document {
+        std::filesystem::path file;
+        int patient = 0;  // Study::patient of its study
     };
 
     Kind kind = Kind::patient;
@@ -48,7 +55,8 @@ struct StudyRow {
     // The volume that the row opens, in FoundVolumes::volumes(): of a stack, or of a series with only one.
     std::optional<std::size_t> volume = {};
     std::optional<Presentation> presentation = {};  // what opening the row shows
-    const dicom::Stack* images = nullptr;           // likewise: without a volume, planar_images.h
+    std::optional<Document> document = {};  // likewise: of a series with only one, or of a row of its own
+    const dicom::Stack* images = nullptr;   // likewise: without a volume, planar_images.h
     // Its middle image is the thumbnail of the row. Owned by the FoundVolumes; null without an image.
     const dicom::Stack* picture = nullptr;
     std::string searched = {};  // foldedForSearch of title and facts, with that of the rows above

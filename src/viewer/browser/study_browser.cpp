@@ -24,11 +24,12 @@ QImage asImage(const study::Thumbnail& thumbnail) {
     return borrowed.copy();
 }
 
-// Also expands a series that has only presentation states: nothing else can be opened there.
+// Also expands a series that has only presentation states or documents: nothing else can be opened there.
 bool startsExpanded(const study::StudyTree& tree, const study::StudyRow& row) {
     if (row.kind == study::StudyRow::Kind::patient || row.kind == study::StudyRow::Kind::study) return true;
     return row.kind == study::StudyRow::Kind::series && row.picture == nullptr && !row.children.empty() &&
-           tree.rows[row.children.front()].kind == study::StudyRow::Kind::presentation;
+           (tree.rows[row.children.front()].kind == study::StudyRow::Kind::presentation ||
+            tree.rows[row.children.front()].kind == study::StudyRow::Kind::document);
 }
 
 }  // namespace
@@ -251,6 +252,7 @@ void StudyBrowser::openRow(const QModelIndex& index) {
         return Q_EMIT presentationChosen(*presentation);
     }
     if (row.kind == study::StudyRow::Kind::presentation) return Q_EMIT presentationRefused(Text(row.whyNot));
+    if (const auto document = row.document) return Q_EMIT documentChosen(*document);
     if (row.images != nullptr) return Q_EMIT imagesChosen(row.images);
     if (!row.volume) return tree_->setExpanded(index, !tree_->isExpanded(index));
     if (row.volume == model_->open()) return Q_EMIT openChosen();

@@ -51,6 +51,7 @@ class StudyBrowser : public QWidget {
     void secondAsked(std::size_t index);                   // a volume to show beside the open one
     void openChosen();                                     // the open volume once more
     void imagesChosen(const macula::dicom::Stack* stack);  // a series without a volume; of found()
+    void documentChosen(const macula::study::StudyRow::Document& document);  // of found()
     // A person chose this presentation state; its volume may not be open.
     void imagesPresented(const macula::study::StudyRow::Presentation& presentation);
     void presentationChosen(const macula::study::StudyRow::Presentation& presentation);

@@ -17,9 +17,10 @@
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_handles_tool.h"
 #include "viewer/clip/clips_controller.h"
+#include "viewer/clip/scissor_tool.h"
 #include "viewer/curve/curve_controller.h"
 #include "viewer/curve/curve_panel.h"
-#include "viewer/clip/scissor_tool.h"
+#include "viewer/documents/documents_controller.h"
 #include "viewer/dose/dose_controller.h"
 #include "viewer/dose/dose_panel.h"
 #include "viewer/editor/undo_actions.h"
@@ -182,6 +183,8 @@ void MainWindow::makePanels() {
     QDockWidget* studies =
         panels_->add(Qt::LeftDockWidgetArea, &browser_->browser(), tr("Studies"), "studies-panel", key(0));
     browser_->setShownAction(*studies->toggleViewAction());
+    documents_ = new DocumentsController(
+        context_, {.opening = *opening_, .browser = browser_->browser(), .images = *planar_});
     archive_ = new ArchiveController(
         context_, {.opening = *opening_, .settings = *settings_, .recent = browser_->recent()});
     QDockWidget* archive =
@@ -272,6 +275,7 @@ void MainWindow::connectStudy() {
     connect(opening_, &OpeningController::cancelled, this, &MainWindow::loadingCancelled);
     connect(notifications_, &Notifications::failed, this, &MainWindow::failed);
     connect(this, &MainWindow::studyShown, archive_, &ArchiveController::onStudyShown);
+    connect(this, &MainWindow::studyShown, documents_, &DocumentsController::onStudyShown);
     connect(this, &MainWindow::studyShown, movies_, &MoviesController::onStudyShown);
     connect(this, &MainWindow::studyShown, presentations_, &PresentationsController::onStudyShown);
     connect(this, &MainWindow::studyShown, manifests_, &ManifestsController::onStudyShown);
@@ -318,8 +322,9 @@ bool MainWindow::showImagesInstead() {
     const auto& found = browser_->browser().found();
     // An opening that read no folder leaves the list as it was, which may be another patient's.
     const bool isNew = found && found->isWhole() && found != foundBefore_;
-    if (!isNew || !found->volumes().empty()) return false;
     const study::StudySource& source = opening_->loader().source();
+    if (isNew && source && documents_->openInstead(found, *source)) return true;
+    if (!isNew || !found->volumes().empty()) return false;
     const study::PlanarSeries series =
         study::planarSeriesFor(*found, source.value_or(std::filesystem::path()));
     if (series.stack == nullptr) return false;

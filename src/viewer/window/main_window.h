@@ -33,6 +33,7 @@ class BrowserController;
 class ClipsController;
 class CurveController;
 class DoseController;
+class DocumentsController;
 class HeadsetController;
 class LightsController;
 class LinksController;
@@ -121,6 +122,7 @@ class MainWindow : public QMainWindow {
     SlicePair& pair(slices::Orientation orientation) { return panes_->pair(orientation); }
     PaneGrid& panes() { return panes_->grid(); }
     PlanarController& images() { return *planar_; }  // those that are no volumes
+    DocumentsController& documents() { return *documents_; }
     SecondVolumeLoader& secondVolume();
     DoseController& dose() { return *dose_; }
     // The last error; the notes on the study. Empty without one, or after it was dismissed.
@@ -212,6 +214,7 @@ class MainWindow : public QMainWindow {
     LinksController* links_ = nullptr;
     ManifestsController* manifests_ = nullptr;
     BrowserController* browser_ = nullptr;
+    DocumentsController* documents_ = nullptr;
     SecondVolumeController* second_ = nullptr;
     DoseController* dose_ = nullptr;
     QualityController* quality_ = nullptr;

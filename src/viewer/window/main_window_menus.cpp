@@ -11,6 +11,7 @@
 #include "viewer/browser/recent_menu.h"
 #include "viewer/clip/clips_controller.h"
 #include "viewer/dose/dose_controller.h"
+#include "viewer/documents/documents_controller.h"
 #include "viewer/editor/undo_actions.h"
 #include "viewer/headset/headset_controller.h"
 #include "viewer/keys/keys.h"
@@ -59,6 +60,7 @@ void MainWindow::makeFileMenu() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     file->setToolTipsVisible(true);
     opening_->addActions(*file);
+    documents_->addAction(*file);
     archive_->addAction(*file);
     file->addMenu(&browser_->recent());
     watch_->addMenu(*file);

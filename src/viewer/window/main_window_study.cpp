@@ -13,6 +13,7 @@
 #include "viewer/clip/clips_controller.h"
 #include "viewer/clip/voxel_cutting.h"
 #include "viewer/dose/dose_controller.h"
+#include "viewer/documents/documents_controller.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
 #include "viewer/links/links_controller.h"
@@ -74,6 +75,7 @@ void MainWindow::showNames(bool shown) {
     browser_->showNames(shown);
     archive_->showNames(shown);
     links_->showNames(shown);
+    documents_->showNames(shown);
     watch_->showNames(shown);
     send_->showNames(shown);
     dose_->showNames(shown);

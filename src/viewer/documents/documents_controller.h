@@ -1,0 +1,82 @@
+// Documents of a study: read beside the images, and followed to those that they name.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "dicom/documents/document.h"
+#include "study/documents/image_places.h"
+#include "study/list/study_tree.h"
+#include "study/open/found_volumes.h"
+#include "viewer/context/window_context.h"
+#include "viewer/documents/private_files.h"
+#include "viewer/jobs/background_job.h"
+
+class QMenu;
+
+namespace macula::viewer {
+
+class DocumentDialog;
+class OpeningController;
+class PlanarController;
+class StudyBrowser;
+
+// Lives on the UI thread.
+class DocumentsController : public QObject {
+    Q_OBJECT
+
+  public:
+    struct Uses {  // all of it outlives the controller
+        OpeningController& opening;
+        StudyBrowser& browser;
+        PlanarController& images;
+    };
+    DocumentsController(const WindowContext& context, const Uses& uses);
+
+    void addAction(QMenu& file);
+    // `found` is the list that the document is in; null: in none, so that no image can be gone to.
+    void open(std::shared_ptr<const study::FoundVolumes> found, const study::StudyRow::Document& document);
+    // Where nothing could be opened as a volume: `source` if it is a document, or the only document of that
+    // folder. Returns whether there is one.
+    bool openInstead(const std::shared_ptr<const study::FoundVolumes>& found,
+                     const std::filesystem::path& source);
+    // While names are hidden no document is shown: any may name the patient.
+    void showNames(bool shown);
+    void onStudyShown();
+    DocumentDialog& dialog() const { return *dialog_; }
+
+  Q_SIGNALS:
+    void shown();
+
+  private:
+    void connectDialog();
+    void show(const Result<dicom::StudyDocument>& document);
+    void askForOne();
+    void goTo(int place);
+    void goToSlice(const study::ImagePlace& place);
+    void askToOpenFile();
+    void openFile();
+    void saveFile();
+    void saveText();
+    void takeMeasurements();
+
+    WindowContext context_;
+    Uses uses_;
+    DocumentDialog* dialog_;
+    bool namesShown_ = true;
+    std::shared_ptr<const study::FoundVolumes> found_;  // of the document; may be null
+    int patient_ = 0;
+    std::vector<std::optional<study::ImagePlace>> places_;  // of its references
+    std::optional<std::size_t> awaiting_;                   // a reference to go to once its series is open
+    std::set<std::string> confirmed_;  // documents whose file a person wants in another program
+    PrivateFiles files_;
+    BackgroundJob<dicom::StudyDocument> reading_;
+};
+
+}  // namespace macula::viewer
