@@ -233,7 +233,11 @@ Result<std::vector<glm::dvec3>> between(const Volume& volume, const glm::ivec3& 
     if (box.count() > kMostSearchedVoxels) return tooFar();
     const Likeness likeness(volume, from, to);
     const std::vector<glm::ivec3> way = Search(volume, box, likeness).way(from, to, token);
-    if (way.empty()) return Error{.code = ErrorCode::cancelled, .message = Text("Looking for the way of the vessel was cancelled."), .where = {}, .hint = {}};
+    if (way.empty())
+        return Error{.code = ErrorCode::cancelled,
+                     .message = Text("Looking for the way of the vessel was cancelled."),
+                     .where = {},
+                     .hint = {}};
     std::vector<glm::dvec3> mm;
     for (const glm::ivec3& voxel : way) {
         const bool isEnd = voxel == from || voxel == to;

@@ -76,8 +76,8 @@ void Curve::trace(std::span<const glm::dvec3> points) {
     for (std::size_t i = 0; i < pieces; ++i) {
         const glm::dvec3& b = points[i];
         const glm::dvec3& c = points[i + 1];
-        const Piece piece({i > 0 ? points[i - 1] : 2.0 * b - c, b, c,
-                           i + 2 < points.size() ? points[i + 2] : 2.0 * c - b});
+        const Piece piece(
+            {i > 0 ? points[i - 1] : 2.0 * b - c, b, c, i + 2 < points.size() ? points[i + 2] : 2.0 * c - b});
         const double wanted = std::max<double>(std::ceil(glm::distance(b, c) / kStepMm), kLeastSteps);
         const auto steps = std::size_t(std::min(wanted, double(most)));
         for (std::size_t s = 1; s <= steps; ++s) {
@@ -91,8 +91,7 @@ void Curve::trace(std::span<const glm::dvec3> points) {
 void Curve::turnFrames() {
     const std::size_t last = places_.size() - 1;
     for (std::size_t i = 0; i <= last; ++i)
-        places_[i].along =
-            glm::normalize(places_[std::min(i + 1, last)].mm - places_[i > 0 ? i - 1 : 0].mm);
+        places_[i].along = glm::normalize(places_[std::min(i + 1, last)].mm - places_[i > 0 ? i - 1 : 0].mm);
     places_[0].across = anyAcross(places_[0].along);
     for (std::size_t i = 0; i < last; ++i) {
         const CurvePlace& from = places_[i];

@@ -25,8 +25,8 @@ glm::dvec3 turned(const glm::dvec3& across, const glm::dvec3& beside, double deg
 
 double smallestSideMm(const Volume& volume) {
     const glm::dmat4& m = volume.worldFromVoxel();
-    return std::min({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])),
-                     glm::length(glm::dvec3(m[2]))});
+    return std::min(
+        {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))});
 }
 
 // Projects values onto one. Skips those that are missing.
@@ -173,11 +173,9 @@ CurvedFrame::Column CurvedFrame::column(double xPx) const {
     const auto after = std::ranges::upper_bound(acrossMm_, xMm);
     const auto high = std::clamp<std::size_t>(std::size_t(after - acrossMm_.begin()), 1, places.size() - 1);
     const double lengthMm = acrossMm_[high] - acrossMm_[high - 1];
-    const double share =
-        lengthMm > 0.0 ? std::clamp((xMm - acrossMm_[high - 1]) / lengthMm, 0.0, 1.0) : 0.0;
+    const double share = lengthMm > 0.0 ? std::clamp((xMm - acrossMm_[high - 1]) / lengthMm, 0.0, 1.0) : 0.0;
     column.place = curve_.at(glm::mix(places[high - 1].atMm, places[high].atMm, share));
-    column.curvePx =
-        0.5 * sizePx_.y + glm::mix(heightMm_[high - 1], heightMm_[high], share) / mmPerPixel_;
+    column.curvePx = 0.5 * sizePx_.y + glm::mix(heightMm_[high - 1], heightMm_[high], share) / mmPerPixel_;
     column.down = sweep_;
     const glm::dvec3 depth = glm::cross(column.place.along, sweep_);
     column.depth = glm::length(depth) > 1e-9 ? glm::normalize(depth) : column.place.across;

@@ -56,9 +56,10 @@ class CurvedFrame {
     std::vector<double> heightMm_;
 };
 
-// Values between voxels as sampleSlice with Filter::linear, in the volume's unit. A slab takes steps of half
-// the smallest side of a voxel across the surface. Uses all cores. Calls `cancelled` for each column, from
-// several threads; if it returns true, the result is empty. May throw std::bad_alloc.
+// Values between voxels as sampleSlice with Filter::linear, in the volume's unit. A slab takes steps of at
+// most half the smallest side of a voxel across the surface, longer ones beyond some 500 voxels. Uses all
+// cores. Calls `cancelled` for each column, from several threads; if it returns true, the result is empty.
+// May throw std::bad_alloc.
 SampledSlice sampleCurved(const Volume& volume, const CurvedFrame& frame, const Slab& slab,
                           const std::function<bool()>& cancelled = {});
 

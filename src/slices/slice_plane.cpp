@@ -75,7 +75,8 @@ glm::dquat leastTurn(const glm::dvec3& from, const glm::dvec3& to, const glm::dv
 
 SlicePlane tilted(const SlicePlane& plane, const glm::dquat& turn) {
     const glm::dvec3 from = plane.normal();
-    const glm::dvec3 to = turn * from;
+    glm::dvec3 to = turn * from;
+    if (glm::dot(from, to) < 0.0) to = -to;
     const glm::dquat tilt = leastTurn(from, to, plane.down);
     const glm::dvec3 right = glm::normalize(tilt * plane.right);
     return {.centreMm = plane.centreMm, .right = right, .down = perpendicular(glm::normalize(to), right)};

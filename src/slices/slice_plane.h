@@ -39,8 +39,9 @@ Orientation acquiredOrientation(const Volume& volume);
 // about `ifOpposite`, a unit vector perpendicular to both.
 glm::dquat leastTurn(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& ifOpposite);
 
-// The plane whose normal is `turn` times that of `plane`. In the picture it turns as little as that allows, so
-// that a turn about the normal changes nothing. Keeps the centre.
+// The plane whose normal is `turn` times that of `plane`, or the opposite one: nothing is ever seen from
+// behind. In the picture it turns as little as that allows, so that a turn about the normal changes nothing.
+// Keeps the centre.
 SlicePlane tilted(const SlicePlane& plane, const glm::dquat& turn);
 
 // A picture on a plane. Its pixels are square; (0, 0) is the upper left corner of the picture, and the centre

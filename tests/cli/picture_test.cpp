@@ -55,7 +55,8 @@ TEST_F(PictureCommand, RefusesWhatIsNotThere) {
     refused(2, "3 images", {at("in"), "-o", at("a.png"), "--image", "4"});
     refused(2, "window", {at("in"), "-o", at("a.png"), "--window", "3,-1"});
     refused(2, "PNG", {at("in"), "-o", at("a.jpg")});
-    refused(3, "presentation state", {at("in"), "-o", at("a.png"), "--presentation-state", at("in/loop.dcm")});
+    refused(3, "presentation state",
+            {at("in"), "-o", at("a.png"), "--presentation-state", at("in/loop.dcm")});
     write("a.png", "what was there");
     refused(2, "--overwrite", {at("in"), "-o", at("a.png")});
     EXPECT_EQ(readAll(at("a.png")), "what was there");

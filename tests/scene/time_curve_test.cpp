@@ -19,7 +19,8 @@ std::shared_ptr<const study::OpenedStudy> studyOf(float value, const std::string
     std::vector<float> values;
     for (int at = 0; at < 9 * 9 * 3; ++at) values.push_back(value + (at % 2 == 0 ? -1.0f : 1.0f));
     study::OpenedStudy study;
-    study.volume = std::make_shared<const Volume>(Volume::createFloat(std::move(options), std::move(values)).value());
+    study.volume =
+        std::make_shared<const Volume>(Volume::createFloat(std::move(options), std::move(values)).value());
     return std::make_shared<const study::OpenedStudy>(std::move(study));
 }
 
@@ -39,12 +40,15 @@ std::vector<study::Phase> phases(std::size_t count, bool timed) {
 }
 
 TEST(TimeCurves, HaveTheMeanOfEachPhase) {
-    const std::vector<slices::Measurement> drawn{{.shape = slices::Distance{}}, ellipse("aorta"), ellipse("")};
-    const auto curves = timeCurves(drawn, phases(3, true), {studyOf(10.0f), studyOf(200.0f), studyOf(50.0f)}, {});
+    const std::vector<slices::Measurement> drawn{
+        {.shape = slices::Distance{}}, ellipse("aorta"), ellipse("")};
+    const auto curves =
+        timeCurves(drawn, phases(3, true), {studyOf(10.0f), studyOf(200.0f), studyOf(50.0f)}, {});
     ASSERT_TRUE(curves);
     ASSERT_EQ(curves->curves.size(), 2u);
     EXPECT_EQ(curves->curves[0].label, "aorta");
-    EXPECT_EQ(curves->curves[1].label, "ellipse 3");
+    EXPECT_EQ(curves->curves[1].number, 3u);
+    EXPECT_NE(toCsv(*curves).find(",ellipse 3 mean HU,"), std::string::npos);
     EXPECT_EQ(curves->unit, "HU");
     // 29 voxels: 16 of one colour of the board, 13 of the other.
     const auto& values = curves->curves[0].values;

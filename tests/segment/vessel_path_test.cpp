@@ -91,8 +91,8 @@ TEST(VesselPath, MeetsThePlacesBetween) {
     const auto way = vesselPath(volume, places, {});
     ASSERT_TRUE(way);
     for (const glm::dvec3& place : places) {
-        const auto near = std::ranges::min(
-            *way, {}, [&](const glm::dvec3& mm) { return glm::distance(mm, place); });
+        const auto near =
+            std::ranges::min(*way, {}, [&](const glm::dvec3& mm) { return glm::distance(mm, place); });
         EXPECT_LT(glm::distance(near, place), 1.0);
     }
 }

@@ -22,8 +22,7 @@ struct Helix {
 
     glm::dvec3 at(double turns) const {
         const double angle = kTau * turns;
-        return originMm +
-               glm::dvec3(radiusMm * std::cos(angle), radiusMm * std::sin(angle), riseMm * turns);
+        return originMm + glm::dvec3(radiusMm * std::cos(angle), radiusMm * std::sin(angle), riseMm * turns);
     }
     double lengthMm(double turns) const { return turns * std::hypot(kTau * radiusMm, riseMm); }
     std::vector<glm::dvec3> points(double turns, int inTurn) const {
@@ -49,8 +48,7 @@ TEST(Curve, ThroughAHelixHasItsLength) {
 TEST(Curve, MeetsItsPointsAndContinuesStraight) {
     const std::vector<glm::dvec3> points = Helix{}.points(1.5, 8);
     const Curve curve(points);
-    for (const glm::dvec3& mm : points)
-        EXPECT_LT(glm::distance(curve.at(curve.nearestMm(mm)).mm, mm), 1e-6);
+    for (const glm::dvec3& mm : points) EXPECT_LT(glm::distance(curve.at(curve.nearestMm(mm)).mm, mm), 1e-6);
     const CurvePlace end = curve.at(curve.lengthMm());
     const CurvePlace beyond = curve.at(curve.lengthMm() + 7.0);
     EXPECT_LT(glm::distance(beyond.mm, end.mm + 7.0 * end.along), 1e-9);

@@ -151,6 +151,18 @@ TEST(CurvedSlice, KeepsLengthsInAStretchedPicture) {
     }
 }
 
+// From the feet up: at 0 degrees the picture goes down to the patient's left, at 90 to posterior.
+TEST(CurvedSlice, TurnsAboutTheCurve) {
+    const Curve up(std::vector{glm::dvec3(0.0, 0.0, -20.0), glm::dvec3(0.0, 0.0, 20.0)});
+    const auto down = [&](double deg) {
+        return CurvedFrame(up, CurvedKind::straightened, deg, 10.0, 1.0).column(5.0).down;
+    };
+    EXPECT_LT(glm::distance(down(0.0), glm::dvec3(1.0, 0.0, 0.0)), 1e-12);
+    EXPECT_LT(glm::distance(down(90.0), glm::dvec3(0.0, 1.0, 0.0)), 1e-12);
+    EXPECT_LT(glm::distance(up.at(3.0).section().right, glm::dvec3(1.0, 0.0, 0.0)), 1e-12);
+    EXPECT_LT(glm::distance(up.at(3.0).section().down, glm::dvec3(0.0, 1.0, 0.0)), 1e-12);
+}
+
 TEST(CurvedSlice, ProjectsASlab) {
     const Volume volume = volumeBy([](const glm::dvec3& mm) { return mm.y; });
     const Curve line(std::vector{glm::dvec3(-20.0, 0.0, 0.0), glm::dvec3(20.0, 0.0, 0.0)});

@@ -34,7 +34,8 @@ TEST(PhasesOf, AreTheStacksOfASeriesByTheirTimes) {
     std::vector<dicom::Stack> stacks;
     for (const char* kernel : {"B30f", "B60f"})
         for (int n = 0; n < 3; ++n)
-            stacks.push_back(phase(n, 3, {{"ConvolutionKernel", kernel}, {"TriggerTime", std::to_string(120 * n + 40)}}));
+            stacks.push_back(
+                phase(n, 3, {{"ConvolutionKernel", kernel}, {"TriggerTime", std::to_string(120 * n + 40)}}));
     std::swap(stacks[3], stacks[5]);  // in no order
     const auto volumes = found({test::seriesOf(1, "Heart", std::move(stacks))});
     const std::vector<Phase> soft = phasesOf(*volumes, 1);
@@ -51,13 +52,16 @@ TEST(PhasesOf, AreTheStacksOfASeriesByTheirTimes) {
 
 TEST(PhasesOf, HaveNoTimesWhereTheImagesSayNone) {
     std::vector<dicom::Stack> stacks;
-    for (int n = 0; n < 3; ++n) stacks.push_back(phase(n, 3, {{"TemporalPositionIndex", std::to_string(n + 1)}}));
+    for (int n = 0; n < 3; ++n)
+        stacks.push_back(phase(n, 3, {{"TemporalPositionIndex", std::to_string(n + 1)}}));
     for (const Phase& each : phasesOf(*found({test::seriesOf(1, "DCE", stacks)}), 0)) EXPECT_FALSE(each.atMs);
-    for (int n = 0; n < 3; ++n) stacks[std::size_t(n)].splitBy = {{"AcquisitionTime", "10000" + std::to_string(n)}};
+    for (int n = 0; n < 3; ++n)
+        stacks[std::size_t(n)].splitBy = {
+            {"AcquisitionTime", "2024030110000" + std::to_string(n) + ".25+0100"}};
     const auto timed = phasesOf(*found({test::seriesOf(1, "DCE", stacks)}), 0);
     ASSERT_EQ(timed.size(), 3u);
     EXPECT_EQ(timed[2].atMs, 2000.0);
-    stacks[1].splitBy = {{"AcquisitionTime", "100000"}};  // they do not rise
+    stacks[1].splitBy = {{"AcquisitionTime", "20240301100000.25+0100"}};  // they do not rise
     for (const Phase& each : phasesOf(*found({test::seriesOf(1, "DCE", stacks)}), 0)) EXPECT_FALSE(each.atMs);
 }
 
@@ -102,7 +106,9 @@ class SharedPhases : public testing::Test {
         EXPECT_TRUE(study);
         std::vector<double> means;
         if (!study || !study->found) return means;
+        labels_.clear();
         for (const Phase& each : phasesOf(*study->found, study->volumeIndex)) {
+            labels_ += each.label.english() + "|";
             const auto opened = openFoundVolume(study->found, each.volume, progress);
             EXPECT_TRUE(opened);
             if (!opened) continue;
@@ -116,12 +122,18 @@ class SharedPhases : public testing::Test {
         }
         return means;
     }
+
+    std::string labels_;  // of the phases that meansOf() opened last
 };
 
 TEST_F(SharedPhases, AreThoseOfTheTruth) {
-    if (!std::filesystem::exists(dicom::test::sharedData() / "planar/4_4d")) GTEST_SKIP() << "no ../shared/data/planar";
+    if (!std::filesystem::exists(dicom::test::sharedData() / "planar/4_4d"))
+        GTEST_SKIP() << "no ../shared/data/planar";
     const std::vector<double> breath = meansOf("made_ct4d_5_series");
     ASSERT_EQ(breath.size(), 5u);
+    EXPECT_EQ(labels_,
+              "CT 4D RESP Gated, 0%|CT 4D RESP Gated, 20%|CT 4D RESP Gated, 40%|"
+              "CT 4D RESP Gated, 60%|CT 4D RESP Gated, 80%|");
     const std::array truth{-585.9108, -585.9109, -585.7581, -585.7581, -585.9109};
     for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(breath[i], truth.at(i), 2e-4) << i;
     const std::vector<double> contrast = meansOf("mr_dce_breast_6pos_3times");

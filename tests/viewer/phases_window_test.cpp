@@ -44,14 +44,11 @@ class PhasesWindowTest : public WindowTest {
     }
     SliceView& axial() { return window_->slices(slices::Orientation::axial); }
     PhaseBar& bar() { return *window_->findChild<PhaseBar*>(QStringLiteral("phase-bar")); }
-    void choose(int phase) {
-        bar().findChild<QSlider*>(QStringLiteral("phases-slider"))->setValue(phase);
-    }
+    void choose(int phase) { bar().findChild<QSlider*>(QStringLiteral("phases-slider"))->setValue(phase); }
     void click(const char* name) { bar().findChild<QAbstractButton*>(QLatin1String(name))->click(); }
     bool shows(const QString& words) {
-        return waitUntil([&] {
-            return axial().isUpToDate() && axial().tags().join(QLatin1Char(' ')).contains(words);
-        });
+        return waitUntil(
+            [&] { return axial().isUpToDate() && axial().tags().join(QLatin1Char(' ')).contains(words); });
     }
     // The value in the middle of the pane.
     double probed() {
@@ -74,6 +71,9 @@ TEST_F(PhasesWindowTest, SlicesShowThePhaseThatIsChosen) {
     ASSERT_TRUE(shows(QStringLiteral("Phase 3 of 4")));
     EXPECT_TRUE(axial().tags().join(QLatin1Char(' ')).contains(QStringLiteral("saved values: phase 1")));
     EXPECT_NEAR(probed() - first, 2.0 * kStep, 1.0);
+    EXPECT_FALSE(axial().tags().join(QLatin1Char(' ')).contains(QStringLiteral("phase 1 of"))) << "its names";
+    EXPECT_TRUE(
+        axial().notes().join(QLatin1Char(' ')).contains(QStringLiteral("Segments are of the open phase")));
     choose(0);
     ASSERT_TRUE(shows(QStringLiteral("Phase 1 of 4")));
     EXPECT_NEAR(probed(), first, 0.5);
@@ -108,17 +108,17 @@ TEST_F(PhasesWindowTest, TheCurveHasTheMeanOfEachPhase) {
     ASSERT_TRUE(waitUntil([this] { return window_->message().contains(QStringLiteral("No ellipse")); }));
     window_->session().change(QStringLiteral("Ellipse"), [this](scene::StudyState& next) {
         slices::Ellipse ellipse{.plane = axial().shownFrame()->plane, .radiiMm = {2.0, 2.0}};
-        ellipse.plane.centreMm = axial().shownFrame()->worldFromPicture(
-            0.5 * glm::dvec2(axial().shownFrame()->sizePx));
+        ellipse.plane.centreMm =
+            axial().shownFrame()->worldFromPicture(0.5 * glm::dvec2(axial().shownFrame()->sizePx));
         next.measurements = {{.label = "aorta", .shape = ellipse}};
     });
     click("phases-curve");
     QDialog* dialog = nullptr;
     ASSERT_TRUE(waitUntil([&] {
-        dialog = window_->findChild<QDialog*>(QStringLiteral("curve-dialog"));
+        dialog = window_->findChild<QDialog*>(QStringLiteral("time-curve-dialog"));
         return dialog != nullptr;
     }));
-    dialog->findChild<QAbstractButton*>(QStringLiteral("curve-copy"))->click();
+    dialog->findChild<QAbstractButton*>(QStringLiteral("time-curve-copy"))->click();
     const QStringList lines = QGuiApplication::clipboard()->text().split(QStringLiteral("\r\n"));
     ASSERT_EQ(lines.size(), kPhases + 2);
     EXPECT_TRUE(lines[0].contains(QStringLiteral("aorta mean")));

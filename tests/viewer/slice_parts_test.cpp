@@ -63,16 +63,16 @@ TEST(MeasurementTexts, SayThatSizesAreNotCalibratedAndLeaveAnglesAlone) {
     const auto volume = test::sliceVolume(std::move(options));
     MeasurementTexts texts;
     const slices::Distance distance{{glm::dvec3(0.0), glm::dvec3(3.0, 4.0, 0.0)}};
-    EXPECT_EQ(texts.of({.shape = distance}, *volume), QStringLiteral("≈ 5.0 mm, not calibrated"));
-    EXPECT_EQ(texts.of({.label = "cyst", .shape = distance}, *volume),
+    EXPECT_EQ(texts.of({.shape = distance}, volume), QStringLiteral("≈ 5.0 mm, not calibrated"));
+    EXPECT_EQ(texts.of({.label = "cyst", .shape = distance}, volume),
               QStringLiteral("cyst: ≈ 5.0 mm, not calibrated"));
     const slices::Angle angle{{glm::dvec3(1, 0, 0), glm::dvec3(0.0), glm::dvec3(0, 1, 0)}};
-    EXPECT_EQ(texts.of({.shape = angle}, *volume), QStringLiteral("90.0°"));
+    EXPECT_EQ(texts.of({.shape = angle}, volume), QStringLiteral("90.0°"));
     slices::Ellipse ellipse{.radiiMm = {2.0, 2.0}};
-    EXPECT_EQ(texts.of({.shape = ellipse}, *volume),
+    EXPECT_EQ(texts.of({.shape = ellipse}, volume),
               QStringLiteral("0 ± 0 HU, min 0, max 0, ≈ 12.6 mm², not calibrated"));
     texts.forget();
-    EXPECT_EQ(texts.of({.shape = distance}, *test::sliceVolume()), QStringLiteral("5.0 mm"));
+    EXPECT_EQ(texts.of({.shape = distance}, test::sliceVolume()), QStringLiteral("5.0 mm"));
 }
 
 TEST(MeasurementTexts, SayHowMuchOfThemIsInterpolated) {
@@ -83,12 +83,12 @@ TEST(MeasurementTexts, SayHowMuchOfThemIsInterpolated) {
     // A column of one voxel through slices 7 to 13: three of seven.
     const slices::Ellipse column{.plane = slices::planeOf(Orientation::coronal, {0.0, 0.0, 0.0}),
                                  .radiiMm = {0.4, 6.9}};
-    EXPECT_TRUE(texts.of({.shape = column}, *volume).endsWith(", 43 % interpolated"))
-        << texts.of({.shape = column}, *volume).toStdString();
+    EXPECT_TRUE(texts.of({.shape = column}, volume).endsWith(", 43 % interpolated"))
+        << texts.of({.shape = column}, volume).toStdString();
     const slices::Distance up{{glm::dvec3(0.0, 0.0, -10.0), {0.0, 0.0, 2.0}}};
-    EXPECT_EQ(texts.of({.shape = up}, *volume), "12.0 mm, ends in interpolated slices");
+    EXPECT_EQ(texts.of({.shape = up}, volume), "12.0 mm, ends in interpolated slices");
     const slices::Distance below{{glm::dvec3(0.0, 0.0, -10.0), {0.0, 0.0, -4.0}}};
-    EXPECT_EQ(texts.of({.shape = below}, *volume), "6.0 mm");
+    EXPECT_EQ(texts.of({.shape = below}, volume), "6.0 mm");
 }
 
 TEST(SliceSteps, GoThroughTheVoxelsOfAStraightVolume) {

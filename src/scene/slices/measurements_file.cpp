@@ -77,9 +77,8 @@ std::string line(std::span<const std::string> fields) {
 std::string lineOf(const Measurement& measurement, const Measured& of) {
     const Volume& volume = of.volume;
     const Said said = saidBy(measurement, of);
-    std::vector<std::string> fields{std::string(slices::kindOf(measurement)),
-                                    csvWords(measurement.label), number(said.lengthMm),
-                                    number(said.angleDeg), number(said.areaMm2)};
+    std::vector<std::string> fields{std::string(slices::kindOf(measurement)), csvWords(measurement.label),
+                                    number(said.lengthMm), number(said.angleDeg), number(said.areaMm2)};
     if (const auto& values = said.values) {
         fields.push_back(std::to_string(values->voxels));
         for (const double value : {values->mean, values->deviation, values->low, values->high})

@@ -14,33 +14,40 @@ Result<TimeCurves> timeCurves(std::span<const slices::Measurement> measurements,
                               const std::vector<std::shared_ptr<const study::OpenedStudy>>& studies,
                               const CancelToken& token) {
     MACULA_CHECK(phases.size() == studies.size() && !studies.empty());
-    TimeCurves all{.phases = std::move(phases), .unit = studies.front()->measured()->unitName(), .curves = {}};
+    TimeCurves all{
+        .phases = std::move(phases), .unit = studies.front()->measured()->unitName(), .curves = {}};
     for (const auto& study : studies)
         if (study->measured()->unitName() != all.unit)
-            return Error{ErrorCode::usage, Text("The phases have values of different units."), {},
+            return Error{ErrorCode::usage,
+                         Text("The phases have values of different units."),
+                         {},
                          Text("Measure each phase by itself.")};
     for (std::size_t i = 0; i < measurements.size(); ++i) {
         const auto* ellipse = std::get_if<slices::Ellipse>(&measurements[i].shape);
         if (ellipse == nullptr) continue;
-        TimeCurve curve{.label = measurements[i].label, .values = {}};
-        if (curve.label.empty()) curve.label = fmt::format("ellipse {}", i + 1);
+        TimeCurve curve{.label = measurements[i].label, .number = i + 1, .values = {}};
         for (const auto& study : studies) {
-            if (token.cancelled()) return Error{ErrorCode::cancelled, Text("The curve was cancelled."), {}, {}};
+            if (token.cancelled())
+                return Error{ErrorCode::cancelled, Text("The curve was cancelled."), {}, {}};
             curve.values.push_back(slices::valuesIn(*ellipse, *study->measured()));
         }
         all.curves.push_back(std::move(curve));
     }
     if (all.curves.empty())
-        return Error{ErrorCode::usage, Text("No ellipse is drawn."), {},
+        return Error{ErrorCode::usage,
+                     Text("No ellipse is drawn."),
+                     {},
                      Text("Draw an ellipse (E) on a slice: the curve has the mean of the values in it.")};
     return all;
 }
 
 std::string toCsv(const TimeCurves& curves) {
     std::string csv = "phase,label,ms";
-    for (const TimeCurve& curve : curves.curves)
-        csv += fmt::format(",{},{}", csvWords(curve.label + " mean " + curves.unit),
-                           csvWords(curve.label + " deviation " + curves.unit));
+    for (const TimeCurve& curve : curves.curves) {
+        const std::string label = curve.label.empty() ? fmt::format("ellipse {}", curve.number) : curve.label;
+        csv += fmt::format(",{},{}", csvWords(label + " mean " + curves.unit),
+                           csvWords(label + " deviation " + curves.unit));
+    }
     csv += "\r\n";
     for (std::size_t i = 0; i < curves.phases.size(); ++i) {
         const study::Phase& phase = curves.phases[i];

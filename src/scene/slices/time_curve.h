@@ -17,7 +17,8 @@
 namespace macula::scene {
 
 struct TimeCurve {
-    std::string label;  // the measurement's, or its kind and number
+    std::string label;                                         // the measurement's; may be empty
+    std::size_t number = 0;                                    // of the measurement, from 1
     std::vector<std::optional<slices::EllipseValues>> values;  // of each phase; nothing: no voxel
 };
 

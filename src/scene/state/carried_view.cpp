@@ -16,11 +16,12 @@ SliceState carriedSlices(const study::OpenedStudy& from, const SliceState& befor
     carried.crosshairMm = before.crosshairMm;
     carried.asAcquired = before.asAcquired;
     carried.turn = before.turn;
-    carried.curveMm = before.curveMm;
+    if (carried.curveMm.empty()) carried.curveMm = before.curveMm;
     carried.slab = before.slab;
     if (!study::arePhases(from, to)) return carried;
     carried.window = shownWindow(from, before);
     carried.isInverted = before.isInverted;
+    carried.colours = before.colours;
     return carried;
 }
 

@@ -219,8 +219,7 @@ Json measurementsJson(std::span<const Measurement> measurements) {
 }
 
 SliceState sliceStateFrom(const JsonNode& node) {
-    node.allowOnly(
-        {"window", "slab", "inverted", "asAcquired", "crosshairMm", "turn", "curveMm", "colours"});
+    node.allowOnly({"window", "slab", "inverted", "asAcquired", "crosshairMm", "turn", "curveMm", "colours"});
     SliceState state;
     if (const auto window = node.find("window")) state.window = windowFrom(*window);
     if (const auto slab = node.find("slab")) state.slab = slabFrom(*slab);
@@ -229,8 +228,7 @@ SliceState sliceStateFrom(const JsonNode& node) {
     if (const auto crosshair = node.find("crosshairMm")) state.crosshairMm = vector(*crosshair);
     if (const auto turn = node.find("turn")) state.turn = turnFrom(*turn);
     if (const auto curve = node.find("curveMm")) state.curveMm = curveFrom(*curve);
-    if (node.find("colours"))
-        readName(node, "colours", slices::kColourTables, state.colours.emplace());
+    if (node.find("colours")) readName(node, "colours", slices::kColourTables, state.colours.emplace());
     return state;
 }
 

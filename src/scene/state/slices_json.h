@@ -45,8 +45,8 @@ nlohmann::ordered_json toJson(const slices::Measurement& measurement);
 // The measurements that the reader accepts, at most kMostMeasurements; cuts labels at kLongestLabelBytes.
 nlohmann::ordered_json measurementsJson(std::span<const slices::Measurement> measurements);
 
-// Errors go to the status of the node's document. Directions and turns are normalised, and `down` is made perpendicular
-// to `right`; directions that already are keep every bit.
+// Errors go to the status of the node's document. Directions and turns are normalised, and `down` is made
+// perpendicular to `right`; directions that already are keep every bit.
 SliceState sliceStateFrom(const JsonNode& node);
 std::vector<slices::Measurement> measurementsFrom(const JsonNode& node);
 

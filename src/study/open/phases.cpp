@@ -22,7 +22,8 @@ bool haveSameGrid(const dicom::Stack& a, const dicom::Stack& b) {
     if (a.columns != b.columns || a.rows != b.rows || a.slices.size() != b.slices.size()) return false;
     constexpr double kRounding = 1e-3;
     for (int column = 0; column < 4; ++column)
-        if (!(glm::length((*a.worldFromVoxel)[column] - (*b.worldFromVoxel)[column]) < kRounding)) return false;
+        if (!(glm::length((*a.worldFromVoxel)[column] - (*b.worldFromVoxel)[column]) < kRounding))
+            return false;
     return true;
 }
 
@@ -37,14 +38,13 @@ bool haveSameOtherLabels(const dicom::Stack& a, const dicom::Stack& b) {
            std::equal(a.splitBy.begin(), a.splitBy.end() - 1, b.splitBy.begin());
 }
 
+// Values of dates and times may have an offset, and no date.
 std::optional<double> timeMs(const dicom::StackLabel& label) {
     constexpr std::array<std::string_view, 2> kInMs{"TriggerTime", "FrameReferenceTime"};
     if (std::ranges::find(kInMs, label.attribute) != kInMs.end()) return finiteNumber(label.value);
-    if (label.attribute == "AcquisitionTime" || label.attribute == "ContentTime") {
-        const auto seconds = dicom::secondsOfTime(label.value);
-        return seconds ? std::optional(*seconds * 1000.0) : std::nullopt;
-    }
-    return std::nullopt;
+    if (!label.attribute.ends_with("Time")) return std::nullopt;
+    const auto moment = dicom::momentOf(label.value);
+    return moment ? std::optional(moment->seconds * 1000.0) : std::nullopt;
 }
 
 // All times, from the first; none if one is missing, or they do not rise.
@@ -88,17 +88,17 @@ std::optional<Numbered> numbered(const std::string& description) {
     auto first = last;
     while (first != description.begin() && isDigit(*(first - 1))) --first;
     if (first == last || last - first > 6) return std::nullopt;
-    return Numbered{.words = std::string(description.begin(), first) + '#' +
-                             std::string(last, description.end()),
-                    .number = std::stod(std::string(first, last))};
+    return Numbered{
+        .words = std::string(description.begin(), first) + '#' + std::string(last, description.end()),
+        .number = std::stod(std::string(first, last))};
 }
 
 bool namesAPhase(const std::string& description) {
     std::string lower;
     for (const char c : description) lower += char(std::tolower(static_cast<unsigned char>(c)));
     constexpr std::array<std::string_view, 5> kWords{"%", "phase", "gated", "4d", "resp"};
-    return std::ranges::any_of(
-        kWords, [&](std::string_view word) { return lower.find(word) != std::string::npos; });
+    return std::ranges::any_of(kWords,
+                               [&](std::string_view word) { return lower.find(word) != std::string::npos; });
 }
 
 std::vector<Phase> ofSeveralSeries(const FoundVolumes& found, std::size_t volume) {

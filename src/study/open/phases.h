@@ -22,7 +22,7 @@ struct Phase {
 // All phases that the volume is one of, in their order; empty if it is none. They have one grid. They are the
 // stacks of one series that imaged its positions several times (dicom::Stack::phases), or one volume each of
 // at least three series of a study whose descriptions differ in a number only, and name a phase: by %,
-// "phase", "gated" or "4D". Where descriptions are the only evidence, the labels are these.
+// "phase", "gated", "resp" or "4D". Where descriptions are the only evidence, the labels are these.
 std::vector<Phase> phasesOf(const FoundVolumes& found, std::size_t volume);
 
 }  // namespace macula::study

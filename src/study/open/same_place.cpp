@@ -1,7 +1,11 @@
 #include "study/open/same_place.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "base/frames.h"
 #include "study/open/found_volumes.h"
+#include "study/open/phases.h"
 #include "study/open/same_patient.h"
 
 namespace macula::study {
@@ -19,6 +23,13 @@ bool haveSameGrid(const Volume& a, const Volume& b) {
         if (!(glm::length(apart) < kRoundingMm)) return false;
     }
     return true;
+}
+
+// Whether both are among the phases of one thing in a folder.
+bool areAmongPhases(const OpenedStudy& a, const OpenedStudy& b) {
+    if (!a.found || a.found != b.found) return false;
+    const std::vector<Phase> phases = phasesOf(*a.found, a.volumeIndex);
+    return std::ranges::find(phases, b.volumeIndex, &Phase::volume) != phases.end();
 }
 
 bool isPhase(const OpenedStudy& study) {
@@ -45,9 +56,9 @@ bool staysInPlace(const OpenedStudy& from, const OpenedStudy& to) {
 }
 
 bool arePhases(const OpenedStudy& a, const OpenedStudy& b) {
-    return isPhase(a) && isPhase(b) && a.seriesDigest == b.seriesDigest &&
-           a.volume->unit() == b.volume->unit() && a.volume->unitName() == b.volume->unitName() &&
-           shareGrid(a, b);
+    const bool areOfOneSeries = isPhase(a) && isPhase(b) && a.seriesDigest == b.seriesDigest;
+    return (areOfOneSeries || areAmongPhases(a, b)) && a.volume->unit() == b.volume->unit() &&
+           a.volume->unitName() == b.volume->unitName() && shareGrid(a, b);
 }
 
 }  // namespace macula::study

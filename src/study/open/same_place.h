@@ -16,7 +16,8 @@ bool shareGrid(const OpenedStudy& a, const OpenedStudy& b);
 // Whether `to` is another volume than `from` on the same grid. A volume that is opened again is not.
 bool staysInPlace(const OpenedStudy& from, const OpenedStudy& to);
 
-// Whether both are phases of one series, with one grid and unit, so that one window suits all of them.
+// Whether both are phases of one series, or of one thing in a folder (phases.h), with one grid and unit, so
+// that one window suits all of them.
 bool arePhases(const OpenedStudy& a, const OpenedStudy& b);
 
 }  // namespace macula::study

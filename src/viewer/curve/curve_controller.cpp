@@ -27,7 +27,7 @@ CurveController::CurveController(const WindowContext& context)
 
 void CurveController::follow() {
     panel_->setFollowing(true);
-    following_.start([volume = context_.session.study().measured(),
+    following_.start([volume = panel_->study().measured(),
                       points = context_.session.state().slices.curveMm](Progress& progress) {
         return segment::vesselPath(*volume, points, progress.token());
     });

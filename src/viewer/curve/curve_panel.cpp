@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "pipeline/volume/window.h"
@@ -53,9 +54,13 @@ CurvePanel::CurvePanel(StudyEditor& session, QWidget* parent)
     connect(view_, &CurveView::released, &session_, &StudyEditor::endDrag);
     connect(view_, &CurveView::resized, this, &CurvePanel::refresh);
     connect(view_, &CurveView::scrolledBy, this, [this](double mm) {
-        if (const auto& shown = view_->picture()) goTo(shown->of.sectionAtMm + mm);
+        if (curve().isUsable()) goTo(curve().nearestMm(crosshairMm()) + mm);
     });
-    followState(session_, this, [this] { refresh(); });
+    connect(&session_, &StudyEditor::studyShown, this, &CurvePanel::onStudyShown);
+    connect(&session_, &StudyEditor::changed, this, [this](const scene::StudyState& before) {
+        if (before.slices != session_.state().slices) refresh();
+    });
+    refresh();
 }
 
 QDoubleSpinBox* CurvePanel::addNumber(const char* name, const QString& title, double low, double high,
@@ -122,40 +127,71 @@ void CurvePanel::showEvent(QShowEvent* event) {
     refresh();
 }
 
+// The picture may be of another patient, and would keep that volume.
+void CurvePanel::onStudyShown() {
+    job_.cancel();
+    isStale_ = false;
+    phase_.reset();
+    phaseText_.clear();
+    view_->clear({});
+    refresh();
+}
+
+void CurvePanel::setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text) {
+    phase_ = std::move(phase);
+    phaseText_ = text;
+    refresh();
+}
+
+const slices::Curve& CurvePanel::curve() const {
+    const auto& points = session_.state().slices.curveMm;
+    if (points != curveOf_) {
+        curveOf_ = points;
+        curve_ = slices::Curve(points);
+    }
+    return curve_;
+}
+
+glm::dvec3 CurvePanel::crosshairMm() const {
+    return session_.state().slices.crosshairMm.value_or(middleMm(*session_.study().measured()));
+}
+
 void CurvePanel::setFollowing(bool follows) {
-    follow_->setEnabled(!follows && session_.state().slices.curveMm.size() >= 2);
+    isFollowing_ = follows;
+    follow_->setEnabled(!follows && session_.hasStudy() && curve().isUsable());
     follow_->setText(follows ? tr("Looking for the vessel…") : tr("&Follow the Vessel"));
 }
 
 std::optional<CurveRequest> CurvePanel::request() const {
     if (!session_.hasStudy()) return {};
     const scene::SliceState& slices = session_.state().slices;
-    const slices::Curve curve(slices.curveMm);
-    if (!curve.isUsable()) return {};
-    const auto& volume = session_.study().measured();
-    return CurveRequest{
-        .volume = volume,
-        .pointsMm = slices.curveMm,
-        .look = look_,
-        .slab = slices.slab,
-        .window = slices.window.value_or(seriesWindow(*volume)),
-        .isInverted = slices.isInverted != session_.study().isLowBright,
-        .sectionAtMm = curve.nearestMm(slices.crosshairMm.value_or(middleMm(*volume))),
-        .widthPx = view_->widthPx(),
-        .sectionPx = view_->sectionPx(),
-        .pixelRatio = devicePixelRatioF()};
+    if (!curve().isUsable()) return {};
+    const auto& volume = study().measured();
+    return CurveRequest{.volume = volume,
+                        .pointsMm = slices.curveMm,
+                        .look = look_,
+                        .slab = slices.slab,
+                        .window = slices.window.value_or(seriesWindow(*session_.study().measured())),
+                        .isInverted = slices.isInverted != session_.study().isLowBright,
+                        .isLowBright = session_.study().isLowBright,
+                        .sectionAtMm = curve().nearestMm(crosshairMm()),
+                        .widthPx = view_->widthPx(),
+                        .sectionPx = view_->sectionPx(),
+                        .pixelRatio = devicePixelRatioF(),
+                        .phaseText = phaseText_};
 }
 
 void CurvePanel::refresh() {
-    const bool hasCurve = session_.hasStudy() && slices::Curve(session_.state().slices.curveMm).isUsable();
-    for (QPushButton* button : {follow_, across_}) button->setEnabled(hasCurve);
+    const bool hasCurve = session_.hasStudy() && curve().isUsable();
+    follow_->setEnabled(hasCurve && !isFollowing_);
+    across_->setEnabled(hasCurve);
     remove_->setEnabled(session_.hasStudy() && !session_.state().slices.curveMm.empty());
     if (!hasCurve) {
         job_.cancel();
         isStale_ = false;
         return view_->clear(tr("Choose the curve tool (Y), and click the points of the curve on slices."));
     }
-    if (!isVisible()) return;
+    if (!isVisible()) return view_->clear({});
     if (job_.running()) {
         isStale_ = true;  // the running picture is shown first: a drag must not starve
     } else {
@@ -170,9 +206,7 @@ void CurvePanel::start() {
 }
 
 void CurvePanel::goTo(double atMm) {
-    const slices::Curve curve(session_.state().slices.curveMm);
-    if (!curve.isUsable()) return;
-    const glm::dvec3 mm = curve.at(std::clamp(atMm, 0.0, curve.lengthMm())).mm;
+    const glm::dvec3 mm = curve().at(std::clamp(atMm, 0.0, curve().lengthMm())).mm;
     session_.drag(tr("Along the Curve"), [&](scene::StudyState& next) { next.slices.crosshairMm = mm; });
     scrollEnds_.start();
 }
@@ -180,9 +214,9 @@ void CurvePanel::goTo(double atMm) {
 void CurvePanel::standPlanesAcross() {
     const std::optional<CurveRequest> now = request();
     if (!now) return;
-    const slices::CurvePlace place = slices::Curve(now->pointsMm).at(now->sectionAtMm);
-    const slices::SlicePlane axial = planeBeforeTurn(*now->volume, slices::Orientation::axial,
-                                                     session_.state().slices.asAcquired);
+    const slices::CurvePlace place = curve().at(now->sectionAtMm);
+    const slices::SlicePlane axial =
+        planeBeforeTurn(*now->volume, slices::Orientation::axial, session_.state().slices.asAcquired);
     // The curve may have been drawn from either end: the plane turns by less than a right angle.
     const bool isBackwards = glm::dot(axial.normal(), place.along) < 0.0;
     const glm::dquat turn =

@@ -3,7 +3,9 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "viewer/curve/curve_picture.h"
 #include "viewer/editor/study_editor.h"
@@ -29,6 +31,9 @@ class CurvePanel : public QWidget {
     const CurveLook& look() const { return look_; }
     bool isUpToDate() const { return !job_.running() && !isStale_; }
     void setFollowing(bool follows);  // the way of the vessel is being looked for
+    // Another phase of the study that slices show, and a text that says which; null: the open study.
+    void setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text);
+    const study::OpenedStudy& study() const { return phase_ ? *phase_ : session_.study(); }
 
   Q_SIGNALS:
     void followAsked();  // a person wants the curve to follow the vessel
@@ -45,6 +50,9 @@ class CurvePanel : public QWidget {
     std::optional<CurveRequest> request() const;
     void goTo(double atMm);
     void standPlanesAcross();
+    void onStudyShown();
+    const slices::Curve& curve() const;  // of the state's points
+    glm::dvec3 crosshairMm() const;
 
     StudyEditor& session_;
     CurveView* view_;
@@ -55,6 +63,11 @@ class CurvePanel : public QWidget {
     QPushButton* across_ = nullptr;
     QPushButton* remove_ = nullptr;
     CurveLook look_;
+    std::shared_ptr<const study::OpenedStudy> phase_;
+    QString phaseText_;
+    bool isFollowing_ = false;
+    mutable std::vector<glm::dvec3> curveOf_;  // the points of curve_
+    mutable slices::Curve curve_{{}};
     bool isStale_ = false;  // another picture is wanted than the one that is being made
     QTimer scrollEnds_;     // steps along the curve until then are one undo step
     BackgroundJob<CurvePicture> job_;

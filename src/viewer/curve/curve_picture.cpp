@@ -1,6 +1,7 @@
 #include "viewer/curve/curve_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -23,10 +24,19 @@ QImage greyOf(const slices::SampledSlice& slice, const CurveRequest& request) {
     return image;
 }
 
+// Seen from the feet, or from the front, as slices are, whichever way the curve was drawn.
+slices::SlicePlane sectionAt(const slices::CurvePlace& place) {
+    slices::SlicePlane plane = place.section();
+    const glm::dvec3 usual = std::abs(place.along.z) > std::abs(place.along.y) ? glm::dvec3(0.0, 0.0, 1.0)
+                                                                               : glm::dvec3(0.0, 1.0, 0.0);
+    if (glm::dot(plane.normal(), usual) < 0.0) plane.down = -plane.down;
+    return plane;
+}
+
 double smallestSideMm(const Volume& volume) {
     const glm::dmat4& m = volume.worldFromVoxel();
-    return std::min({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])),
-                     glm::length(glm::dvec3(m[2]))});
+    return std::min(
+        {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))});
 }
 
 }  // namespace
@@ -36,10 +46,10 @@ double smallestSideMm(const Volume& volume) {
 Result<CurvePicture> makeCurvePicture(const CurveRequest& request, const CancelToken& token) {
     slices::Curve curve(request.pointsMm);
     MACULA_CHECK(curve.isUsable());
-    const double mmPerPixel = std::max(curve.lengthMm() / std::max(request.widthPx, 1),
-                                       0.25 * smallestSideMm(*request.volume));
+    const double mmPerPixel =
+        std::max(curve.lengthMm() / std::max(request.widthPx, 1), 0.25 * smallestSideMm(*request.volume));
     CurvePicture picture{.of = request, .sectionFrame = {}};
-    picture.sectionFrame = {.plane = curve.at(request.sectionAtMm).section(),
+    picture.sectionFrame = {.plane = sectionAt(curve.at(request.sectionAtMm)),
                             .mmPerPixel = kSectionMm / std::max(request.sectionPx, 1),
                             .sizePx = glm::ivec2(std::max(request.sectionPx, 1))};
     picture.frame = std::make_shared<const slices::CurvedFrame>(
@@ -47,10 +57,9 @@ Result<CurvePicture> makeCurvePicture(const CurveRequest& request, const CancelT
     const auto cancelled = [&] { return token.cancelled(); };
     const slices::SampledSlice curved =
         slices::sampleCurved(*request.volume, *picture.frame, request.slab, cancelled);
-    const slices::SampledSlice section = slices::sampleSlice(
-        *request.volume, picture.sectionFrame, request.slab, slices::Filter::linear, cancelled);
-    if (cancelled())
-        return Error{ErrorCode::cancelled, Text("The curved plane was cancelled."), {}, {}};
+    const slices::SampledSlice section = slices::sampleSlice(*request.volume, picture.sectionFrame,
+                                                             request.slab, slices::Filter::linear, cancelled);
+    if (cancelled()) return Error{ErrorCode::cancelled, Text("The curved plane was cancelled."), {}, {}};
     picture.curved = greyOf(curved, request);
     picture.section = greyOf(section, request);
     return picture;

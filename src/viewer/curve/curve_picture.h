@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QImage>
+#include <QString>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,10 +31,12 @@ struct CurveRequest {
     slices::Slab slab;
     DisplayWindow window;
     bool isInverted = false;
+    bool isLowBright = false;  // the display of the images shows low values white
     double sectionAtMm = 0.0;  // along the curve
     int widthPx = 1;           // device pixels that are there for the curve
     int sectionPx = 1;         // a side of the section
     double pixelRatio = 1.0;
+    QString phaseText = {};  // which phase of the study it is; empty: it has none
 
     bool operator==(const CurveRequest&) const = default;
 };

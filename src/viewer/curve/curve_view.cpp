@@ -11,6 +11,7 @@
 
 #include "viewer/language/window_language.h"
 #include "viewer/overlay/haloed_drawing.h"
+#include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {
 
@@ -44,9 +45,9 @@ CurveView::CurveView(QWidget* parent) : QWidget(parent) {
 void CurveView::show(CurvePicture picture) {
     picture_ = std::move(picture);
     message_.clear();
-    setAccessibleDescription(tr("%1 mm along the curve, of %2 mm")
-                                 .arg(mmText(picture_->of.sectionAtMm),
-                                      mmText(picture_->frame->curve().lengthMm())));
+    setAccessibleDescription(
+        tr("%1 mm along the curve, of %2 mm")
+            .arg(mmText(picture_->of.sectionAtMm), mmText(picture_->frame->curve().lengthMm())));
     update();
 }
 
@@ -112,6 +113,7 @@ void CurveView::paintEvent(QPaintEvent*) {
         painter.drawImage(sectionBox(), picture_->section);
         painter.setRenderHint(QPainter::Antialiasing);
         paintMarks(painter);
+        paintSides(painter);
         paintTexts(painter);
     }
     if (!hasFocus()) return;
@@ -141,7 +143,7 @@ void CurveView::paintMarks(QPainter& painter) const {
     drawHaloed(painter, mark, kMarkInk, 1.5);
     // The curve meets the middle of the section; the line is where the curved plane cuts it.
     const QRectF section = sectionBox();
-    const slices::CurvedFrame::Column column = frame.column(frame.pictureFromCurve(picture_->of.sectionAtMm).x);
+    const slices::CurvedFrame::Column column = columnAtMark();
     const slices::SlicePlane& plane = picture_->sectionFrame.plane;
     const QPointF along(glm::dot(column.down, plane.right), glm::dot(column.down, plane.down));
     QPainterPath cut;
@@ -152,22 +154,61 @@ void CurveView::paintMarks(QPainter& painter) const {
     drawHaloed(painter, cut, kMarkInk, 1.5);
 }
 
+QStringList CurveView::notes() const {
+    const CurveRequest& of = picture_->of;
+    QStringList notes;
+    notes << (of.look.kind == slices::CurvedKind::straightened
+                  ? tr("Straightened: lengths hold along the line")
+                  : tr("Stretched: lengths hold along the curve and across it"));
+    if (!of.phaseText.isEmpty()) notes << of.phaseText;
+    if (const QString slab = slabText(of.slab); !slab.isEmpty()) notes << slab;
+    if (of.isInverted) notes << (of.isLowBright ? tr("Low values are white") : tr("Inverted"));
+    if (!of.volume->provenance().interpolatedSlices.empty()) notes << tr("Some slices are interpolated");
+    if (!of.volume->provenance().isCalibrated) notes << tr("The size of pixels is not calibrated");
+    return notes;
+}
+
 void CurveView::paintTexts(QPainter& painter) const {
-    const double length = picture_->frame->curve().lengthMm();
-    QString text =
-        tr("%1 of %2 mm along the curve").arg(mmText(picture_->of.sectionAtMm), mmText(length));
+    QString text = tr("%1 of %2 mm along the curve")
+                       .arg(mmText(picture_->of.sectionAtMm), mmText(picture_->frame->curve().lengthMm()));
     if (hoverAt_) {
-        if (const auto at = lengthAt(*hoverAt_)) text += QLatin1String(", ") + tr("here %1 mm").arg(mmText(*at));
+        if (const auto at = lengthAt(*hoverAt_))
+            text += QLatin1String(", ") + tr("here %1 mm").arg(mmText(*at));
     }
-    if (!picture_->of.volume->provenance().isCalibrated)
-        text += QLatin1String(", ") + tr("the size of pixels is not calibrated");
-    const double line = painter.fontMetrics().height();
     drawHaloedText(painter, {kGapPx * 1.0, height() - kGapPx * 1.0}, text, kInk);
-    drawHaloedText(painter, {kGapPx * 1.0, line},
-                   picture_->of.look.kind == slices::CurvedKind::straightened
-                       ? tr("Straightened: lengths hold along the line")
-                       : tr("Stretched: lengths hold along the curve and across it"),
-                   kInk);
+    const double line = painter.fontMetrics().height();
+    double y = line;
+    for (const QString& note : notes()) {
+        drawHaloedText(painter, {kGapPx * 1.0, y}, note, kInk);
+        y += line;
+    }
+}
+
+// Of the section, and of the curved plane at the mark: it turns along the curve.
+void CurveView::paintSides(QPainter& painter) const {
+    const auto paint = [&](const QRectF& box, const slices::SlicePlane& plane) {
+        const scene::EdgeLetters letters = edgeLetters(plane);
+        const double line = painter.fontMetrics().height();
+        const double ascent = painter.fontMetrics().ascent();
+        const auto widthOf = [&](const std::string& text) {
+            return painter.fontMetrics().horizontalAdvance(QString::fromStdString(text));
+        };
+        const auto draw = [&](double x, double y, const std::string& text) {
+            drawHaloedText(painter, {x, y}, QString::fromStdString(text), kInk);
+        };
+        draw(box.left() + 2.0, box.center().y() + 0.5 * ascent, letters.left);
+        draw(box.right() - widthOf(letters.right) - 2.0, box.center().y() + 0.5 * ascent, letters.right);
+        draw(box.center().x() - 0.5 * widthOf(letters.top), box.top() + line, letters.top);
+        draw(box.center().x() - 0.5 * widthOf(letters.bottom), box.bottom() - 3.0, letters.bottom);
+    };
+    paint(sectionBox(), picture_->sectionFrame.plane);
+    const slices::CurvedFrame::Column column = columnAtMark();
+    paint(curvedBox(), {.centreMm = column.place.mm, .right = column.place.along, .down = column.down});
+}
+
+slices::CurvedFrame::Column CurveView::columnAtMark() const {
+    const slices::CurvedFrame& frame = *picture_->frame;
+    return frame.column(frame.pictureFromCurve(picture_->of.sectionAtMm).x);
 }
 
 void CurveView::resizeEvent(QResizeEvent*) {

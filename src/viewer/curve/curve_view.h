@@ -4,6 +4,7 @@
 #include <QPointF>
 #include <QRectF>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 
@@ -53,7 +54,10 @@ class CurveView : public QWidget {
     QRectF curvedBox() const;   // of the curved picture in the view, logical pixels
     QRectF sectionBox() const;  // of the section
     void paintMarks(QPainter& painter) const;
+    void paintSides(QPainter& painter) const;
     void paintTexts(QPainter& painter) const;
+    QStringList notes() const;
+    slices::CurvedFrame::Column columnAtMark() const;
 
     std::optional<CurvePicture> picture_;
     QString message_;

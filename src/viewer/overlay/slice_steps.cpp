@@ -45,7 +45,8 @@ SliceSteps::SliceSteps(const Volume& volume, slices::Orientation orientation, bo
     if (turn) directions_ = slices::tilted(directions_, turn->turn);
     normal_ = directions_.normal();
     areStraight_ = areParallel(normal_, slices::planeOf(orientation, {}).normal());
-    turnedDeg_ = glm::degrees(std::atan2(glm::length(glm::cross(before, normal_)), glm::dot(before, normal_)));
+    turnedDeg_ =
+        glm::degrees(std::atan2(glm::length(glm::cross(before, normal_)), glm::dot(before, normal_)));
     alongVoxels(volume);
     if (count_ > 0) return;
     alongNormal(volume);

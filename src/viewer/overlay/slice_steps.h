@@ -41,7 +41,7 @@ class SliceSteps {
     bool areAcquired() const { return areAcquired_; }
     // Whether the planes are perpendicular to an axis of the patient.
     bool areStraight() const { return areStraight_; }
-    // The angle between the normals before and after a person turned them, 0 to 180.
+    // The angle between the normals before and after a person turned them, 0 to 90.
     double turnedDeg() const { return turnedDeg_; }
 
   private:

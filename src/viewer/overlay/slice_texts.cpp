@@ -76,7 +76,8 @@ QString planeText(Orientation orientation, const SliceSteps& steps, int slice) {
     const double position = glm::dot(plane.centreMm, plane.normal());
     QString text = nameOf(orientation);
     if (steps.turnedDeg() >= kLeastTurnDeg) {
-        text = QCoreApplication::translate("Slices", "%1, turned by %2").arg(text, degreesText(steps.turnedDeg()));
+        text = QCoreApplication::translate("Slices", "%1, turned by %2")
+                   .arg(text, degreesText(steps.turnedDeg()));
     } else if (!steps.areStraight()) {
         text = QCoreApplication::translate("Slices", "%1, oblique").arg(text);
     }

@@ -106,9 +106,9 @@ void PanesController::addActions(QMenu& view) {
 
 // The name says nothing of the patient; the picture does if the pane does.
 void PanesController::askWhereToSave(const QImage& picture) {
-    auto* dialog = context_.files.toSave(FolderKind::pictures, tr("Save the picture of the slice"),
-                                         tr("Picture (*.png)"), QStringLiteral("png"),
-                                         QStringLiteral("slice.png"));
+    auto* dialog =
+        context_.files.toSave(FolderKind::pictures, tr("Save the picture of the slice"),
+                              tr("Picture (*.png)"), QStringLiteral("png"), QStringLiteral("slice.png"));
     context_.files.ask(dialog, FolderKind::pictures, [this, picture](const QString& path) {
         QByteArray png;
         QBuffer buffer(&png);

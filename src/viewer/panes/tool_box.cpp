@@ -44,16 +44,17 @@ struct LayoutButton {
     const char* name;
     const char* title;
 };
-constexpr std::array kLayoutButtons{LayoutButton{scene::Layout::fourPanes, Glyph::fourPanes, "layout-four-panes",
-                                        QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Four Panes")},
-                              LayoutButton{scene::Layout::volume, Glyph::volume, "layout-volume",
-                                        QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "3D Only")},
-                              LayoutButton{scene::Layout::axial, Glyph::axial, "layout-axial",
-                                        QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Axial Only")},
-                              LayoutButton{scene::Layout::coronal, Glyph::coronal, "layout-coronal",
-                                        QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Coronal Only")},
-                              LayoutButton{scene::Layout::sagittal, Glyph::sagittal, "layout-sagittal",
-                                        QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Sagittal Only")}};
+constexpr std::array kLayoutButtons{
+    LayoutButton{scene::Layout::fourPanes, Glyph::fourPanes, "layout-four-panes",
+                 QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Four Panes")},
+    LayoutButton{scene::Layout::volume, Glyph::volume, "layout-volume",
+                 QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "3D Only")},
+    LayoutButton{scene::Layout::axial, Glyph::axial, "layout-axial",
+                 QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Axial Only")},
+    LayoutButton{scene::Layout::coronal, Glyph::coronal, "layout-coronal",
+                 QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Coronal Only")},
+    LayoutButton{scene::Layout::sagittal, Glyph::sagittal, "layout-sagittal",
+                 QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Sagittal Only")}};
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "viewer/menus/controls.h"
+#include "viewer/status/status_widgets.h"
 
 namespace macula::viewer {
 
@@ -29,10 +30,9 @@ PhaseBar::PhaseBar(QWidget* parent) : QWidget(parent) {
     describe(*phases_, "phases-slider", tr("Phase"), tr("Which phase the slices show"));
     connect(phases_, &QSlider::valueChanged, this, &PhaseBar::phaseChosen);
     row->addWidget(phases_, 1);
-    shown_ = new QLabel(this);
-    makePlain(*shown_, "phases-shown");
-    shown_->setWordWrap(false);
-    row->addWidget(shown_);
+    shown_ = new ElidingLabel(tr("Phase on slices"), this);
+    shown_->setObjectName(QStringLiteral("phases-shown"));
+    row->addWidget(shown_, 1);
     rate_ = new QDoubleSpinBox(this);
     describe(*rate_, "phases-rate", tr("Phases a second"), tr("How many phases are shown in a second"));
     rate_->setRange(0.5, kMostRate);
@@ -71,7 +71,7 @@ void PhaseBar::setPhases(int count) {
 void PhaseBar::setShown(int phase, const QString& text) {
     const QSignalBlocker quiet(phases_);
     phases_->setValue(phase);
-    shown_->setText(text);
+    shown_->setFullText(text);
 }
 
 void PhaseBar::setPlaying(bool plays) {

@@ -12,6 +12,8 @@ class QToolButton;
 
 namespace macula::viewer {
 
+class ElidingLabel;
+
 // Lives on the UI thread. Setters emit nothing.
 class PhaseBar : public QWidget {
     Q_OBJECT
@@ -37,7 +39,7 @@ class PhaseBar : public QWidget {
 
     QToolButton* play_;
     QSlider* phases_;
-    QLabel* shown_;
+    ElidingLabel* shown_;
     QDoubleSpinBox* rate_;
     QLabel* note_;
     QToolButton* open_;

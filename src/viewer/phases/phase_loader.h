@@ -23,9 +23,9 @@ class PhaseLoader : public QObject {
 
     // `volumes`: of each phase, in `found`. Keeps what it has of the same `found`.
     void setPhases(std::shared_ptr<const study::FoundVolumes> found, std::vector<std::size_t> volumes);
-    // The open study is one of them, and need not be decoded again.
-    void keep(std::size_t phase, std::shared_ptr<const study::OpenedStudy> study);
-    // `loaded` follows for it, and for further ones while they fit. Forget nothing else.
+    // The open study is one of them: it need not be decoded again, and never makes room for others.
+    void keepOpen(std::size_t phase, std::shared_ptr<const study::OpenedStudy> study);
+    // `loaded` or `failed` follows, and `loaded` for further ones while they fit.
     void ask(std::size_t phase);
     // Null: not decoded yet.
     std::shared_ptr<const study::OpenedStudy> phase(std::size_t phase) const;
@@ -33,6 +33,8 @@ class PhaseLoader : public QObject {
     std::size_t loadedCount() const { return loaded_.size(); }
     bool hasAll() const { return loaded_.size() == volumes_.size(); }
     bool fits() const { return fits_; }  // false: memory is not enough for all phases
+    // Why not all can be there at once; nothing while they may.
+    std::optional<Error> whyNotAll() const;
 
   Q_SIGNALS:
     void loaded(std::size_t phase);
@@ -40,13 +42,15 @@ class PhaseLoader : public QObject {
 
   private:
     void startNext();
+    bool makeRoom();
     std::optional<std::size_t> next() const;
     void take(const Result<study::OpenedStudy>& study);
 
     std::shared_ptr<const study::FoundVolumes> found_;
     std::vector<std::size_t> volumes_;
     std::map<std::size_t, std::shared_ptr<const study::OpenedStudy>> loaded_;  // by phase
-    std::vector<std::size_t> failed_;
+    std::map<std::size_t, Error> failed_;
+    std::size_t open_ = 0;
     std::size_t asked_ = 0;
     std::optional<std::size_t> loading_;
     bool fits_ = true;

@@ -8,8 +8,8 @@
 #include "viewer/editor/study_editor.h"
 #include "viewer/language/harmless_text.h"
 #include "viewer/language/window_language.h"
-#include "viewer/phases/curve_dialog.h"
 #include "viewer/phases/phase_bar.h"
+#include "viewer/phases/time_curve_dialog.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status/notifications.h"
 #include "viewer/volume/opening_controller.h"
@@ -36,6 +36,7 @@ PhasesController::PhasesController(const WindowContext& context, OpeningControll
     connect(&loader_, &PhaseLoader::loaded, this, [this](std::size_t phase) {
         if (phase == shown_) showIfLoaded();
         showNote();
+        if (wantsCurve_ && loader_.whyNotAll()) wantsCurve_ = false;
         if (wantsCurve_ && loader_.hasAll()) askForCurve();
     });
     connect(&loader_, &PhaseLoader::failed, this, [this](std::size_t phase, const Error& error) {
@@ -62,7 +63,7 @@ void PhasesController::onStudyShown() {
     for (const study::Phase& phase : phases_) volumes.push_back(phase.volume);
     open_ = std::size_t(std::ranges::find(volumes, study.volumeIndex) - volumes.begin());
     loader_.setPhases(study.found, std::move(volumes));
-    loader_.keep(open_, std::make_shared<const study::OpenedStudy>(study));
+    loader_.keepOpen(open_, std::make_shared<const study::OpenedStudy>(study));
     show(open_);
 }
 
@@ -76,7 +77,8 @@ QString PhasesController::textOf(std::size_t phase) const {
 void PhasesController::show(std::size_t phase) {
     if (phase >= phases_.size()) return;
     shown_ = phase;
-    bar_->setShown(int(phase), textOf(phase));
+    const bool isThere = phase == open_ || loader_.phase(phase);
+    bar_->setShown(int(phase), isThere ? textOf(phase) : tr("%1 is being decoded").arg(textOf(phase)));
     bar_->setCanOpen(phase != open_);
     showIfLoaded();
     // The other phases are decoded once a person asks for one: many never do.
@@ -84,12 +86,15 @@ void PhasesController::show(std::size_t phase) {
     showNote();
 }
 
+// Slices keep what they show until another phase is decoded; the bar says so.
 void PhasesController::showIfLoaded() {
-    const auto study = loader_.phase(shown_);
-    if (!study) return;
+    const auto study = shown_ == open_ ? nullptr : loader_.phase(shown_);
+    if (shown_ != open_ && !study) return;
     QString text = textOf(shown_);
-    if (shown_ != open_) text = tr("%1; 3D and saved values: phase %2").arg(text).arg(open_ + 1);
-    for (SliceView* pane : panes_) pane->setPhase(shown_ == open_ ? nullptr : study, text);
+    bar_->setShown(int(shown_), text);
+    if (study) text = tr("%1; 3D and saved values: phase %2").arg(text, QString::number(open_ + 1));
+    for (SliceView* pane : panes_) pane->setPhase(study, text);
+    Q_EMIT shownOnSlices(study, text);
 }
 
 void PhasesController::showNote() {
@@ -121,12 +126,19 @@ void PhasesController::step() {
     if (areSeen) show(next);
 }
 
+void PhasesController::setImagesShown(bool shown) {
+    if (shown) setPlaying(false);
+    bar_->setPhases(shown ? 0 : int(phases_.size()));
+}
+
 void PhasesController::openShown() {
     if (shown_ >= phases_.size() || shown_ == open_) return;
     opening_.openFound(context_.session.study().found, phases_[shown_].volume);
 }
 
 void PhasesController::askForCurve() {
+    if (const std::optional<Error> why = loader_.whyNotAll(); why && !loader_.hasAll())
+        return context_.notifications.showError(*why);
     wantsCurve_ = !loader_.hasAll();
     if (wantsCurve_) {
         loader_.ask(shown_);
@@ -143,7 +155,7 @@ void PhasesController::askForCurve() {
 
 void PhasesController::showCurve(const Result<scene::TimeCurves>& curves) {
     if (curves) {
-        (new CurveDialog(*curves, context_))->open();
+        (new TimeCurveDialog(*curves, context_))->open();
     } else if (curves.error().code != ErrorCode::cancelled) {
         context_.notifications.showError(curves.error());
     }

@@ -35,6 +35,11 @@ class PhasesController : public QObject {
     std::size_t shown() const { return shown_; }  // the phase on slices
     bool isPlaying() const { return clock_.isActive(); }
     const PhaseLoader& loader() const { return loader_; }
+    void setImagesShown(bool shown);  // images that are no volume hide the slices
+
+  Q_SIGNALS:
+    // Slices show that phase, and its text; null: the open study.
+    void shownOnSlices(std::shared_ptr<const macula::study::OpenedStudy> phase, const QString& text);
 
   private:
     void onStudyShown();

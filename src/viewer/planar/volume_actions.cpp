@@ -23,7 +23,9 @@ constexpr std::array kOfVolume{"save-measurement-report",
                                "save-model",
                                "save-view",
                                "open-view",
-                               "send-to-archive"};
+                               "send-to-archive",
+                               "type-window",
+                               "slices-straight"};
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "viewer/slices/measurement_list.h"
 
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <algorithm>
@@ -23,7 +24,8 @@ enum Column { kLabel, kValue, kSlice };
 constexpr double kParallel = 0.99985;  // the cosine of a degree
 
 glm::dvec3 middleOf(const slices::Measurement& measurement) {
-    if (const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape)) return ellipse->plane.centreMm;
+    if (const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape))
+        return ellipse->plane.centreMm;
     const std::vector<glm::dvec3> points = slices::pointsOf(measurement);
     glm::dvec3 sum(0.0);
     for (const glm::dvec3& mm : points) sum += mm;
@@ -70,8 +72,11 @@ MeasurementList::MeasurementList(StudyEditor& session, QWidget* parent)
     setHeaderLabels({tr("Label"), tr("Value"), tr("Slice")});
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(kValue, QHeaderView::Stretch);
-    connect(this, &QTreeWidget::itemClicked, this,
-            [this](QTreeWidgetItem* item) { goTo(std::size_t(indexOfTopLevelItem(item))); });
+    // With a modifier the click selects several.
+    connect(this, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
+        if (QGuiApplication::keyboardModifiers() == Qt::NoModifier)
+            goTo(std::size_t(indexOfTopLevelItem(item)));
+    });
     connect(this, &QTreeWidget::itemChanged, this,
             [this](QTreeWidgetItem* item, int column) { takeLabel(*item, column); });
     connect(&session_, &StudyEditor::studyShown, this, [this] {
@@ -96,6 +101,7 @@ void MeasurementList::refresh() {
     if (!isVisible() || !isStale_) return;
     isStale_ = false;
     fills_ = true;
+    const int row = currentItem() != nullptr ? indexOfTopLevelItem(currentItem()) : -1;
     clear();
     if (session_.hasStudy()) {
         listed_ = session_.state().measurements;
@@ -106,15 +112,17 @@ void MeasurementList::refresh() {
             item->setText(kLabel, harmless(QString::fromStdString(measurement.label)));
             slices::Measurement unlabelled = measurement;
             unlabelled.label.clear();
-            item->setText(kValue, texts_.of(unlabelled, volume));
+            item->setText(kValue, texts_.of(unlabelled, session_.study().measured()));
             item->setToolTip(kValue, item->text(kValue));
             const auto slice = slices::sliceOf(measurement, volume);
             if (!slice) continue;
             const auto image = imageNumber(session_.study(), *slice);
-            item->setText(kSlice, image ? tr("%1, image %2").arg(*slice + 1).arg(*image)
-                                        : QString::number(*slice + 1));
+            item->setText(
+                kSlice, image ? tr("%1, image %2").arg(*slice + 1).arg(*image) : QString::number(*slice + 1));
         }
     }
+    if (row >= 0 && topLevelItemCount() > 0)
+        setCurrentItem(topLevelItem(std::min(row, topLevelItemCount() - 1)));
     fills_ = false;
 }
 
@@ -131,11 +139,7 @@ void MeasurementList::goTo(std::size_t index) {
 
 void MeasurementList::takeLabel(const QTreeWidgetItem& item, int column) {
     const int index = indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(&item));
-    if (fills_ || index < 0 || std::size_t(index) >= listed_.size()) return;
-    if (column != kLabel) {
-        isStale_ = true;  // values cannot be typed
-        return refresh();
-    }
+    if (fills_ || column != kLabel || index < 0 || std::size_t(index) >= listed_.size()) return;
     // Later: the change fills the list anew, and its editor is still open.
     const auto take = [this, edited = listed_[std::size_t(index)],
                        typed = item.text(kLabel).trimmed().toStdString()] {
@@ -158,6 +162,10 @@ void MeasurementList::removeSelected() {
             if (!chosen.contains(i)) kept.push_back(next.measurements[i]);
         next.measurements = std::move(kept);
     });
+}
+
+bool MeasurementList::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+    return index.column() == kLabel && QTreeWidget::edit(index, trigger, event);
 }
 
 void MeasurementList::keyPressEvent(QKeyEvent* event) {

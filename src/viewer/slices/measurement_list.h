@@ -23,6 +23,8 @@ class MeasurementList : public QTreeWidget {
   protected:
     void showEvent(QShowEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    // Labels alone can be typed.
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
 
   private:
     void refresh();

@@ -61,8 +61,8 @@ class PaneContent {
     slices::Orientation orientation() const { return orientation_; }
     PaneRole role() const { return role_; }
 
-    void clear();      // no study until takeStudy()
-    void takeStudy();  // takes over the session's study
+    void clear();       // no study until takeStudy()
+    void takeStudy();   // takes over the session's study
     void turnPlanes();  // straight, as acquired, or by hand, as the state says
     bool hasStudy() const { return steps_.has_value(); }
     // Another phase of the study, on its grid, that is shown in its place, and a text that says which; null:

@@ -66,14 +66,18 @@ std::size_t PaneCurve::placeInOrder(const QPointF& place, const SliceRequest& sh
     if (!curve().isUsable()) return points.size();
     const glm::dvec3 mm = shown.worldFromPane(place);
     const double atMm = curve().nearestMm(mm);
-    if (awayPx(onPane(curve().at(atMm).mm, shown), place) > kReachPx) return points.size();
+    const glm::dvec3 on = curve().at(atMm).mm;
+    const bool isBetween = atMm > 0.0 && atMm < curve().lengthMm() &&
+                           std::abs(shown.frame.distanceMm(on)) <= nearMm() &&
+                           awayPx(onPane(on, shown), place) <= kReachPx;
+    if (!isBetween) return points.size();
     std::size_t before = 0;
     while (before < points.size() && curve().nearestMm(points[before]) < atMm) ++before;
     return before;
 }
 
 void PaneCurve::hold(const QPointF& place, const SliceRequest& shown) {
-    last_ = pointAt(place, shown);
+    remember(pointAt(place, shown));
     isHeld_ = true;
     session_.endDrag();
     if (last_) return;
@@ -86,25 +90,38 @@ void PaneCurve::hold(const QPointF& place, const SliceRequest& shown) {
         auto& points = next.slices.curveMm;
         points.insert(points.begin() + std::ptrdiff_t(at), shown.worldFromPane(place));
     });
-    last_ = at;
+    remember(at);
+}
+
+void PaneCurve::remember(std::optional<std::size_t> point) {
+    last_ = point;
+    lastOf_ = session_.state().slices.curveMm;
 }
 
 void PaneCurve::dragTo(const QPointF& place, const SliceRequest& shown) {
     const auto& points = session_.state().slices.curveMm;
     if (!isHeld_ || !last_ || *last_ >= points.size()) return;
-    session_.drag(tr("Curve"), [&](scene::StudyState& next) {
-        next.slices.curveMm[*last_] = shown.worldFromPane(place);
-    });
+    session_.drag(tr("Curve"),
+                  [&](scene::StudyState& next) { next.slices.curveMm[*last_] = shown.worldFromPane(place); });
+    remember(last_);
+}
+
+void PaneCurve::setPoint(const glm::dvec3& mm) {
+    const std::size_t count = session_.state().slices.curveMm.size();
+    if (count >= scene::kMostCurvePoints) return;
+    session_.change(tr("Curve"), [&](scene::StudyState& next) { next.slices.curveMm.push_back(mm); });
+    remember(count);
 }
 
 bool PaneCurve::removeLast() {
     const std::size_t count = session_.state().slices.curveMm.size();
     if (count == 0) return false;
-    const std::size_t at = last_ && *last_ < count ? *last_ : count - 1;
+    const bool isKnown = last_ && *last_ < count && lastOf_ == session_.state().slices.curveMm;
+    const std::size_t at = isKnown ? *last_ : count - 1;
     session_.change(tr("Curve"), [&](scene::StudyState& next) {
         next.slices.curveMm.erase(next.slices.curveMm.begin() + std::ptrdiff_t(at));
     });
-    last_ = at > 0 ? std::optional(at - 1) : std::nullopt;
+    remember(at > 0 ? std::optional(at - 1) : std::nullopt);
     return true;
 }
 
@@ -121,7 +138,8 @@ void PaneCurve::paint(QPainter& painter, const SliceRequest& shown) {
         for (int i = 0; i < lines; ++i) {
             const glm::dvec3 from = curve().at(length * i / lines).mm;
             QPainterPath& path = std::abs(shown.frame.distanceMm(from)) <= nearMm() ? here : away;
-            path.moveTo(onPane(from, shown));
+            if (path.elementCount() == 0 || path.currentPosition() != onPane(from, shown))
+                path.moveTo(onPane(from, shown));
             path.lineTo(onPane(curve().at(length * (i + 1) / lines).mm, shown));
         }
     }

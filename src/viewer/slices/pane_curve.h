@@ -6,6 +6,7 @@
 #include <QPointF>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "slices/curve.h"
 #include "viewer/editor/study_editor.h"
@@ -28,7 +29,10 @@ class PaneCurve {
     void hold(const QPointF& place, const SliceRequest& shown);
     void dragTo(const QPointF& place, const SliceRequest& shown);  // moves it in the plane
     void letGo() { isHeld_ = false; }
-    bool removeLast();  // the point that was held last; false without one
+    void setPoint(const glm::dvec3& mm);  // at the end of the curve
+    // The point that was held last in this pane, if the curve is still that one; else the end of the curve.
+    // False without a point.
+    bool removeLast();
 
     // Faint where the curve is away from the plane.
     void paint(QPainter& painter, const SliceRequest& shown);
@@ -37,11 +41,13 @@ class PaneCurve {
     std::optional<std::size_t> pointAt(const QPointF& place, const SliceRequest& shown) const;
     std::size_t placeInOrder(const QPointF& place, const SliceRequest& shown);
     const slices::Curve& curve();
+    void remember(std::optional<std::size_t> point);
     double nearMm() const;  // a point closer to the plane lies in it
 
     StudyEditor& session_;
     const PaneContent& content_;
     std::optional<std::size_t> last_;  // held last
+    std::vector<glm::dvec3> lastOf_;   // the points when it was
     bool isHeld_ = false;
     std::vector<glm::dvec3> curveOf_;  // the points of curve_
     slices::Curve curve_{{}};

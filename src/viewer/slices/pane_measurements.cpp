@@ -71,8 +71,12 @@ std::optional<slices::Measurement> MeasurementDrawing::ellipse(const glm::dvec3&
     return slices::Measurement{.shape = ellipse, .normal = plane_.normal()};
 }
 
-QString MeasurementTexts::of(const slices::Measurement& measurement, const Volume& volume) {
-    const auto found = std::ranges::find(known_, measurement, &Known::measurement);
+QString MeasurementTexts::of(const slices::Measurement& measurement,
+                             const std::shared_ptr<const Volume>& of) {
+    const Volume& volume = *of;
+    const auto found = std::ranges::find_if(known_, [&](const Known& known) {
+        return known.measurement == measurement && known.volume.lock() == of;
+    });
     if (found != known_.end()) return found->text;
     constexpr std::size_t kMost = 2048;  // more than a state has; each step of a drag adds one
     if (known_.size() == kMost) known_.erase(known_.begin());
@@ -82,7 +86,7 @@ QString MeasurementTexts::of(const slices::Measurement& measurement, const Volum
         text = interpolated(text, measurement, share);
     if (!measurement.label.empty())
         text = harmless(QString::fromStdString(measurement.label)) + QStringLiteral(": ") + text;
-    known_.push_back({measurement, text});
+    known_.push_back({measurement, of, text});
     return text;
 }
 
@@ -193,24 +197,25 @@ std::vector<ShownMeasurement> PaneMeasurements::seenOn(const SliceRequest& shown
                         .isSelected = selected_ == i});
     }
     const auto drawn = drawing_ ? drawing_->soFar() : std::nullopt;
-    if (drawn) seen.push_back({.measurement = *drawn, .text = textWhileDrawn(*drawn), .isSelected = true});
+    if (drawn)
+        seen.push_back({.measurement = *drawn, .text = textWhileDrawn(*drawn, shown), .isSelected = true});
     return seen;
 }
 
 // Values come from the plane alone, whatever the slab projects onto it.
 QString PaneMeasurements::textOf(const slices::Measurement& measurement, const SliceRequest& shown) {
-    const QString text = texts_.of(measurement, content_.volume());
+    const QString text = texts_.of(measurement, shown.volume);
     const bool isOfPlane =
         shown.slab.thicknessMm > 0.0 && std::holds_alternative<slices::Ellipse>(measurement.shape);
     return isOfPlane ? tr("Plane alone: %1").arg(text) : text;
 }
 
 // Shows only the size: counting values takes too long for each step of the drag.
-QString PaneMeasurements::textWhileDrawn(const slices::Measurement& measurement) {
+QString PaneMeasurements::textWhileDrawn(const slices::Measurement& measurement, const SliceRequest& shown) {
     const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape);
-    if (ellipse == nullptr) return texts_.of(measurement, content_.volume());
+    if (ellipse == nullptr) return texts_.of(measurement, shown.volume);
     return sizeText(tr("%1 mm²").arg(std::llround(slices::areaMm2(*ellipse))),
-                    content_.volume().provenance().isCalibrated);
+                    shown.volume->provenance().isCalibrated);
 }
 
 }  // namespace macula::viewer

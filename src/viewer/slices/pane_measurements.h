@@ -5,6 +5,7 @@
 #include <QPointF>
 #include <QString>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -53,13 +54,14 @@ class MeasurementDrawing {
 // Caches the texts beside measurements: measuring an ellipse takes milliseconds, and a pane is painted often.
 class MeasurementTexts {
   public:
-    QString of(const slices::Measurement& measurement, const Volume& volume);
-    // Call it before of() gets another volume.
+    // Remembers the text of each measurement on each volume, as long as that lives.
+    QString of(const slices::Measurement& measurement, const std::shared_ptr<const Volume>& volume);
     void forget() { known_.clear(); }
 
   private:
     struct Known {
         slices::Measurement measurement;
+        std::weak_ptr<const Volume> volume;
         QString text;
     };
     std::vector<Known> known_;  // the latest is last
@@ -73,8 +75,7 @@ class PaneMeasurements {
   public:
     PaneMeasurements(StudyEditor& session, const PaneContent& content);  // both outlive this
 
-    void forget();                              // drops selection and texts, for another study
-    void forgetValues() { texts_.forget(); }  // for another phase of the study
+    void forget();  // drops selection and texts, for another study
     // Keeps the same measurement selected after a change of the state. Returns whether it is gone.
     bool follow(const scene::StudyState& before);
 
@@ -103,7 +104,7 @@ class PaneMeasurements {
     bool isSeen(const slices::Measurement& measurement, const SliceRequest& shown) const;
     void finishIfComplete();
     QString textOf(const slices::Measurement& measurement, const SliceRequest& shown);
-    QString textWhileDrawn(const slices::Measurement& measurement);
+    QString textWhileDrawn(const slices::Measurement& measurement, const SliceRequest& shown);
 
     StudyEditor& session_;
     const PaneContent& content_;

@@ -111,11 +111,20 @@ void addSecond(const PaneContent& content, SliceRequest& request) {
     if (!content.second()->patientNote.isEmpty()) request.secondNotes.prepend(content.second()->patientNote);
 }
 
+// What was found or placed for the open phase need not fit another one.
 void addPhase(const PaneContent& content, SliceRequest& request) {
-    if (!content.phaseText().isEmpty()) request.tags.push_back(content.phaseText());
-    if (!content.showsOtherPhase()) return;
-    if (request.segments) request.secondNotes.push_back(PaneRequest::tr("Segments are of another phase"));
+    if (content.phaseText().isEmpty()) return;
+    if (!content.showsOtherPhase()) {
+        request.tags.push_back(content.phaseText());
+        return;
+    }
+    request.isOtherPhase = true;
+    request.tags = {content.phaseText()};
+    request.secondNotes.push_back(PaneRequest::tr("Segments are of the open phase, and not shown here"));
     request.segments.reset();
+    if (!request.over) return;
+    request.tags.push_back(PaneRequest::tr("In colours: %1").arg(content.second()->tag));
+    request.secondNotes.push_back(PaneRequest::tr("In colours: placed for the open phase"));
 }
 
 }  // namespace

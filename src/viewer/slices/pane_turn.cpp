@@ -32,10 +32,9 @@ glm::dvec2 lineOf(const slices::SlicePlane& plane, const glm::dvec3& otherNormal
     return glm::dot(line, usual) < 0.0 ? -line : line;
 }
 
-// From upright, clockwise in the picture, in (-45, 45]: which line is called upright does not matter.
+// From upright, clockwise in the picture, -90 to 90.
 double turnDegOf(const glm::dvec2& vertical) {
-    const double deg = glm::degrees(std::atan2(-vertical.x, vertical.y));
-    return deg - 90.0 * std::round(deg / 90.0);
+    return glm::degrees(std::atan2(-vertical.x, vertical.y));
 }
 
 double angleOf(const QPointF& from, const QPointF& to) {
@@ -79,8 +78,8 @@ std::vector<PaneTurn::Ring> PaneTurn::ringsOn(const SliceRequest& shown) const {
             }
             const double px = kAlong * edge;
             if (px >= kNearestPx && std::isfinite(px))
-                rings.push_back({.at = {at.x() + px * along.x, at.y() + px * along.y},
-                                 .isVertical = isVertical});
+                rings.push_back(
+                    {.at = {at.x() + px * along.x, at.y() + px * along.y}, .isVertical = isVertical});
         }
     }
     return rings;
@@ -105,9 +104,13 @@ void PaneTurn::dragTo(const QPointF& place, const SliceRequest& shown, bool inSt
     const double step = inSteps ? kStepDeg : 90.0;
     const double caught = step * std::round(wantedDeg / step);
     if (inSteps || std::abs(wantedDeg - caught) <= kCatchDeg) wantedDeg = caught;
-    const double by = glm::radians(wantedDeg) - std::atan2(-vertical.x, vertical.y);
-    // The normal points away from the viewer, so a positive angle about it is clockwise in the picture.
-    const glm::dquat turn = glm::angleAxis(std::remainder(by, std::numbers::pi), plane.normal());
+    turnBy(wantedDeg - turnDegOf(vertical), plane);
+}
+
+// The normal points away from the viewer, so a positive angle about it is clockwise in the picture.
+void PaneTurn::turnBy(double deg, const slices::SlicePlane& plane) {
+    const glm::dquat turn =
+        glm::angleAxis(std::remainder(glm::radians(deg), std::numbers::pi), plane.normal());
     if (std::abs(turn.w) == 1.0) return;
     session_.drag(tr("Turn Planes"), [&](scene::StudyState& next) {
         const glm::dquat before = next.slices.turn.value_or(glm::dquat(1.0, 0.0, 0.0, 0.0));

@@ -33,6 +33,7 @@ class PaneTurn {
     // The lines follow the pointer. They catch on the pane's axes, and with `inSteps` every 15 degrees.
     void dragTo(const QPointF& place, const SliceRequest& shown, bool inSteps);
 
+    void turnBy(double deg, const slices::SlicePlane& plane);  // clockwise in a picture of that plane
     // How far the pane's lines are turned, "12.5°", while one is held or pointed at; otherwise empty.
     QString angleText(const SliceRequest& shown, const std::optional<QPointF>& pointedAt) const;
     // Rings, if the pointer is in the pane.

@@ -65,7 +65,8 @@ void SliceHand::pressLeft(const QPointF& place, const SliceRequest& shown) {
 // Segments are drawn on the voxels of the study alone.
 void SliceHand::pressBrush(const QPointF& place, const SliceRequest& shown) {
     const BrushTouch touch{shown.worldFromPane(place), shown.frame.plane.normal()};
-    if (shown.showsStudy() && brush_ != nullptr && brush_->press(touch)) drag_ = Drag::brush;
+    const bool isOfStudy = shown.showsStudy() && !shown.isOtherPhase;
+    if (isOfStudy && brush_ != nullptr && brush_->press(touch)) drag_ = Drag::brush;
 }
 
 SliceHand::Drag SliceHand::dragOfTool() const {

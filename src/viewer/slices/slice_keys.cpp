@@ -11,10 +11,21 @@ bool SliceKeys::press(const QKeyEvent& event, const Pane& pane) {
     const Qt::KeyboardModifiers others = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
     if (others == Qt::AltModifier && event.key() >= Qt::Key_1 && event.key() <= Qt::Key_9)
         return parts_.windowing.applyOwn(event.key() - Qt::Key_0), true;
+    if (others == Qt::ControlModifier && (event.key() == Qt::Key_Left || event.key() == Qt::Key_Right))
+        return turnPlanes(event.key() == Qt::Key_Right, event.modifiers().testFlag(Qt::ShiftModifier)), true;
     if (event.matches(QKeySequence::Copy)) return parts_.popups.copyPicture(), true;
     if (actionOf(event) == KeyAction::fit) return parts_.zoom.fit(), true;
     return others == Qt::NoModifier &&
            pressPlain(event.key(), event.modifiers().testFlag(Qt::ShiftModifier), pane);
+}
+
+void SliceKeys::turnPlanes(bool clockwise, bool byStep) {
+    constexpr double kStepDeg = 15.0;
+    const double deg = byStep ? kStepDeg : 1.0;
+    const SliceSteps& steps = parts_.content.steps();
+    parts_.turn.turnBy(clockwise ? deg : -deg,
+                       steps.plane(parts_.content.slice(), parts_.content.crosshairMm()));
+    parts_.session.endDrag();
 }
 
 bool SliceKeys::pressPlain(int key, bool withShift, const Pane& pane) {
@@ -65,7 +76,9 @@ bool SliceKeys::pressOfMeasurements(int key) {
             return parts_.hand.tool() == SliceTool::curve && parts_.curve.removeLast();
         case Qt::Key_Return:
         case Qt::Key_Enter:
-            return selected && (parts_.popups.editLabel(*selected), true);
+            if (selected) return parts_.popups.editLabel(*selected), true;
+            if (parts_.hand.tool() != SliceTool::curve) return false;
+            return parts_.curve.setPoint(parts_.content.crosshairMm()), true;
         case Qt::Key_Escape:
             return parts_.measurements.isDrawing() && (parts_.hand.end(), true);
         default:

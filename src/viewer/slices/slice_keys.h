@@ -9,6 +9,7 @@
 #include "viewer/editor/study_editor.h"
 #include "viewer/slices/pane_curve.h"
 #include "viewer/slices/pane_measurements.h"
+#include "viewer/slices/pane_turn.h"
 #include "viewer/slices/pane_zoom.h"
 #include "viewer/slices/slice_hand.h"
 #include "viewer/slices/slice_popups.h"
@@ -35,6 +36,7 @@ class SliceKeys {
         SliceHand& hand;
         SlicePopups& popups;
         PaneCurve& curve;
+        PaneTurn& turn;
     };
     explicit SliceKeys(const Parts& parts) : parts_(parts) {}
 
@@ -48,6 +50,7 @@ class SliceKeys {
     bool press(const QKeyEvent& event, const Pane& pane);
 
   private:
+    void turnPlanes(bool clockwise, bool byStep);
     bool pressPlain(int key, bool withShift, const Pane& pane);
     bool pressOfMeasurements(int key);
 

@@ -8,6 +8,8 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -131,7 +133,7 @@ void addTypedWindow(QMenu& menu, const SliceMenuOf& of, QWidget* parent) {
     const QString key =
         KeyBook::ofProgram().chosen(keyOf(KeyAction::typedWindow)).toString(QKeySequence::NativeText);
     QAction* typed = menu.addAction(SliceMenuWords::tr("&Type a Window…\t%1").arg(key));
-    describe(*typed, "type-window", SliceMenuWords::tr("Width and level as numbers"));
+    describe(*typed, "type-window-here", SliceMenuWords::tr("Width and level as numbers"));
     QObject::connect(typed, &QAction::triggered, parent,
                      [session = of.session, parent] { askForWindow(*session, parent); });
 }
@@ -176,52 +178,58 @@ QMenu* makeSliceMenu(const SliceMenuOf& of, QWidget* parent) {
 void askForWindow(StudyEditor& session, QWidget* parent) {
     if (!session.hasStudy()) return;
     const Volume& volume = *session.study().measured();
-    const DisplayWindow before = session.state().slices.window.value_or(seriesWindow(volume));
+    const std::optional<DisplayWindow> before = session.state().slices.window;
+    const DisplayWindow usual = seriesWindow(volume);
+    const double width = before.value_or(usual).width;
     auto* dialog = new QDialog(parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setObjectName(QStringLiteral("window-dialog"));
     dialog->setWindowTitle(SliceMenuWords::tr("Window of the Slices"));
     auto* form = new QFormLayout(dialog);
-    const auto addNumber = [&](const char* name, const QString& title, double value, double least) {
+    const auto hasChanged = std::make_shared<bool>(false);
+    const auto addNumber = [&](const char* name, const QString& title, double DisplayWindow::*member,
+                               double least) {
         auto* box = new QDoubleSpinBox(dialog);
         describe(*box, name, title, title);
         box->setRange(least, 1e9);
-        box->setDecimals(before.width < 20.0 ? 3 : 0);
-        box->setValue(value);
+        // Four digits of the width, as small as values may be.
+        box->setDecimals(std::clamp(3 - int(std::floor(std::log10(std::max(width, 1e-9)))), 0, 9));
+        box->setValue(before.value_or(usual).*member);
         const QString unit = harmless(QString::fromStdString(volume.unitName()));
         if (!unit.isEmpty()) box->setSuffix(QLatin1Char(' ') + unit);
         form->addRow(title, box);
+        QObject::connect(box, &QDoubleSpinBox::valueChanged, &session,
+                         [&session, usual, member, hasChanged](double value) {
+                             *hasChanged = true;
+                             session.drag(SliceMenuWords::tr("Window"), [&](scene::StudyState& next) {
+                                 DisplayWindow typed = next.slices.window.value_or(usual);
+                                 typed.*member = value;
+                                 typed.explanation.clear();
+                                 next.slices.window = typed;
+                             });
+                         });
         return box;
     };
-    QDoubleSpinBox* width = addNumber("window-width", SliceMenuWords::tr("&Width"), before.width, 1e-3);
-    QDoubleSpinBox* level = addNumber("window-level", SliceMenuWords::tr("&Level"), before.center, -1e9);
-    const auto hasChanged = std::make_shared<bool>(false);
-    const auto apply = [&session, before, width, level, hasChanged] {
-        *hasChanged = true;
-        session.drag(SliceMenuWords::tr("Window"), [&](scene::StudyState& next) {
-            DisplayWindow typed = before;
-            typed.width = width->value();
-            typed.center = level->value();
-            typed.explanation.clear();
-            next.slices.window = typed;
-        });
-    };
-    for (QDoubleSpinBox* box : {width, level})
-        QObject::connect(box, &QDoubleSpinBox::valueChanged, &session, apply);
+    QDoubleSpinBox* first =
+        addNumber("window-width", SliceMenuWords::tr("&Width"), &DisplayWindow::width, 1e-9);
+    addNumber("window-level", SliceMenuWords::tr("&Level"), &DisplayWindow::center, -1e9);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, dialog);
     form->addRow(buttons);
     QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
-    QObject::connect(dialog, &QDialog::finished, &session, [&session, hasChanged](int result) {
+    // Other steps may have followed, so this puts the window back instead of undoing the last step.
+    QObject::connect(dialog, &QDialog::finished, &session, [&session, before, hasChanged](int result) {
         session.endDrag();
-        if (result == QDialog::Rejected && *hasChanged) session.undo();
+        if (result != QDialog::Rejected || !*hasChanged) return;
+        session.change(SliceMenuWords::tr("Window"),
+                       [&](scene::StudyState& next) { next.slices.window = before; });
     });
     // The steps of another study are not its own to undo.
     QObject::connect(&session, &StudyEditor::studyShown, dialog, [dialog, hasChanged] {
         *hasChanged = false;
         dialog->reject();
     });
-    width->selectAll();
+    first->selectAll();
     dialog->open();
 }
 

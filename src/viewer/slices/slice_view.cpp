@@ -24,7 +24,8 @@ SliceView::SliceView(StudyEditor& session, slices::Orientation orientation, QWid
       cine_(session, content_, [this] { return isUpToDate(); }),
       hand_({session, zoom_, travel_, windowing_, measurements_, clip_, turn_, curve_}),
       popups_(*this, {session, content_, picture_, zoom_, windowing_, measurements_, hand_}),
-      keys_({session, content_, zoom_, travel_, windowing_, measurements_, cine_, hand_, popups_, curve_}),
+      keys_({session, content_, zoom_, travel_, windowing_, measurements_, cine_, hand_, popups_, curve_,
+             turn_}),
       painting_({content_, picture_, measurements_, clip_, turn_, curve_}) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -92,7 +93,7 @@ void SliceView::setSecond(std::shared_ptr<const SecondVolumeTexts> second) {
 
 void SliceView::setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text) {
     content_.setPhase(std::move(phase), text);
-    measurements_.forgetValues();
+    showLines();
     request();
     update();
 }
@@ -120,16 +121,21 @@ void SliceView::onStudyShown() {
     // study's.
     if (!session_.keepsPlace()) zoom_.begin(content_.role() == PaneRole::study);
     picture_.forget();  // a hidden pane must not keep the volume in memory
-    QStringList lines;
-    for (const std::string& line : linesToShow(session_.study().identity))
-        if (session_.hasStudy()) lines << QString::fromStdString(line);
-    setLines(lines);
+    showLines();
     if (session_.hasStudy()) {
         content_.takeStudy();
         request();
     }
     setAccessibleDescription(session_.hasStudy() ? QString() : SlicePainting::noStudyText());
     update();
+}
+
+void SliceView::showLines() {
+    QStringList lines;
+    if (session_.hasStudy())
+        for (const std::string& line : linesToShow(content_.study().identity))
+            lines << QString::fromStdString(line);
+    setLines(lines);
 }
 
 void SliceView::onChanged(const scene::StudyState& before) {

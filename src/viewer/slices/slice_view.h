@@ -113,6 +113,7 @@ class SliceView : public QWidget {
 
   private:
     void listen();
+    void showLines();  // those that identify what the pane shows
     void onStudyShown();
     void onChanged(const scene::StudyState& before);
     void onPicture();

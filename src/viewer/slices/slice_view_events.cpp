@@ -73,7 +73,7 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
         return fit();
     }
     if (event->button() != Qt::LeftButton || measurements_.isBeyondFirstPoint() ||
-        hand_.tool() == SliceTool::segment)
+        hand_.tool() == SliceTool::segment || hand_.tool() == SliceTool::curve)
         return mousePressEvent(event);
     measurements_.dropDrawing();
     update();

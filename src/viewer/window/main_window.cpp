@@ -42,9 +42,9 @@
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/panels_controller.h"
 #include "viewer/panes/tool_box.h"
-#include "viewer/pick/pick_controller.h"
 #include "viewer/phases/phase_bar.h"
 #include "viewer/phases/phases_controller.h"
+#include "viewer/pick/pick_controller.h"
 #include "viewer/planar/planar_controller.h"
 #include "viewer/planar/planar_measuring.h"
 #include "viewer/planar/planar_presenting.h"
@@ -203,6 +203,7 @@ void MainWindow::makePanels() {
     QDockWidget* lights = panels_->add(kRight, lights_->panel(), tr("Lights"), "lights-panel", key(4));
     lights_->setDock(*lights);
     curve_ = new CurveController(context_);
+    connect(phases_, &PhasesController::shownOnSlices, &curve_->panel(), &CurvePanel::setPhase);
     panels_->add(Qt::BottomDockWidgetArea, &curve_->panel(), tr("Curved Plane"), "curve-dock",
                  keyOf(KeyAction::curve));
     panels_->add(kRight, new MeasurementList(session_), tr("Measurements"), "measurements-panel",
@@ -293,6 +294,7 @@ void MainWindow::connectImages() {
                 planar_->presenting().choose(of.file);
             });
     connect(planar_, &PlanarController::shownChanged, this, [this] {
+        phases_->setImagesShown(planar_->isShown());
         status_->setImagesShown(planar_->identity());
         panes_->tools().setEnabled(!planar_->isShown());
         undo_->actOn(planar_->isShown() ? &planar_->measuring() : nullptr);

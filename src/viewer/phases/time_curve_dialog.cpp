@@ -1,4 +1,4 @@
-#include "viewer/phases/curve_dialog.h"
+#include "viewer/phases/time_curve_dialog.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>
@@ -28,11 +28,11 @@ constexpr int kMarginPx = 12;
 constexpr std::array<QRgb, 6> kInks{0x78d2ff, 0xffb45a, 0x6ed66e, 0xff8adc, 0xf6dc4a, 0xff6054};
 
 // Means over phases, with bars of one standard deviation.
-class CurveChart : public QWidget {
+class TimeCurveChart : public QWidget {
   public:
-    CurveChart(scene::TimeCurves curves, QWidget* parent) : QWidget(parent), curves_(std::move(curves)) {
+    TimeCurveChart(scene::TimeCurves curves, QWidget* parent) : QWidget(parent), curves_(std::move(curves)) {
         setMinimumSize(420, 260);
-        setAccessibleName(QCoreApplication::translate("CurveDialog", "Mean in each phase"));
+        setAccessibleName(QCoreApplication::translate("TimeCurveDialog", "Mean in each phase"));
         for (const scene::TimeCurve& curve : curves_.curves)
             for (const auto& values : curve.values) {
                 if (!values || !std::isfinite(values->mean)) continue;
@@ -52,7 +52,8 @@ class CurveChart : public QWidget {
         const QFontMetrics metrics = painter.fontMetrics();
         const QString top = numberOf(high_);
         const QString bottom = numberOf(low_);
-        const int left = kMarginPx + std::max(metrics.horizontalAdvance(top), metrics.horizontalAdvance(bottom));
+        const int left =
+            kMarginPx + std::max(metrics.horizontalAdvance(top), metrics.horizontalAdvance(bottom));
         plot_ = QRectF(rect()).adjusted(left + 6, kMarginPx + metrics.height(), -kMarginPx,
                                         -kMarginPx - metrics.height());
         painter.setPen(QColor(150, 150, 150));
@@ -74,9 +75,9 @@ class CurveChart : public QWidget {
     static QString numberOf(double value) { return withLocalNumbers(QString::number(value, 'g', 4)); }
     bool hasTimes() const { return curves_.phases.back().atMs.has_value(); }
     QPointF placeOf(std::size_t phase, double value) const {
-        const double share = hasTimes()
-                                 ? *curves_.phases[phase].atMs / *curves_.phases.back().atMs
-                                 : double(phase) / double(std::max<std::size_t>(curves_.phases.size() - 1, 1));
+        const double share =
+            hasTimes() ? *curves_.phases[phase].atMs / *curves_.phases.back().atMs
+                       : double(phase) / double(std::max<std::size_t>(curves_.phases.size() - 1, 1));
         return {plot_.left() + share * plot_.width(),
                 plot_.bottom() - (value - low_) / (high_ - low_) * plot_.height()};
     }
@@ -101,7 +102,9 @@ class CurveChart : public QWidget {
         painter.drawPath(path);
         const double line = painter.fontMetrics().height();
         painter.drawText(QPointF(plot_.left() + 6, plot_.top() + line * (double(index) + 1.0)),
-                         harmless(QString::fromStdString(curve.label)));
+                         curve.label.empty()
+                             ? QCoreApplication::translate("TimeCurveDialog", "Ellipse %1").arg(curve.number)
+                             : harmless(QString::fromStdString(curve.label)));
     }
 
     scene::TimeCurves curves_;
@@ -112,31 +115,29 @@ class CurveChart : public QWidget {
 
 }  // namespace
 
-CurveDialog::CurveDialog(const scene::TimeCurves& curves, const WindowContext& context)
+TimeCurveDialog::TimeCurveDialog(const scene::TimeCurves& curves, const WindowContext& context)
     : QDialog(&context.window), context_(context) {
     setAttribute(Qt::WA_DeleteOnClose);
-    setObjectName(QStringLiteral("curve-dialog"));
+    setObjectName(QStringLiteral("time-curve-dialog"));
     setWindowTitle(tr("Curve over Phases"));
     resize(640, 400);
     auto* column = new QVBoxLayout(this);
-    column->addWidget(new CurveChart(curves, this), 1);
+    column->addWidget(new TimeCurveChart(curves, this), 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton(tr("&Copy as a Table"), QDialogButtonBox::ActionRole);
-    copy->setObjectName(QStringLiteral("curve-copy"));
+    copy->setObjectName(QStringLiteral("time-curve-copy"));
     QPushButton* saved = buttons->addButton(tr("&Save as a Table…"), QDialogButtonBox::ActionRole);
-    saved->setObjectName(QStringLiteral("curve-save"));
+    saved->setObjectName(QStringLiteral("time-curve-save"));
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(copy, &QPushButton::clicked, this, [csv = toCsv(curves)] {
-        QGuiApplication::clipboard()->setText(QString::fromStdString(csv));
-    });
+    connect(copy, &QPushButton::clicked, this,
+            [csv = toCsv(curves)] { QGuiApplication::clipboard()->setText(QString::fromStdString(csv)); });
     connect(saved, &QPushButton::clicked, this, [this, csv = toCsv(curves)] { save(csv); });
 }
 
-void CurveDialog::save(const std::string& csv) {
-    auto* dialog =
-        context_.files.toSave(FolderKind::measurements, tr("Save the curve"), tr("Table (*.csv)"),
-                              QStringLiteral("csv"), QStringLiteral("curve.csv"));
+void TimeCurveDialog::save(const std::string& csv) {
+    auto* dialog = context_.files.toSave(FolderKind::measurements, tr("Save the curve"), tr("Table (*.csv)"),
+                                         QStringLiteral("csv"), QStringLiteral("curve.csv"));
     context_.files.ask(dialog, FolderKind::measurements, [context = context_, csv](const QString& path) {
         if (const Result<void> written = writeTextAtomically(path.toStdString(), csv); !written)
             return context.notifications.fail(written.error());

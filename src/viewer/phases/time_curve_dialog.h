@@ -9,11 +9,11 @@
 namespace macula::viewer {
 
 // Deletes itself when it is closed.
-class CurveDialog : public QDialog {
+class TimeCurveDialog : public QDialog {
     Q_OBJECT
 
   public:
-    CurveDialog(const scene::TimeCurves& curves, const WindowContext& context);
+    TimeCurveDialog(const scene::TimeCurves& curves, const WindowContext& context);
 
   private:
     void save(const std::string& csv);
