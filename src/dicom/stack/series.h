@@ -30,7 +30,7 @@ struct OtherObject {
     std::string sopClassUid;
     Text kind;                                      // "Segmentation"; for a person
     std::vector<std::string> referencedSeriesUids;  // of a segmentation or presentation state; sorted
-    std::string label;  // of a presentation state: its description, otherwise its label; may be empty
+    std::string label;  // of a presentation state its description or label, of a document its title
     std::optional<PresentationHeading> presentation = {};  // of a presentation state of any kind
 };
 
