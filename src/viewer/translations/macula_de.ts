@@ -29,10 +29,57 @@
     </message>
 </context>
 <context>
-    <name>CurveDialog</name>
+    <name>DocumentsController</name>
     <message>
-        <source>Mean in each phase</source>
-        <translation>Mittelwert in jeder Phase</translation>
+        <source>PDF files (*.pdf)</source>
+        <translation>PDF-Dateien (*.pdf)</translation>
+    </message>
+    <message>
+        <source>XML files (*.xml)</source>
+        <translation>XML-Dateien (*.xml)</translation>
+    </message>
+    <message>
+        <source>STL files (*.stl)</source>
+        <translation>STL-Dateien (*.stl)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DoseOver</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 prescribed</source>
+        <translation>%1 verschrieben</translation>
+    </message>
+    <message>
+        <source>%1, the highest dose</source>
+        <translation>%1, der höchsten Dosis</translation>
+    </message>
+    <message>
+        <source>%1, as chosen</source>
+        <translation>%1, wie gewählt</translation>
+    </message>
+    <message>
+        <source>100 % = %1</source>
+        <translation>100 % = %1</translation>
+    </message>
+    <message>
+        <source>Dose: none was computed here</source>
+        <translation>Dosis: Hier wurde keine berechnet</translation>
+    </message>
+    <message>
+        <source>Dose: %1</source>
+        <translation>Dosis: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 % of %3</source>
+        <translation>%1, %2 % von %3</translation>
     </message>
 </context>
 <context>
@@ -216,6 +263,13 @@
     <message>
         <source>&lt;p&gt;&lt;b&gt;Macula %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Path-traced anatomy from DICOM.&lt;/p&gt;&lt;p&gt;Not a medical device, and &lt;b&gt;not for primary diagnosis&lt;/b&gt;.&lt;/p&gt;&lt;p&gt;Licence: Apache-2.0.&lt;/p&gt;</source>
         <translation>&lt;p&gt;&lt;b&gt;Macula %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Pfadverfolgte Anatomie aus DICOM.&lt;/p&gt;&lt;p&gt;Kein Medizinprodukt und &lt;b&gt;nicht zur Primärdiagnose&lt;/b&gt;.&lt;/p&gt;&lt;p&gt;Lizenz: Apache-2.0.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>IsodoseEdits</name>
+    <message>
+        <source>Isodoses</source>
+        <translation>Isodosen</translation>
     </message>
 </context>
 <context>
@@ -497,8 +551,20 @@
         <translation>Nicht in einer Ebene der Studie</translation>
     </message>
     <message>
-        <source>Segments are of another phase</source>
-        <translation>Die Segmente gehören zu einer anderen Phase</translation>
+        <source>The dose is relative, and not in Gy</source>
+        <translation>Die Dosis ist relativ und nicht in Gy</translation>
+    </message>
+    <message>
+        <source>A difference of doses, and no dose</source>
+        <translation>Ein Unterschied von Dosen und keine Dosis</translation>
+    </message>
+    <message>
+        <source>Segments are of the open phase, and not shown here</source>
+        <translation>Segmente gehören zur geöffneten Phase und sind hier nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>In colours: placed for the open phase</source>
+        <translation>In Farben: für die geöffnete Phase platziert</translation>
     </message>
 </context>
 <context>
@@ -624,6 +690,10 @@
         <source>Interpolated: no image was taken here</source>
         <translation>Interpoliert: hier wurde kein Bild aufgenommen</translation>
     </message>
+    <message>
+        <source>Isodoses: middle of the slab</source>
+        <translation>Isodosen: Mitte des Slabs</translation>
+    </message>
 </context>
 <context>
     <name>PlanarDisplays</name>
@@ -681,6 +751,14 @@
     <message>
         <source>%1, only in the regions of ultrasound that have lengths</source>
         <translation>%1, nur in den Ultraschallbereichen, die Längen haben</translation>
+    </message>
+    <message>
+        <source>Table of the presentation state</source>
+        <translation>Tabelle des Presentation States</translation>
+    </message>
+    <message>
+        <source>%1 of the scanned film: the patient&apos;s size is not known</source>
+        <translation>%1 des gescannten Films: Die Größe des Patienten ist nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -835,6 +913,10 @@
         <source>Same frame, not registered: the patient may have moved</source>
         <translation>Gleiches Koordinatensystem, nicht registriert: evtl. bewegt</translation>
     </message>
+    <message>
+        <source>Dose in the frame of reference of the images: nothing is registered</source>
+        <translation>Dosis im Koordinatensystem der Bilder: Nichts ist registriert</translation>
+    </message>
 </context>
 <context>
     <name>SegmentEdits</name>
@@ -861,6 +943,71 @@
     <message>
         <source>Segmentations</source>
         <translation>Segmentierungen</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentFilter</name>
+    <message>
+        <source>Largest part</source>
+        <translation>Größter Teil</translation>
+    </message>
+    <message>
+        <source>Small parts</source>
+        <translation>Kleine Teile</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Between slices</source>
+        <translation>Zwischen Schichten</translation>
+    </message>
+    <message>
+        <source>Larger segment</source>
+        <translation>Größeres Segment</translation>
+    </message>
+    <message>
+        <source>Smaller segment</source>
+        <translation>Kleineres Segment</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentStroke</name>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+</context>
+<context>
+    <name>ShownImage</name>
+    <message>
+        <source>the presentation state is not of this image, which is shown as stored</source>
+        <translation>der Presentation State gehört nicht zu diesem Bild; es ist wie gespeichert gezeigt</translation>
+    </message>
+    <message>
+        <source>a shutter hides part of the image</source>
+        <translation>eine Blende verdeckt einen Teil des Bildes</translation>
+    </message>
+    <message>
+        <source>overlays are hidden</source>
+        <translation>Overlays sind ausgeblendet</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>Column %1, row %2: %3</source>
+        <translation>Spalte %1, Zeile %2: %3</translation>
     </message>
 </context>
 <context>
@@ -1046,6 +1193,14 @@
         <source>Set the points that a curved plane runs through</source>
         <translation>Punkte setzen, durch die eine gekrümmte Ebene verläuft</translation>
     </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>Paint, erase or grow the own segment that is selected</source>
+        <translation>Das gewählte eigene Segment malen, radieren oder wachsen lassen</translation>
+    </message>
 </context>
 <context>
     <name>SliceWindowing</name>
@@ -1142,6 +1297,17 @@
     </message>
 </context>
 <context>
+    <name>TimeCurveDialog</name>
+    <message>
+        <source>Mean in each phase</source>
+        <translation>Mittelwert in jeder Phase</translation>
+    </message>
+    <message>
+        <source>Ellipse %1</source>
+        <translation>Ellipse %1</translation>
+    </message>
+</context>
+<context>
     <name>TimeLeft</name>
     <message>
         <source>%1 min left</source>
@@ -1181,6 +1347,13 @@
     <message>
         <source> Presets that show something of it: %1.</source>
         <translation> Voreinstellungen, die etwas davon zeigen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>VolumeActions</name>
+    <message>
+        <source>Not of images: it would act on the volume that they hide. Esc goes back to it.</source>
+        <translation>Nicht für Bilder: Es würde auf das Volumen wirken, das sie verdecken. Esc führt dorthin zurück.</translation>
     </message>
 </context>
 <context>
@@ -5649,10 +5822,6 @@
         <translation>Deuten Sie nichts in das hinein, was zwischen den Schichten liegt.</translation>
     </message>
     <message>
-        <source>This is no image, and is not shown by itself: {kind}.</source>
-        <translation>Das ist kein Bild und wird nicht für sich gezeigt: {kind}.</translation>
-    </message>
-    <message>
         <source>Images of this kind ({kind}) are no slices of a volume.</source>
         <translation>Bilder dieser Art ({kind}) sind keine Schichten eines Volumens.</translation>
     </message>
@@ -6771,10 +6940,6 @@
     <message>
         <source>There is no DICOM image here but perhaps in an archive ({}), which is not opened.</source>
         <translation>Hier ist kein DICOM-Bild, höchstens in einem Archiv ({}), das nicht geöffnet wird.</translation>
-    </message>
-    <message>
-        <source>Unpack it, and open the folder with what was in it.</source>
-        <translation>Entpacken Sie es, und öffnen Sie den Ordner mit dem, was darin war.</translation>
     </message>
     <message>
         <source>There is no file in this folder.</source>
@@ -11705,14 +11870,6 @@
         <translation>C, W, Z, M, D, G, E, V, U, Y</translation>
     </message>
     <message>
-        <source>Left button on slices: cross-hair, window, zoom, move, distance, angle, ellipse, probe, curve</source>
-        <translation>Linke Taste auf Schichten: Fadenkreuz, Fensterung, Zoom, Verschieben, Abstand, Winkel, Ellipse, Sonde, Kurve</translation>
-    </message>
-    <message>
-        <source>Drag a ring on the cross-hair</source>
-        <translation>Einen Ring am Fadenkreuz ziehen</translation>
-    </message>
-    <message>
         <source>Turn the planes about the cross-hair; with Shift, in steps of 15 degrees</source>
         <translation>Die Ebenen um das Fadenkreuz drehen; mit Umschalt in Schritten von 15 Grad</translation>
     </message>
@@ -11735,6 +11892,1302 @@
     <message>
         <source>Copy the pane as a picture, with its measurements</source>
         <translation>Das Bildfeld als Bild kopieren, mit seinen Messungen</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>ein Punkt</translation>
+    </message>
+    <message>
+        <source>{} points</source>
+        <translation>{} Punkte</translation>
+    </message>
+    <message>
+        <source>a line of {} points</source>
+        <translation>eine Linie aus {} Punkten</translation>
+    </message>
+    <message>
+        <source>a polygon of {} corners</source>
+        <translation>ein Vieleck mit {} Ecken</translation>
+    </message>
+    <message>
+        <source>a circle</source>
+        <translation>ein Kreis</translation>
+    </message>
+    <message>
+        <source>an ellipse</source>
+        <translation>eine Ellipse</translation>
+    </message>
+    <message>
+        <source>an ellipsoid</source>
+        <translation>ein Ellipsoid</translation>
+    </message>
+    <message>
+        <source>a shape of {} points</source>
+        <translation>eine Form aus {} Punkten</translation>
+    </message>
+    <message>
+        <source>A time range: {}</source>
+        <translation>Ein Zeitraum: {}</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>An object that the report does not name</source>
+        <translation>Ein Objekt, das der Befund nicht nennt</translation>
+    </message>
+    <message>
+        <source>A shape whose points cannot be read</source>
+        <translation>Eine Form, deren Punkte nicht gelesen werden können</translation>
+    </message>
+    <message>
+        <source>Drawn in space: {}</source>
+        <translation>Im Raum gezeichnet: {}</translation>
+    </message>
+    <message>
+        <source>Drawn on an image: {}</source>
+        <translation>Auf einem Bild gezeichnet: {}</translation>
+    </message>
+    <message>
+        <source>See an item that is not there</source>
+        <translation>Siehe einen Eintrag, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>See item {}</source>
+        <translation>Siehe Eintrag {}</translation>
+    </message>
+    <message>
+        <source>See: {}</source>
+        <translation>Siehe: {}</translation>
+    </message>
+    <message>
+        <source>The document is larger than what is shown here: the rest of it is missing below.</source>
+        <translation>Das Dokument ist größer als das, was hier gezeigt wird: Der Rest fehlt unten.</translation>
+    </message>
+    <message>
+        <source>One entry of the document has no value.</source>
+        <translation>Ein Eintrag des Dokuments hat keinen Wert.</translation>
+    </message>
+    <message>
+        <source>{} entries of the document have no value.</source>
+        <translation>{} Einträge des Dokuments haben keinen Wert.</translation>
+    </message>
+    <message>
+        <source>One entry of the document is of a kind that is not shown.</source>
+        <translation>Ein Eintrag des Dokuments ist von einer Art, die nicht gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>{} entries of the document are of kinds that are not shown.</source>
+        <translation>{} Einträge des Dokuments sind von Arten, die nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>One text of the document is too long to be shown.</source>
+        <translation>Ein Text des Dokuments ist zu lang, um gezeigt zu werden.</translation>
+    </message>
+    <message>
+        <source>{} texts of the document are too long to be shown.</source>
+        <translation>{} Texte des Dokuments sind zu lang, um gezeigt zu werden.</translation>
+    </message>
+    <message>
+        <source>One number of the document is no number; it is shown as it is.</source>
+        <translation>Eine Zahl des Dokuments ist keine Zahl; sie wird gezeigt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>{} numbers of the document are no numbers; they are shown as they are.</source>
+        <translation>{} Zahlen des Dokuments sind keine Zahlen; sie werden gezeigt, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>One shape of the document has points that cannot be read.</source>
+        <translation>Eine Form des Dokuments hat Punkte, die nicht gelesen werden können.</translation>
+    </message>
+    <message>
+        <source>{} shapes of the document have points that cannot be read.</source>
+        <translation>{} Formen des Dokuments haben Punkte, die nicht gelesen werden können.</translation>
+    </message>
+    <message>
+        <source>One reference of the document leads nowhere.</source>
+        <translation>Ein Verweis des Dokuments führt ins Leere.</translation>
+    </message>
+    <message>
+        <source>{} references of the document lead nowhere.</source>
+        <translation>{} Verweise des Dokuments führen ins Leere.</translation>
+    </message>
+    <message>
+        <source>The document names no patient.</source>
+        <translation>Das Dokument nennt keinen Patienten.</translation>
+    </message>
+    <message>
+        <source>The document has no date.</source>
+        <translation>Das Dokument hat kein Datum.</translation>
+    </message>
+    <message>
+        <source>A file: {}, {:.1f} kB</source>
+        <translation>Eine Datei: {}, {:.1f} kB</translation>
+    </message>
+    <message>
+        <source>Inferred from</source>
+        <translation>Abgeleitet aus</translation>
+    </message>
+    <message>
+        <source>Inferred from: {}</source>
+        <translation>Abgeleitet aus: {}</translation>
+    </message>
+    <message>
+        <source>Note: {}</source>
+        <translation>Hinweis: {}</translation>
+    </message>
+    <message>
+        <source>(no heading)</source>
+        <translation>(ohne Überschrift)</translation>
+    </message>
+    <message>
+        <source>An object</source>
+        <translation>Ein Objekt</translation>
+    </message>
+    <message>
+        <source>{} image</source>
+        <translation>{}-Bild</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>{}, frame {}</source>
+        <translation>{}, Einzelbild {}</translation>
+    </message>
+    <message>
+        <source>{}, frames {}</source>
+        <translation>{}, Einzelbilder {}</translation>
+    </message>
+    <message>
+        <source>The plan has brachytherapy, which is not shown here.</source>
+        <translation>Der Plan enthält Brachytherapie, die hier nicht gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Some numbers of the plan cannot be read, and are left out.</source>
+        <translation>Einige Zahlen des Plans können nicht gelesen werden und fehlen hier.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Intent</source>
+        <translation>Absicht</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>Made on</source>
+        <translation>Erstellt auf</translation>
+    </message>
+    <message>
+        <source>Prescription</source>
+        <translation>Verordnung</translation>
+    </message>
+    <message>
+        <source>Dose reference {}</source>
+        <translation>Dosisreferenz {}</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Defined by</source>
+        <translation>Festgelegt durch</translation>
+    </message>
+    <message>
+        <source>Prescribed dose</source>
+        <translation>Verordnete Dosis</translation>
+    </message>
+    <message>
+        <source>Least dose</source>
+        <translation>Mindestdosis</translation>
+    </message>
+    <message>
+        <source>Greatest dose</source>
+        <translation>Höchstdosis</translation>
+    </message>
+    <message>
+        <source>Greatest dose of the organ</source>
+        <translation>Höchstdosis des Organs</translation>
+    </message>
+    <message>
+        <source>Greatest dose that may be delivered</source>
+        <translation>Höchste zu verabreichende Dosis</translation>
+    </message>
+    <message>
+        <source>Dose</source>
+        <translation>Dosis</translation>
+    </message>
+    <message>
+        <source>The plan names no prescribed dose.</source>
+        <translation>Der Plan nennt keine verordnete Dosis.</translation>
+    </message>
+    <message>
+        <source>Fraction group {}</source>
+        <translation>Fraktionsgruppe {}</translation>
+    </message>
+    <message>
+        <source>Planned fractions</source>
+        <translation>Geplante Fraktionen</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Brachytherapy</source>
+        <translation>Brachytherapie</translation>
+    </message>
+    <message>
+        <source>It has some, which is not shown here.</source>
+        <translation>Ist enthalten und wird hier nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Beam {}</source>
+        <translation>Feld {}</translation>
+    </message>
+    <message>
+        <source>Beam {}: {}</source>
+        <translation>Feld {}: {}</translation>
+    </message>
+    <message>
+        <source>Delivery</source>
+        <translation>Anwendung</translation>
+    </message>
+    <message>
+        <source>Radiation</source>
+        <translation>Strahlung</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Control points</source>
+        <translation>Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>The plan has none for this beam.</source>
+        <translation>Der Plan hat keine für dieses Feld.</translation>
+    </message>
+    <message>
+        <source>Wedges</source>
+        <translation>Keile</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blöcke</translation>
+    </message>
+    <message>
+        <source>Boli</source>
+        <translation>Boli</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Dose rate</source>
+        <translation>Dosisleistung</translation>
+    </message>
+    <message>
+        <source>Gantry angle</source>
+        <translation>Gantrywinkel</translation>
+    </message>
+    <message>
+        <source>Collimator angle</source>
+        <translation>Kollimatorwinkel</translation>
+    </message>
+    <message>
+        <source>Couch angle</source>
+        <translation>Tischwinkel</translation>
+    </message>
+    <message>
+        <source>Isocentre</source>
+        <translation>Isozentrum</translation>
+    </message>
+    <message>
+        <source>from {} to {}, clockwise</source>
+        <translation>von {} bis {}, im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>from {} to {}, counter-clockwise</source>
+        <translation>von {} bis {}, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>from {} to {}</source>
+        <translation>von {} bis {}</translation>
+    </message>
+    <message>
+        <source>Meterset</source>
+        <translation>Monitoreinheiten</translation>
+    </message>
+    <message>
+        <source>In no fraction group.</source>
+        <translation>In keiner Fraktionsgruppe.</translation>
+    </message>
+    <message>
+        <source>{} in fraction group {}</source>
+        <translation>{} in Fraktionsgruppe {}</translation>
+    </message>
+    <message>
+        <source>Dose of the beam</source>
+        <translation>Dosis des Feldes</translation>
+    </message>
+    <message>
+        <source>Rejected: it must not be used.</source>
+        <translation>Abgelehnt: Er darf nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>Not approved by anybody.</source>
+        <translation>Von niemandem freigegeben.</translation>
+    </message>
+    <message>
+        <source>The plan does not say whether anybody approved it.</source>
+        <translation>Der Plan sagt nicht, ob ihn jemand freigegeben hat.</translation>
+    </message>
+    <message>
+        <source>Approved.</source>
+        <translation>Freigegeben.</translation>
+    </message>
+    <message>
+        <source>Approved by {}.</source>
+        <translation>Freigegeben von {}.</translation>
+    </message>
+    <message>
+        <source>Approved by {} on {}.</source>
+        <translation>Freigegeben von {} am {}.</translation>
+    </message>
+    <message>
+        <source>What the plan says is shown for reading. Nothing of it may be used for treatment.</source>
+        <translation>Was der Plan sagt, wird zum Lesen gezeigt. Nichts davon darf zur Behandlung verwendet werden.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the document.</source>
+        <translation>Für das Dokument reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>The file is no DICOM file.</source>
+        <translation>Die Datei ist keine DICOM-Datei.</translation>
+    </message>
+    <message>
+        <source>Choose a report, a plan or another document in DICOM.</source>
+        <translation>Wählen Sie einen Befund, einen Plan oder ein anderes Dokument in DICOM.</translation>
+    </message>
+    <message>
+        <source>The document is damaged, or nested deeper than any real one, and cannot be read.</source>
+        <translation>Das Dokument ist beschädigt oder tiefer verschachtelt als jedes echte und kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The document holds no file, or one that is too large to be read.</source>
+        <translation>Das Dokument enthält keine Datei oder eine, die zu groß zum Lesen ist.</translation>
+    </message>
+    <message>
+        <source>Get the document again from where it was made.</source>
+        <translation>Holen Sie das Dokument noch einmal von dort, wo es entstand.</translation>
+    </message>
+    <message>
+        <source>The document says that its file is longer or shorter than it is: the file may be cut off.</source>
+        <translation>Das Dokument gibt für seine Datei eine andere Länge an, als sie hat: Die Datei kann abgeschnitten sein.</translation>
+    </message>
+    <message>
+        <source>The document calls its file a PDF, but the file does not begin as one.</source>
+        <translation>Das Dokument nennt seine Datei ein PDF, aber sie beginnt nicht wie eines.</translation>
+    </message>
+    <message>
+        <source>Verified.</source>
+        <translation>Verifiziert.</translation>
+    </message>
+    <message>
+        <source>Not verified by anybody.</source>
+        <translation>Von niemandem verifiziert.</translation>
+    </message>
+    <message>
+        <source>The document says another character set than it has: letters may be wrong.</source>
+        <translation>Das Dokument nennt einen anderen Zeichensatz, als es hat: Buchstaben können falsch sein.</translation>
+    </message>
+    <message>
+        <source>The file is no report, plan or other document.</source>
+        <translation>Die Datei ist kein Befund, Plan oder anderes Dokument.</translation>
+    </message>
+    <message>
+        <source>read the document</source>
+        <translation>das Dokument zu lesen</translation>
+    </message>
+    <message>
+        <source>The document does not say whether anybody verified it.</source>
+        <translation>Das Dokument sagt nicht, ob es jemand verifiziert hat.</translation>
+    </message>
+    <message>
+        <source>The document names who verified it, but does not say that it is verified.</source>
+        <translation>Das Dokument nennt, wer es verifiziert hat, sagt aber nicht, dass es verifiziert ist.</translation>
+    </message>
+    <message>
+        <source>The document says that it is verified, and not by whom.</source>
+        <translation>Das Dokument sagt, dass es verifiziert ist, aber nicht, von wem.</translation>
+    </message>
+    <message>
+        <source>Verified on {}.</source>
+        <translation>Verifiziert am {}.</translation>
+    </message>
+    <message>
+        <source>Verified by {}.</source>
+        <translation>Verifiziert von {}.</translation>
+    </message>
+    <message>
+        <source>Verified by {} on {}.</source>
+        <translation>Verifiziert von {} am {}.</translation>
+    </message>
+    <message>
+        <source>Complete.</source>
+        <translation>Vollständig.</translation>
+    </message>
+    <message>
+        <source>Partial: some of its content may be missing.</source>
+        <translation>Teilweise: Ein Teil des Inhalts kann fehlen.</translation>
+    </message>
+    <message>
+        <source>The document does not say whether it is complete.</source>
+        <translation>Das Dokument sagt nicht, ob es vollständig ist.</translation>
+    </message>
+    <message>
+        <source>Preliminary.</source>
+        <translation>Vorläufig.</translation>
+    </message>
+    <message>
+        <source>Final.</source>
+        <translation>Endgültig.</translation>
+    </message>
+    <message>
+        <source>It follows an earlier document, which it amends or replaces.</source>
+        <translation>Es folgt auf ein früheres Dokument, das es ergänzt oder ersetzt.</translation>
+    </message>
+    <message>
+        <source>The document has no title.</source>
+        <translation>Das Dokument hat keinen Titel.</translation>
+    </message>
+    <message>
+        <source>The document does not begin as the standard wants it.</source>
+        <translation>Das Dokument beginnt nicht so, wie es der Standard verlangt.</translation>
+    </message>
+    <message>
+        <source>The document is empty.</source>
+        <translation>Das Dokument ist leer.</translation>
+    </message>
+    <message>
+        <source>annotations of other kinds</source>
+        <translation>Anmerkungen anderer Art</translation>
+    </message>
+    <message>
+        <source>a shutter of another kind</source>
+        <translation>eine Blende anderer Art</translation>
+    </message>
+    <message>
+        <source>Open the archive itself if it is a ZIP or tar file; otherwise unpack it, and open the folder with what was in it.</source>
+        <translation>Das Archiv selbst öffnen, wenn es eine ZIP- oder tar-Datei ist; sonst entpacken und den Ordner mit dem Inhalt öffnen.</translation>
+    </message>
+    <message>
+        <source>There are no images to show on their own.</source>
+        <translation>Es gibt keine Bilder, die für sich gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Name a series of the list of macula info with --series.</source>
+        <translation>Nennen Sie mit --series eine Serie aus der Liste von macula info.</translation>
+    </message>
+    <message>
+        <source>Choose one of its images with --series and --image.</source>
+        <translation>Wählen Sie mit --series und --image eines seiner Bilder.</translation>
+    </message>
+    <message>
+        <source>Its graphics and texts are not drawn here; the window shows them.</source>
+        <translation>Seine Grafiken und Texte sind hier nicht gezeichnet; das Fenster zeigt sie.</translation>
+    </message>
+    <message>
+        <source>All of the image is drawn, not its displayed area alone.</source>
+        <translation>Das ganze Bild ist gezeichnet, nicht nur sein Anzeigebereich.</translation>
+    </message>
+    <message>
+        <source>The window shows no values.</source>
+        <translation>Das Fenster zeigt keine Werte.</translation>
+    </message>
+    <message>
+        <source>Give its centre and its width, which is above 0: --window 40,400.</source>
+        <translation>Geben Sie Mitte und Breite an, die über 0 liegt: --window 40,400.</translation>
+    </message>
+    <message>
+        <source>The image is in colours, which no window changes.</source>
+        <translation>Das Bild ist farbig; kein Fenster ändert das.</translation>
+    </message>
+    <message>
+        <source>A shutter hides part of the image.</source>
+        <translation>Eine Blende verdeckt einen Teil des Bildes.</translation>
+    </message>
+    <message>
+        <source>The series has {} images.</source>
+        <translation>Die Serie hat {} Bilder.</translation>
+    </message>
+    <message>
+        <source>Give one of them with --image, from 1.</source>
+        <translation>Nennen Sie eines davon mit --image, ab 1.</translation>
+    </message>
+    <message>
+        <source>Its pixels are {:.3g} times as high as wide; those of the picture are square.</source>
+        <translation>Seine Pixel sind {:.3g}-mal so hoch wie breit; die des Bildes sind quadratisch.</translation>
+    </message>
+    <message>
+        <source>The program has to write the number of a segment into each voxel of the volume it got.</source>
+        <translation>Das Programm muss in jedes Voxel des Volumens, das es bekam, die Nummer eines Segments schreiben.</translation>
+    </message>
+    <message>
+        <source>The result has values that are no numbers of segments, from 0 to 65535.</source>
+        <translation>Das Ergebnis hat Werte, die keine Nummern von Segmenten von 0 bis 65535 sind.</translation>
+    </message>
+    <message>
+        <source>The result has more than {} segments.</source>
+        <translation>Das Ergebnis hat mehr als {} Segmente.</translation>
+    </message>
+    <message>
+        <source>The result has other voxels than the volume, or lies elsewhere.</source>
+        <translation>Das Ergebnis hat andere Voxel als das Volumen, oder es liegt woanders.</translation>
+    </message>
+    <message>
+        <source>The result has no segment: all of its voxels are 0.</source>
+        <translation>Das Ergebnis hat kein Segment: Alle seine Voxel sind 0.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the segments of this result.</source>
+        <translation>Für die Segmente dieses Ergebnisses reicht der Arbeitsspeicher nicht.</translation>
+    </message>
+    <message>
+        <source>The own segments of this study cannot be read.</source>
+        <translation>Die eigenen Segmente dieser Studie lassen sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>They stay stored as they are; a newer version of the program may read them.</source>
+        <translation>Sie bleiben gespeichert, wie sie sind; eine neuere Version des Programms kann sie vielleicht lesen.</translation>
+    </message>
+    <message>
+        <source>The own segments of this study are too large to be kept with it.</source>
+        <translation>Die eigenen Segmente dieser Studie sind zu groß, um mit ihr aufbewahrt zu werden.</translation>
+    </message>
+    <message>
+        <source>Save them as a file, or make them smoother: single voxels take most of the room.</source>
+        <translation>Speichern Sie sie als Datei, oder glätten Sie sie: Einzelne Voxel brauchen den meisten Platz.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the own segments of this study.</source>
+        <translation>Für die eigenen Segmente dieser Studie reicht der Arbeitsspeicher nicht.</translation>
+    </message>
+    <message>
+        <source>A DICOM segmentation refers to DICOM images, and these are none.</source>
+        <translation>Eine DICOM-Segmentierung verweist auf DICOM-Bilder, und das sind keine.</translation>
+    </message>
+    <message>
+        <source>Write a .nii.gz file.</source>
+        <translation>Schreiben Sie eine .nii.gz-Datei.</translation>
+    </message>
+    <message>
+        <source>The ending of the file says no format.</source>
+        <translation>Die Endung der Datei nennt kein Format.</translation>
+    </message>
+    <message>
+        <source>Choose .nii.gz or another volume file, .dcm, .stl or .glb.</source>
+        <translation>Wählen Sie .nii.gz oder eine andere Volumendatei, .dcm, .stl oder .glb.</translation>
+    </message>
+    <message>
+        <source>The segment has no voxel; nothing was written.</source>
+        <translation>Das Segment hat kein Voxel; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Choose other values, or leave steps out.</source>
+        <translation>Wählen Sie andere Werte, oder lassen Sie Schritte weg.</translation>
+    </message>
+    <message>
+        <source>The point lies outside of the volume.</source>
+        <translation>Der Punkt liegt außerhalb des Volumens.</translation>
+    </message>
+    <message>
+        <source>Give it in patient coordinates (LPS), in mm.</source>
+        <translation>Geben Sie ihn in Patientenkoordinaten (LPS) in mm an.</translation>
+    </message>
+    <message>
+        <source>The value at the point is not within the threshold.</source>
+        <translation>Der Wert an dem Punkt liegt nicht innerhalb der Schwellen.</translation>
+    </message>
+    <message>
+        <source>Choose another point, or a wider threshold.</source>
+        <translation>Wählen Sie einen anderen Punkt oder weitere Schwellen.</translation>
+    </message>
+    <message>
+        <source>Nothing says where the segment begins.</source>
+        <translation>Nichts sagt, wo das Segment beginnt.</translation>
+    </message>
+    <message>
+        <source>Give a threshold, or a point to grow from with a tolerance.</source>
+        <translation>Geben Sie Schwellen an oder einen Punkt mit einer Toleranz, von dem aus es wächst.</translation>
+    </message>
+    <message>
+        <source>No segment is chosen whose surface could be saved.</source>
+        <translation>Es ist kein Segment gewählt, dessen Oberfläche gespeichert werden könnte.</translation>
+    </message>
+    <message>
+        <source>Select one in the list.</source>
+        <translation>Wählen Sie eines in der Liste.</translation>
+    </message>
+    <message>
+        <source>{} triangles, smoothed; patient coordinates (LPS) in mm.</source>
+        <translation>{} Dreiecke, geglättet; Patientenkoordinaten (LPS) in mm.</translation>
+    </message>
+    <message>
+        <source>Its size is an estimate: the size of a pixel is not calibrated.</source>
+        <translation>Die Größe ist geschätzt: Die Pixelgröße ist nicht kalibriert.</translation>
+    </message>
+    <message>
+        <source>Draw one first.</source>
+        <translation>Zeichnen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>The file has the numbers of the segments, not their names.</source>
+        <translation>Die Datei enthält die Nummern der Segmente, nicht ihre Namen.</translation>
+    </message>
+    <message>
+        <source>{} voxels are in several segments; the file has them in the last one.</source>
+        <translation>{} Voxel liegen in mehreren Segmenten; in der Datei sind sie im letzten.</translation>
+    </message>
+    <message>
+        <source>write the segments</source>
+        <translation>die Segmente zu schreiben</translation>
+    </message>
+    <message>
+        <source>Shapes that the report draws on images that are not open, and that were left out: {}.</source>
+        <translation>Formen, die der Befund auf Bildern zeichnet, die nicht offen sind, und die ausgelassen wurden: {}.</translation>
+    </message>
+    <message>
+        <source>Shapes on images that do not say where they lie, and that were left out: {}.</source>
+        <translation>Formen auf Bildern, die nicht sagen, wo sie liegen, und die ausgelassen wurden: {}.</translation>
+    </message>
+    <message>
+        <source>Shapes that are no distance, angle or ellipse, and that were left out: {}.</source>
+        <translation>Formen, die keine Strecke, kein Winkel und keine Ellipse sind und ausgelassen wurden: {}.</translation>
+    </message>
+    <message>
+        <source>Shapes whose points cannot be right, and that were left out: {}.</source>
+        <translation>Formen, deren Punkte nicht stimmen können, und die ausgelassen wurden: {}.</translation>
+    </message>
+    <message>
+        <source>Measurements that are there already, and that were not taken again: {}.</source>
+        <translation>Messungen, die schon da sind und nicht noch einmal übernommen wurden: {}.</translation>
+    </message>
+    <message>
+        <source>The report has too many measurements; left out were {}.</source>
+        <translation>Der Befund hat zu viele Messungen; ausgelassen wurden {}.</translation>
+    </message>
+    <message>
+        <source>Macula measures another value between the same points than the report says: {} measurements. Compare them with the report.</source>
+        <translation>Macula misst zwischen denselben Punkten einen anderen Wert, als der Befund nennt: {} Messungen. Vergleichen Sie sie mit dem Befund.</translation>
+    </message>
+    <message>
+        <source>Open the study that the report is about.</source>
+        <translation>Öffnen Sie die Studie, um die es im Befund geht.</translation>
+    </message>
+    <message>
+        <source>There are no images to measure on.</source>
+        <translation>Es gibt keine Bilder, auf denen gemessen werden kann.</translation>
+    </message>
+    <message>
+        <source>The images of the open study cannot be read again.</source>
+        <translation>Die Bilder der geöffneten Studie können nicht noch einmal gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The report is of another patient than the study that is open.</source>
+        <translation>Der Befund gehört zu einem anderen Patienten als die geöffnete Studie.</translation>
+    </message>
+    <message>
+        <source>The report belongs to another study than the one that is open.</source>
+        <translation>Der Befund gehört zu einer anderen Studie als der geöffneten.</translation>
+    </message>
+    <message>
+        <source>The report draws no distance, angle or ellipse.</source>
+        <translation>Der Befund zeichnet keine Strecke, keinen Winkel und keine Ellipse.</translation>
+    </message>
+    <message>
+        <source>Open the series that it was measured on.</source>
+        <translation>Öffnen Sie die Serie, auf der gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>&quot;percent&quot; or &quot;dose&quot;</source>
+        <translation>&quot;percent&quot; oder &quot;dose&quot;</translation>
+    </message>
+    <message>
+        <source>Looking for connected parts</source>
+        <translation>Zusammenhängende Teile werden gesucht</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to look for connected parts.</source>
+        <translation>Um zusammenhängende Teile zu suchen, reicht der Arbeitsspeicher nicht.</translation>
+    </message>
+    <message>
+        <source>That length cannot be used: {} mm.</source>
+        <translation>Diese Länge ist nicht brauchbar: {} mm.</translation>
+    </message>
+    <message>
+        <source>Enter one above 0, and of at most {} mm.</source>
+        <translation>Geben Sie eine über 0 und von höchstens {} mm ein.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to change the segment.</source>
+        <translation>Um das Segment zu ändern, reicht der Arbeitsspeicher nicht.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or make the segment smaller first.</source>
+        <translation>Schließen Sie andere Programme, oder verkleinern Sie zuerst das Segment.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Growing the segment</source>
+        <translation>Das Segment wird vergrößert</translation>
+    </message>
+    <message>
+        <source>Shrinking the segment</source>
+        <translation>Das Segment wird verkleinert</translation>
+    </message>
+    <message>
+        <source>There are no empty slices between others that are painted.</source>
+        <translation>Zwischen bemalten Schichten liegen keine leeren.</translation>
+    </message>
+    <message>
+        <source>Paint in one slice alone, then in another farther away, and fill between them.</source>
+        <translation>Malen Sie nur in einer Schicht, dann in einer weiter entfernten, und füllen Sie dazwischen.</translation>
+    </message>
+    <message>
+        <source>Filling between slices</source>
+        <translation>Zwischen Schichten wird gefüllt</translation>
+    </message>
+    <message>
+        <source>Reading the values of the segment</source>
+        <translation>Die Werte des Segments werden gelesen</translation>
+    </message>
+    <message>
+        <source>The segment has no voxel, and so no surface.</source>
+        <translation>Das Segment hat kein Voxel und damit keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Draw it first, or choose another one.</source>
+        <translation>Zeichnen Sie es zuerst, oder wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>Making a surface</source>
+        <translation>Eine Oberfläche wird berechnet</translation>
+    </message>
+    <message>
+        <source>The surface of this segment has more than {} triangles.</source>
+        <translation>Die Oberfläche dieses Segments hat mehr als {} Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Smooth the segment, or keep its largest part.</source>
+        <translation>Glätten Sie das Segment, oder behalten Sie nur seinen größten Teil.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the surface of this segment.</source>
+        <translation>Für die Oberfläche dieses Segments reicht der Arbeitsspeicher nicht.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or smooth the segment first.</source>
+        <translation>Schließen Sie andere Programme, oder glätten Sie zuerst das Segment.</translation>
+    </message>
+    <message>
+        <source>A surface is written as .stl or .glb.</source>
+        <translation>Eine Oberfläche wird als .stl oder .glb geschrieben.</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings.</source>
+        <translation>Wählen Sie eine dieser Endungen.</translation>
+    </message>
+    <message>
+        <source>The surface has too many triangles for a file.</source>
+        <translation>Die Oberfläche hat zu viele Dreiecke für eine Datei.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to write this surface.</source>
+        <translation>Um diese Oberfläche zu schreiben, reicht der Arbeitsspeicher nicht.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to segment this volume.</source>
+        <translation>Um dieses Volumen zu segmentieren, reicht der Arbeitsspeicher nicht.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or segment within a smaller region.</source>
+        <translation>Schließen Sie andere Programme, oder segmentieren Sie in einem kleineren Bereich.</translation>
+    </message>
+    <message>
+        <source>Choose a point within it.</source>
+        <translation>Wählen Sie einen Punkt darin.</translation>
+    </message>
+    <message>
+        <source>The point lies outside of the region to grow in.</source>
+        <translation>Der Punkt liegt außerhalb des Bereichs, in dem gewachsen werden soll.</translation>
+    </message>
+    <message>
+        <source>Choose a point within it, or grow in the whole volume.</source>
+        <translation>Wählen Sie einen Punkt darin, oder lassen Sie im ganzen Volumen wachsen.</translation>
+    </message>
+    <message>
+        <source>The tolerance is not a number from 0.</source>
+        <translation>Die Toleranz ist keine Zahl ab 0.</translation>
+    </message>
+    <message>
+        <source>Enter one in the unit of the volume.</source>
+        <translation>Geben Sie eine in der Einheit des Volumens ein.</translation>
+    </message>
+    <message>
+        <source>Nothing was measured at that point.</source>
+        <translation>An diesem Punkt wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Choose a point within the patient.</source>
+        <translation>Wählen Sie einen Punkt im Patienten.</translation>
+    </message>
+    <message>
+        <source>The point differs from its surroundings by more than the tolerance.</source>
+        <translation>Der Punkt weicht von seiner Umgebung um mehr als die Toleranz ab.</translation>
+    </message>
+    <message>
+        <source>Raise the tolerance, or choose a point away from an edge.</source>
+        <translation>Erhöhen Sie die Toleranz, oder wählen Sie einen Punkt abseits einer Kante.</translation>
+    </message>
+    <message>
+        <source>The lower threshold is above the upper one, or one of them is no number.</source>
+        <translation>Die untere Schwelle liegt über der oberen, oder eine von beiden ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Enter two values in the unit of the volume, the lower one first.</source>
+        <translation>Geben Sie zwei Werte in der Einheit des Volumens ein, den kleineren zuerst.</translation>
+    </message>
+    <message>
+        <source>Looking for values</source>
+        <translation>Werte werden gesucht</translation>
+    </message>
+    <message>
+        <source>Growing a region</source>
+        <translation>Ein Bereich wächst</translation>
+    </message>
+    <message>
+        <source>Segmenting was cancelled.</source>
+        <translation>Das Segmentieren wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>image {}</source>
+        <translation>Bild {}</translation>
+    </message>
+    <message>
+        <source>an image without a number</source>
+        <translation>ein Bild ohne Nummer</translation>
+    </message>
+    <message>
+        <source>frame {}</source>
+        <translation>Einzelbild {}</translation>
+    </message>
+    <message>
+        <source>The folder holds no report, plan or other document.</source>
+        <translation>Der Ordner enthält keinen Befund, keinen Plan und kein anderes Dokument.</translation>
+    </message>
+    <message>
+        <source>macula info lists what is in it.</source>
+        <translation>macula info führt auf, was darin ist.</translation>
+    </message>
+    <message>
+        <source>Several documents there hold a file.</source>
+        <translation>Mehrere Dokumente dort enthalten eine Datei.</translation>
+    </message>
+    <message>
+        <source>Give the path of one of them instead of the folder.</source>
+        <translation>Geben Sie statt des Ordners den Pfad eines davon an.</translation>
+    </message>
+    <message>
+        <source>No document there holds a file, such as a PDF.</source>
+        <translation>Kein Dokument dort enthält eine Datei wie ein PDF.</translation>
+    </message>
+    <message>
+        <source>Read it without --output.</source>
+        <translation>Lesen Sie es ohne --output.</translation>
+    </message>
+    <message>
+        <source>The folder has no dose (RTDOSE) that can be read as a volume.</source>
+        <translation>Der Ordner enthält keine Dosis (RTDOSE), die als Volumen gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>Put the dose of the plan into the folder.</source>
+        <translation>Legen Sie die Dosis des Plans in den Ordner.</translation>
+    </message>
+    <message>
+        <source>The series is no dose.</source>
+        <translation>Die Serie ist keine Dosis.</translation>
+    </message>
+    <message>
+        <source>Choose one of the modality RTDOSE in the list of macula info.</source>
+        <translation>Wählen Sie eine der Modalität RTDOSE aus der Liste von macula info.</translation>
+    </message>
+    <message>
+        <source>No dose of the folder lies in the coordinate system (frame of reference) of the volume.</source>
+        <translation>Keine Dosis des Ordners liegt im Koordinatensystem (Frame of Reference) des Volumens.</translation>
+    </message>
+    <message>
+        <source>Choose the images that the treatment was planned on.</source>
+        <translation>Wählen Sie die Bilder, auf denen die Behandlung geplant wurde.</translation>
+    </message>
+    <message>
+        <source>{} doses lie on the volume. The figures are of one of them; --dose chooses another.</source>
+        <translation>Auf dem Volumen liegen {} Dosen. Die Zahlen gelten für eine davon; --dose wählt eine andere.</translation>
+    </message>
+    <message>
+        <source>No images lie in the coordinate system of the dose: regions are drawn on its grid.</source>
+        <translation>Im Koordinatensystem der Dosis liegen keine Bilder: Die Regionen werden auf ihr Gitter gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The dose lies in another coordinate system (frame of reference) than the volume.</source>
+        <translation>Die Dosis liegt in einem anderen Koordinatensystem (Frame of Reference) als das Volumen.</translation>
+    </message>
+    <message>
+        <source>There is no structure set or segmentation of this volume.</source>
+        <translation>Zu diesem Volumen gibt es keinen Struktursatz und keine Segmentierung.</translation>
+    </message>
+    <message>
+        <source>Put the structure set (RTSTRUCT) of the plan into the folder.</source>
+        <translation>Legen Sie den Struktursatz (RTSTRUCT) des Plans in den Ordner.</translation>
+    </message>
+    <message>
+        <source>Computing the dose in {} regions</source>
+        <translation>Die Dosis in {} Regionen wird berechnet</translation>
+    </message>
+    <message>
+        <source>{} regions lie partly or wholly outside the dose: figures are of the part inside.</source>
+        <translation>{} Regionen liegen teilweise oder ganz außerhalb der Dosis: Die Zahlen gelten für den Teil innerhalb.</translation>
+    </message>
+    <message>
+        <source>The voxels of {} regions were divided, because they are few, or larger than those of the dose.</source>
+        <translation>Die Voxel von {} Regionen wurden unterteilt, weil es wenige sind oder sie größer sind als die der Dosis.</translation>
+    </message>
+    <message>
+        <source>No prescription is known: percentages are of the highest dose, {:.4g} {}.</source>
+        <translation>Eine Verschreibung ist nicht bekannt: Prozente beziehen sich auf die höchste Dosis, {:.4g} {}.</translation>
+    </message>
+    <message>
+        <source>compute the dose in regions</source>
+        <translation>die Dosis in Regionen berechnen</translation>
+    </message>
+    <message>
+        <source>Dose of a whole plan</source>
+        <translation>Dosis eines ganzen Plans</translation>
+    </message>
+    <message>
+        <source>Dose of several plans</source>
+        <translation>Dosis mehrerer Pläne</translation>
+    </message>
+    <message>
+        <source>Dose of an overview of plans</source>
+        <translation>Dosis einer Übersicht von Plänen</translation>
+    </message>
+    <message>
+        <source>Dose of a fraction</source>
+        <translation>Dosis einer Fraktion</translation>
+    </message>
+    <message>
+        <source>Dose of a beam</source>
+        <translation>Dosis eines Feldes</translation>
+    </message>
+    <message>
+        <source>Dose of a source</source>
+        <translation>Dosis einer Quelle</translation>
+    </message>
+    <message>
+        <source>Dose of a part of a beam</source>
+        <translation>Dosis eines Teils eines Feldes</translation>
+    </message>
+    <message>
+        <source>Dose, and nothing says of what</source>
+        <translation>Dosis; nichts sagt, wovon</translation>
+    </message>
+    <message>
+        <source>{:.4g} Gy prescribed in {} fractions</source>
+        <translation>{:.4g} Gy verschrieben in {} Fraktionen</translation>
+    </message>
+    <message>
+        <source>{:.4g} Gy prescribed</source>
+        <translation>{:.4g} Gy verschrieben</translation>
+    </message>
+    <message>
+        <source>The values of the dose are relative to a reference, and not in Gy.</source>
+        <translation>Die Werte der Dosis sind relativ zu einem Bezug und nicht in Gy.</translation>
+    </message>
+    <message>
+        <source>It is a difference between doses, and no dose.</source>
+        <translation>Sie ist ein Unterschied zwischen Dosen und keine Dosis.</translation>
+    </message>
+    <message>
+        <source>It is an effective dose: the planning system weighted the physical one.</source>
+        <translation>Sie ist eine effektive Dosis: Das Planungssystem hat die physikalische gewichtet.</translation>
+    </message>
+    <message>
+        <source>It is not the dose of one whole plan: no prescription applies to it.</source>
+        <translation>Sie ist nicht die Dosis eines einzelnen ganzen Plans: Keine Verschreibung gilt für sie.</translation>
+    </message>
+    <message>
+        <source>It does not name one plan: the prescription is not known.</source>
+        <translation>Sie nennt nicht genau einen Plan: Die Verschreibung ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Its plan is not in the folder: the prescription is not known.</source>
+        <translation>Ihr Plan liegt nicht im Ordner: Die Verschreibung ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Its plan prescribes no dose to a target.</source>
+        <translation>Ihr Plan verschreibt keinem Zielvolumen eine Dosis.</translation>
+    </message>
+    <message>
+        <source>Its plan has {} prescriptions, from {:.4g} to {:.4g} Gy: percentages are of the highest.</source>
+        <translation>Ihr Plan hat {} Verschreibungen, von {:.4g} bis {:.4g} Gy: Prozente beziehen sich auf die höchste.</translation>
+    </message>
+    <message>
+        <source>Computing the dose in regions was cancelled.</source>
+        <translation>Das Berechnen der Dosis in Regionen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>compute the dose in a region</source>
+        <translation>die Dosis in einer Region berechnen</translation>
+    </message>
+    <message>
+        <source>Dose on series {}</source>
+        <translation>Dosis auf Serie {}</translation>
+    </message>
+    <message>
+        <source>Dose on images of this folder</source>
+        <translation>Dosis auf Bildern dieses Ordners</translation>
+    </message>
+    <message>
+        <source>The archive is cut off or damaged: what follows its first {} files is lost.</source>
+        <translation>Das Archiv ist abgeschnitten oder beschädigt: Was nach seinen ersten {} Dateien kommt, ist verloren.</translation>
+    </message>
+    <message>
+        <source>Get the archive again; images may be missing.</source>
+        <translation>Das Archiv neu beschaffen; es können Bilder fehlen.</translation>
+    </message>
+    <message>
+        <source>Files in the archive that are encrypted, and were left out: {}.</source>
+        <translation>Dateien im Archiv, die verschlüsselt sind und ausgelassen wurden: {}.</translation>
+    </message>
+    <message>
+        <source>Unpack it with another program, which asks for the password, and open the folder.</source>
+        <translation>Mit einem anderen Programm entpacken, das nach dem Passwort fragt, und den Ordner öffnen.</translation>
+    </message>
+    <message>
+        <source>Files in the archive that are damaged, or packed in a way that Macula does not know, and were left out: {}.</source>
+        <translation>Dateien im Archiv, die beschädigt oder auf eine Macula unbekannte Art gepackt sind und ausgelassen wurden: {}.</translation>
+    </message>
+    <message>
+        <source>Links and devices in the archive, which were left out: {}.</source>
+        <translation>Verweise und Geräte im Archiv, die ausgelassen wurden: {}.</translation>
+    </message>
+    <message>
+        <source>Files whose names lead out of the archive, and which were unpacked like the others: {}.</source>
+        <translation>Dateien, deren Namen aus dem Archiv hinausführen und die wie die anderen entpackt wurden: {}.</translation>
+    </message>
+    <message>
+        <source>The archive was unpacked. {}</source>
+        <translation>Das Archiv wurde entpackt. {}</translation>
+    </message>
+    <message>
+        <source>outside the regions of ultrasound</source>
+        <translation>außerhalb der Ultraschallbereiche</translation>
+    </message>
+    <message>
+        <source>across two regions of ultrasound</source>
+        <translation>über zwei Ultraschallbereiche hinweg</translation>
+    </message>
+    <message>
+        <source>at the detector</source>
+        <translation>am Detektor</translation>
+    </message>
+    <message>
+        <source>at the object by magnification {:.3g}</source>
+        <translation>am Objekt, nach Vergrößerung {:.3g}</translation>
+    </message>
+    <message>
+        <source>the size of the film alone is known</source>
+        <translation>nur die Größe des Films ist bekannt</translation>
+    </message>
+    <message>
+        <source>calibrated by geometry</source>
+        <translation>kalibriert nach der Geometrie</translation>
+    </message>
+    <message>
+        <source>calibrated by a fiducial</source>
+        <translation>kalibriert an einem Referenzobjekt</translation>
+    </message>
+    <message>
+        <source>rows and columns have different units here</source>
+        <translation>Zeilen und Spalten haben hier verschiedene Einheiten</translation>
+    </message>
+    <message>
+        <source>Its window is of other values than those of the image, and is not shown.</source>
+        <translation>Sein Fenster gilt für andere Werte als die des Bildes und wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Its window is a table of values (VOI LUT) that cannot be read.</source>
+        <translation>Sein Fenster ist eine Wertetabelle (VOI LUT), die sich nicht lesen lässt.</translation>
+    </message>
+    <message>
+        <source>It turns its images by another angle than quarters, which is not shown.</source>
+        <translation>Er dreht seine Bilder um einen anderen Winkel als um Vierteldrehungen; das wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>It asks for a size on the screen, which is not shown: its part of the image fits the pane.</source>
+        <translation>Er verlangt eine Größe auf dem Bildschirm, die nicht gezeigt wird: Sein Teil des Bildes füllt das Feld.</translation>
+    </message>
+    <message>
+        <source>Unpack it with another program if you trust it, and open the folder.</source>
+        <translation>Wer dem Archiv traut, entpackt es mit einem anderen Programm und öffnet den Ordner.</translation>
+    </message>
+    <message>
+        <source>The disk has too little space to unpack the archive, and nothing of it was kept.</source>
+        <translation>Auf der Platte ist zu wenig Platz, um das Archiv zu entpacken; nichts davon wurde behalten.</translation>
+    </message>
+    <message>
+        <source>Free space there, or choose a data folder on another disk: XDG_DATA_HOME names it.</source>
+        <translation>Dort Platz schaffen oder einen Datenordner auf einer anderen Platte wählen: XDG_DATA_HOME nennt ihn.</translation>
+    </message>
+    <message>
+        <source>The archive holds more than {} files, which Macula does not unpack.</source>
+        <translation>Das Archiv enthält mehr als {} Dateien; so viele entpackt Macula nicht.</translation>
+    </message>
+    <message>
+        <source>The archive unpacks to more than {} GB, or one file in it to more than {} GB, which Macula does not unpack.</source>
+        <translation>Entpackt wäre das Archiv größer als {} GB oder eine Datei darin größer als {} GB; so viel entpackt Macula nicht.</translation>
+    </message>
+    <message>
+        <source>The archive unpacks to hundreds of times its size, as files do that are made to fill disks. Nothing of it was kept.</source>
+        <translation>Entpackt wäre das Archiv mehrere hundert Mal so groß, wie bei Dateien, die Platten füllen sollen. Nichts davon wurde behalten.</translation>
+    </message>
+    <message>
+        <source>Unpacking was cancelled.</source>
+        <translation>Das Entpacken wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Unpacking the archive</source>
+        <translation>Das Archiv wird entpackt</translation>
+    </message>
+    <message>
+        <source>The copy of the archive cannot be written.</source>
+        <translation>Die Kopie des Archivs kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Check free space, and the permissions of the data folder.</source>
+        <translation>Freien Platz und die Rechte des Datenordners prüfen.</translation>
+    </message>
+    <message>
+        <source>The file is no archive that Macula can open, whatever its name says: it opens ZIP, tar and ISO 9660 files.</source>
+        <translation>Die Datei ist kein Archiv, das Macula öffnen kann, was auch immer ihr Name sagt: Macula öffnet ZIP-, tar- und ISO-9660-Dateien.</translation>
+    </message>
+    <message>
+        <source>Unpack it with another program, and open the folder. If that fails too, get the file again.</source>
+        <translation>Mit einem anderen Programm entpacken und den Ordner öffnen. Misslingt auch das, die Datei neu beschaffen.</translation>
+    </message>
+    <message>
+        <source>The archive is encrypted, and cannot be opened without its password.</source>
+        <translation>Das Archiv ist verschlüsselt und lässt sich ohne sein Passwort nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>No file in the archive can be read: it is damaged or incomplete.</source>
+        <translation>Keine Datei im Archiv ist lesbar: Es ist beschädigt oder unvollständig.</translation>
+    </message>
+    <message>
+        <source>Get the archive again.</source>
+        <translation>Das Archiv neu beschaffen.</translation>
+    </message>
+    <message>
+        <source>There is no file in the archive.</source>
+        <translation>Im Archiv ist keine Datei.</translation>
+    </message>
+    <message>
+        <source>Choose another file.</source>
+        <translation>Eine andere Datei wählen.</translation>
+    </message>
+    <message>
+        <source>unpack this archive</source>
+        <translation>dieses Archiv zu entpacken</translation>
+    </message>
+    <message>
+        <source>There is no room for a file that another program can open.</source>
+        <translation>Für eine Datei, die ein anderes Programm öffnen kann, ist kein Platz.</translation>
+    </message>
+    <message>
+        <source>Save the file to a folder of yours instead.</source>
+        <translation>Speichern Sie die Datei stattdessen in einem eigenen Ordner.</translation>
+    </message>
+    <message>
+        <source>Memory is not enough for all phases at once.</source>
+        <translation>Der Speicher reicht nicht für alle Phasen zugleich.</translation>
+    </message>
+    <message>
+        <source>Open each phase by itself.</source>
+        <translation>Öffnen Sie jede Phase für sich.</translation>
+    </message>
+    <message>
+        <source>read the presentation state</source>
+        <translation>den Presentation State zu lesen</translation>
+    </message>
+    <message>
+        <source>Nothing is stored.</source>
+        <translation>Es wird nichts gespeichert.</translation>
+    </message>
+    <message>
+        <source>write the volume for the program</source>
+        <translation>das Volumen für das Programm zu schreiben</translation>
+    </message>
+    <message>
+        <source>This is no image, and is not shown in 3D: {kind}.</source>
+        <translation>Das ist kein Bild und wird nicht in 3D gezeigt: {kind}.</translation>
+    </message>
+    <message>
+        <source>Panel: measurements</source>
+        <translation>Feld: Messungen</translation>
+    </message>
+    <message>
+        <source>Left button on slices: cross-hair, window, zoom, move, distance, angle, ellipse, probe, segment, curve</source>
+        <translation>Linke Taste auf Schichten: Fadenkreuz, Fensterung, Zoom, Verschieben, Abstand, Winkel, Ellipse, Sonde, Segment, Kurve</translation>
+    </message>
+    <message>
+        <source>Drag a ring on the cross-hair, Ctrl + Left and Right on slices</source>
+        <translation>Einen Ring am Fadenkreuz ziehen, Strg + Links und Rechts auf Schichten</translation>
+    </message>
+    <message>
+        <source>D, G, E, C, W, O, Delete, Enter on images</source>
+        <translation>D, G, E, C, W, O, Entf, Eingabe auf Bildern</translation>
+    </message>
+    <message>
+        <source>Measure: distance, angle, ellipse, Cobb angle; window; overlays; remove, label</source>
+        <translation>Messen: Strecke, Winkel, Ellipse, Cobb-Winkel; Fenster; Overlays; entfernen, bezeichnen</translation>
     </message>
 </context>
 <context>
@@ -12320,33 +13773,6 @@
     </message>
 </context>
 <context>
-    <name>macula::viewer::CurveDialog</name>
-    <message>
-        <source>Curve over Phases</source>
-        <translation>Verlauf über die Phasen</translation>
-    </message>
-    <message>
-        <source>&amp;Copy as a Table</source>
-        <translation>Als Tabelle &amp;kopieren</translation>
-    </message>
-    <message>
-        <source>&amp;Save as a Table…</source>
-        <translation>Als Tabelle &amp;speichern…</translation>
-    </message>
-    <message>
-        <source>Save the curve</source>
-        <translation>Die Kurve speichern</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabelle (*.csv)</translation>
-    </message>
-    <message>
-        <source>The curve is written to %1.</source>
-        <translation>Die Kurve ist in %1 geschrieben.</translation>
-    </message>
-</context>
-<context>
     <name>macula::viewer::CurvePanel</name>
     <message>
         <source>Along the Curve</source>
@@ -12448,16 +13874,28 @@
         <translation>hier %1 mm</translation>
     </message>
     <message>
-        <source>the size of pixels is not calibrated</source>
-        <translation>die Größe der Pixel ist nicht kalibriert</translation>
-    </message>
-    <message>
         <source>Straightened: lengths hold along the line</source>
         <translation>Begradigt: Längen gelten entlang der Linie</translation>
     </message>
     <message>
         <source>Stretched: lengths hold along the curve and across it</source>
         <translation>Gestreckt: Längen gelten entlang der Kurve und quer zu ihr</translation>
+    </message>
+    <message>
+        <source>Low values are white</source>
+        <translation>Niedrige Werte sind weiß</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
+    </message>
+    <message>
+        <source>Some slices are interpolated</source>
+        <translation>Einige Schichten sind interpoliert</translation>
+    </message>
+    <message>
+        <source>The size of pixels is not calibrated</source>
+        <translation>Die Größe der Pixel ist nicht kalibriert</translation>
     </message>
 </context>
 <context>
@@ -12553,6 +13991,463 @@
     <message>
         <source>Cuts: %1</source>
         <translation>Schnitte: %1</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::DocumentDialog</name>
+    <message>
+        <source>Text of the document</source>
+        <translation>Text des Dokuments</translation>
+    </message>
+    <message>
+        <source>What the document says. Links go to the images that it names.</source>
+        <translation>Was das Dokument sagt. Verweise führen zu den Bildern, die es nennt.</translation>
+    </message>
+    <message>
+        <source>Images of the document</source>
+        <translation>Bilder des Dokuments</translation>
+    </message>
+    <message>
+        <source>The images that the document names, in its order. A double click or Enter shows one.</source>
+        <translation>Die Bilder, die das Dokument nennt, in seiner Reihenfolge. Ein Doppelklick oder die Eingabetaste zeigt eines.</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Image</source>
+        <translation>&amp;Voriges Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Next Image</source>
+        <translation>&amp;Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Open in the PDF Viewer…</source>
+        <translation>Im PDF-Programm ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>In the program of this computer that shows PDF files</source>
+        <translation>In dem Programm dieses Rechners, das PDF-Dateien zeigt</translation>
+    </message>
+    <message>
+        <source>Save &amp;File As…</source>
+        <translation>&amp;Datei speichern unter…</translation>
+    </message>
+    <message>
+        <source>The file that the document holds</source>
+        <translation>Die Datei, die das Dokument enthält</translation>
+    </message>
+    <message>
+        <source>Take Over &amp;Measurements</source>
+        <translation>&amp;Messungen übernehmen</translation>
+    </message>
+    <message>
+        <source>Adds what the report measured to the slices of the open study</source>
+        <translation>Fügt den Schichten der geöffneten Studie hinzu, was im Befund gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>The selected text, otherwise all of it</source>
+        <translation>Der markierte Text, sonst der ganze</translation>
+    </message>
+    <message>
+        <source>&amp;Save as Text…</source>
+        <translation>Als &amp;Text speichern…</translation>
+    </message>
+    <message>
+        <source>With the patient&apos;s name</source>
+        <translation>Mit dem Namen des Patienten</translation>
+    </message>
+    <message>
+        <source>not in this folder</source>
+        <translation>nicht in diesem Ordner</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::DocumentsController</name>
+    <message>
+        <source>Open Doc&amp;ument…</source>
+        <translation>Dok&amp;ument öffnen…</translation>
+    </message>
+    <message>
+        <source>Read a report, a radiotherapy plan, a selection of key images or a PDF in DICOM</source>
+        <translation>Einen Befund, einen Bestrahlungsplan, eine Auswahl von Schlüsselbildern oder ein PDF in DICOM lesen</translation>
+    </message>
+    <message>
+        <source>Open a document</source>
+        <translation>Dokument öffnen</translation>
+    </message>
+    <message>
+        <source>Patients&apos; names are hidden, and a document may name the patient anywhere.</source>
+        <translation>Namen sind ausgeblendet, und ein Dokument kann den Patienten überall nennen.</translation>
+    </message>
+    <message>
+        <source>Show the names first: View, Patient and study over the picture.</source>
+        <translation>Blenden Sie zuerst die Namen ein: Ansicht, Patient und Studie über dem Bild.</translation>
+    </message>
+    <message>
+        <source>That image is not in the open folder.</source>
+        <translation>Dieses Bild ist nicht im geöffneten Ordner.</translation>
+    </message>
+    <message>
+        <source>Open the folder that it is in.</source>
+        <translation>Öffnen Sie den Ordner, in dem es liegt.</translation>
+    </message>
+    <message>
+        <source>That image is not in the open volume.</source>
+        <translation>Dieses Bild ist nicht im geöffneten Volumen.</translation>
+    </message>
+    <message>
+        <source>It could not be read, or was left out.</source>
+        <translation>Es konnte nicht gelesen werden oder wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Open the PDF?</source>
+        <translation>PDF öffnen?</translation>
+    </message>
+    <message>
+        <source>Show this PDF in another program of this computer?</source>
+        <translation>Dieses PDF in einem anderen Programm dieses Rechners zeigen?</translation>
+    </message>
+    <message>
+        <source>Macula puts it into a private file, which it removes when it ends. The other program may keep a copy, or its name in a list.</source>
+        <translation>Macula legt es in eine private Datei, die es beim Beenden löscht. Das andere Programm kann eine Kopie oder den Dateinamen in einer Liste behalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>The file of this document is no PDF, and is not opened.</source>
+        <translation>Die Datei dieses Dokuments ist kein PDF und wird nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>Save it, and look at it with care.</source>
+        <translation>Speichern Sie sie, und sehen Sie sie mit Vorsicht an.</translation>
+    </message>
+    <message>
+        <source>This computer has no program that shows PDF files.</source>
+        <translation>Dieser Rechner hat kein Programm, das PDF-Dateien zeigt.</translation>
+    </message>
+    <message>
+        <source>Save the PDF, and open it on another computer.</source>
+        <translation>Speichern Sie das PDF, und öffnen Sie es auf einem anderen Rechner.</translation>
+    </message>
+    <message>
+        <source>Save the file of the document</source>
+        <translation>Datei des Dokuments speichern</translation>
+    </message>
+    <message>
+        <source>The file is written to %1.</source>
+        <translation>Die Datei ist nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Save the text of the document</source>
+        <translation>Text des Dokuments speichern</translation>
+    </message>
+    <message>
+        <source>Text files (*.txt)</source>
+        <translation>Textdateien (*.txt)</translation>
+    </message>
+    <message>
+        <source>The text is written to %1.</source>
+        <translation>Der Text ist nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>No series of DICOM images is open to take measurements onto.</source>
+        <translation>Es ist keine Serie von DICOM-Bildern offen, auf die Messungen übernommen werden können.</translation>
+    </message>
+    <message>
+        <source>Open the series that the report is about.</source>
+        <translation>Öffnen Sie die Serie, um die es im Befund geht.</translation>
+    </message>
+    <message>
+        <source>Measurements of a report</source>
+        <translation>Messungen eines Befunds</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n measurements were taken over from the report.</source>
+        <translation>
+            <numerusform>%n Messung wurde aus dem Befund übernommen.</numerusform>
+            <numerusform>%n Messungen wurden aus dem Befund übernommen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::DoseController</name>
+    <message>
+        <source>Nothing was computed: it was cancelled.</source>
+        <translation>Nichts wurde berechnet: Es wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Show &amp;Dose</source>
+        <translation>&amp;Dosis zeigen</translation>
+    </message>
+    <message>
+        <source>Lays the dose of the treatment plan over the open images</source>
+        <translation>Legt die Dosis des Bestrahlungsplans über die geöffneten Bilder</translation>
+    </message>
+    <message>
+        <source>Dose-&amp;Volume Histogram…</source>
+        <translation>Dosis-&amp;Volumen-Histogramm…</translation>
+    </message>
+    <message>
+        <source>How much dose each region of the structure set receives</source>
+        <translation>Wie viel Dosis jede Region des Struktursatzes erhält</translation>
+    </message>
+    <message>
+        <source>Computing the dose in regions</source>
+        <translation>Die Dosis in Regionen wird berechnet</translation>
+    </message>
+    <message>
+        <source>Save the dose in regions</source>
+        <translation>Die Dosis in Regionen speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>The dose in regions is written to %1.</source>
+        <translation>Die Dosis in Regionen ist nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>There is a dose on these images (%1): View, Show Dose.</source>
+        <translation>Zu diesen Bildern gibt es eine Dosis (%1): Ansicht, Dosis zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::DosePanel</name>
+    <message>
+        <source>Show Dose</source>
+        <translation>Dosis zeigen</translation>
+    </message>
+    <message>
+        <source>Dose-Volume Histogram…</source>
+        <translation>Dosis-Volumen-Histogramm…</translation>
+    </message>
+    <message>
+        <source>Dose</source>
+        <translation>Dosis</translation>
+    </message>
+    <message>
+        <source>The doses that lie on the open images</source>
+        <translation>Die Dosen, die auf den geöffneten Bildern liegen</translation>
+    </message>
+    <message>
+        <source>Lays the dose over the open images, with isodose lines</source>
+        <translation>Legt die Dosis über die geöffneten Bilder, mit Isodosenlinien</translation>
+    </message>
+    <message>
+        <source>How much dose each region of the structure set receives, as curves and figures</source>
+        <translation>Wie viel Dosis jede Region des Struktursatzes erhält, als Kurven und Zahlen</translation>
+    </message>
+    <message>
+        <source>Isodose lines</source>
+        <translation>Isodosenlinien</translation>
+    </message>
+    <message>
+        <source>Lines of equal dose over the slices</source>
+        <translation>Linien gleicher Dosis über den Schichten</translation>
+    </message>
+    <message>
+        <source>Unit of the levels</source>
+        <translation>Einheit der Stufen</translation>
+    </message>
+    <message>
+        <source>Whether levels are percentages or doses</source>
+        <translation>Ob Stufen Prozente oder Dosen sind</translation>
+    </message>
+    <message>
+        <source>Percent</source>
+        <translation>Prozent</translation>
+    </message>
+    <message>
+        <source>Dose that is 100 percent</source>
+        <translation>Dosis, die 100 Prozent ist</translation>
+    </message>
+    <message>
+        <source>Another dose as 100 percent; 0: the prescription of the plan, else the highest dose</source>
+        <translation>Eine andere Dosis als 100 Prozent; 0: die Verschreibung des Plans, sonst die höchste Dosis</translation>
+    </message>
+    <message>
+        <source>by itself</source>
+        <translation>von selbst</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>One more line</source>
+        <translation>Eine Linie mehr</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the chosen line</source>
+        <translation>Entfernt die gewählte Linie</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source>The usual levels and colours</source>
+        <translation>Die üblichen Stufen und Farben</translation>
+    </message>
+    <message>
+        <source>Levels in</source>
+        <translation>Stufen in</translation>
+    </message>
+    <message>
+        <source>100 % =</source>
+        <translation>100 % =</translation>
+    </message>
+    <message>
+        <source>Dose %1: %2</source>
+        <translation>Dosis %1: %2</translation>
+    </message>
+    <message>
+        <source>No dose of this folder lies in the coordinate system of the open images.</source>
+        <translation>Keine Dosis dieses Ordners liegt im Koordinatensystem der geöffneten Bilder.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>It lies in the frame of reference of these images; nothing is registered.</source>
+        <translation>Sie liegt im Koordinatensystem (Frame of Reference) dieser Bilder; nichts wird registriert.</translation>
+    </message>
+    <message>
+        <source>100 % is %1.</source>
+        <translation>100 % sind %1.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::DvhChart</name>
+    <message>
+        <source>Dose-volume histogram</source>
+        <translation>Dosis-Volumen-Histogramm</translation>
+    </message>
+    <message>
+        <source>How much of each region receives at least a dose</source>
+        <translation>Wie viel von jeder Region mindestens eine Dosis erhält</translation>
+    </message>
+    <message>
+        <source>%1: %2 % receive %3 %4 or more</source>
+        <translation>%1: %2 % erhalten %3 %4 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Dose (%1); upwards: share of the region that receives at least this dose</source>
+        <translation>Dosis (%1); nach oben: Anteil der Region, der mindestens diese Dosis erhält</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::DvhDialog</name>
+    <message>
+        <source>Dose-Volume Histogram</source>
+        <translation>Dosis-Volumen-Histogramm</translation>
+    </message>
+    <message>
+        <source>Dose in each region</source>
+        <translation>Dosis in jeder Region</translation>
+    </message>
+    <message>
+        <source>A check mark shows the curve of a region. D95 is the dose that 95 % of the region receive at least; V20 is the share that receives 20 Gy or more</source>
+        <translation>Ein Häkchen zeigt die Kurve einer Region. D95 ist die Dosis, die 95 % der Region mindestens erhalten; V20 ist der Anteil, der 20 Gy oder mehr erhält</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as Table</source>
+        <translation>Als Tabelle &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>All figures as CSV, to paste into a spreadsheet</source>
+        <translation>Alle Zahlen als CSV, zum Einfügen in eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>&amp;Save as Table…</source>
+        <translation>Als Tabelle &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>All figures in a file (CSV)</source>
+        <translation>Alle Zahlen in einer Datei (CSV)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Region</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>Outside (%)</source>
+        <translation>Außerhalb (%)</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>D98</source>
+        <translation>D98</translation>
+    </message>
+    <message>
+        <source>D95</source>
+        <translation>D95</translation>
+    </message>
+    <message>
+        <source>D50</source>
+        <translation>D50</translation>
+    </message>
+    <message>
+        <source>D2</source>
+        <translation>D2</translation>
+    </message>
+    <message>
+        <source>V20 Gy (%)</source>
+        <translation>V20 Gy (%)</translation>
+    </message>
+    <message>
+        <source>V95 % (%)</source>
+        <translation>V95 % (%)</translation>
+    </message>
+    <message>
+        <source>V100 % (%)</source>
+        <translation>V100 % (%)</translation>
+    </message>
+    <message>
+        <source>V107 % (%)</source>
+        <translation>V107 % (%)</translation>
     </message>
 </context>
 <context>
@@ -12743,6 +14638,32 @@
     <message>
         <source>The study of this window in a headset (OpenXR)</source>
         <translation>Die Studie dieses Fensters in einem Headset (OpenXR)</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::IsodoseTable</name>
+    <message>
+        <source>Isodoses</source>
+        <translation>Isodosen</translation>
+    </message>
+    <message>
+        <source>Levels of the lines. Double click: another level, or another colour</source>
+        <translation>Stufen der Linien. Doppelklick: eine andere Stufe oder eine andere Farbe</translation>
+    </message>
+    <message>
+        <source>Dose</source>
+        <translation>Dosis</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::KeptSegments</name>
+    <message>
+        <source>Own segments</source>
+        <translation>Eigene Segmente</translation>
     </message>
 </context>
 <context>
@@ -13302,6 +15223,14 @@
         <source>Curved Plane</source>
         <translation>Gekrümmte Ebene</translation>
     </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Dose</source>
+        <translation>Dosis</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ManifestsController</name>
@@ -13334,6 +15263,41 @@
     <message>
         <source> %1/mm</source>
         <translation> %1/mm</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::MeasurementList</name>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Click: the slices go there. F2: its label. Delete: removes it</source>
+        <translation>Klick: Die Schichten gehen dorthin. F2: die Beschriftung. Entf: entfernt sie</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>%1, image %2</source>
+        <translation>%1, Bild %2</translation>
+    </message>
+    <message>
+        <source>Go to a Measurement</source>
+        <translation>Zu einer Messung</translation>
+    </message>
+    <message>
+        <source>Measurement removed</source>
+        <translation>Messung entfernt</translation>
     </message>
 </context>
 <context>
@@ -13883,10 +15847,6 @@
         <translation>&amp;Datei öffnen…</translation>
     </message>
     <message>
-        <source>Open the series of an image, a DICOMDIR, or a NIfTI, NRRD or MetaImage file</source>
-        <translation>Die Serie eines Bildes, ein DICOMDIR oder eine NIfTI-, NRRD- oder MetaImage-Datei öffnen</translation>
-    </message>
-    <message>
         <source>Open &amp;Phantom</source>
         <translation>&amp;Phantom öffnen</translation>
     </message>
@@ -13899,12 +15859,16 @@
         <translation>Ordner mit DICOM-Dateien öffnen</translation>
     </message>
     <message>
-        <source>Open an image or a volume</source>
-        <translation>Bild oder Volumen öffnen</translation>
-    </message>
-    <message>
         <source>What is on screen is still of the study that was open before.</source>
         <translation>Auf dem Bildschirm ist noch die Studie, die vorher offen war.</translation>
+    </message>
+    <message>
+        <source>Open the series of an image, a DICOMDIR, a ZIP, tar or ISO 9660 file with studies, or a NIfTI, NRRD or MetaImage file</source>
+        <translation>Die Serie eines Bildes, ein DICOMDIR, eine ZIP-, tar- oder ISO-9660-Datei mit Studien oder eine NIfTI-, NRRD- oder MetaImage-Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Open an image, a volume, or an archive of studies</source>
+        <translation>Bild, Volumen oder Archiv mit Studien öffnen</translation>
     </message>
 </context>
 <context>
@@ -14009,6 +15973,10 @@
         <source>The mean within each ellipse, in each phase</source>
         <translation>Der Mittelwert in jeder Ellipse, in jeder Phase</translation>
     </message>
+    <message>
+        <source>Phase on slices</source>
+        <translation>Phase auf Schichten</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::PhasesController</name>
@@ -14027,6 +15995,10 @@
     <message>
         <source>%1 of %2 decoded</source>
         <translation>%1 von %2 dekodiert</translation>
+    </message>
+    <message>
+        <source>%1 is being decoded</source>
+        <translation>%1 wird dekodiert</translation>
     </message>
 </context>
 <context>
@@ -14294,6 +16266,58 @@
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
+    </message>
+    <message>
+        <source>How somebody left the images for others: windows, marks and texts</source>
+        <translation>Wie jemand die Bilder für andere hinterlassen hat: Fenster, Markierungen und Texte</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Measure on the image: distance, angle, ellipse, Cobb angle; overlays</source>
+        <translation>Im Bild messen: Strecke, Winkel, Ellipse, Cobb-Winkel; Overlays</translation>
+    </message>
+    <message>
+        <source>Window: drag</source>
+        <translation>Fenster: ziehen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Cobb angle: two lines</source>
+        <translation>Cobb-Winkel: zwei Linien</translation>
+    </message>
+    <message>
+        <source>Copy Measurements</source>
+        <translation>Messungen kopieren</translation>
+    </message>
+    <message>
+        <source>Save Measurements…</source>
+        <translation>Messungen sichern …</translation>
+    </message>
+    <message>
+        <source>Remove All Measurements</source>
+        <translation>Alle Messungen entfernen</translation>
+    </message>
+    <message>
+        <source>Overlays of the file</source>
+        <translation>Overlays der Datei</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::PlanarController</name>
@@ -14302,20 +16326,88 @@
         <translation>Das Bild wird gelesen…</translation>
     </message>
     <message>
-        <source>lossily compressed</source>
-        <translation>verlustbehaftet komprimiert</translation>
-    </message>
-    <message>
         <source>the file says no rate: %1 frames per second</source>
         <translation>die Datei nennt kein Tempo: %1 Bilder je Sekunde</translation>
     </message>
     <message>
-        <source>no value</source>
-        <translation>kein Wert</translation>
+        <source>lines: the slices of the open volume</source>
+        <translation>Linien: die Schichten des geöffneten Volumens</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PlanarMeasuring</name>
+    <message>
+        <source>Remove measurement</source>
+        <translation>Messung entfernt</translation>
     </message>
     <message>
-        <source>Column %1, row %2: %3</source>
-        <translation>Spalte %1, Zeile %2: %3</translation>
+        <source>Remove measurements</source>
+        <translation>Messungen entfernt</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Move measurement</source>
+        <translation>Messung verschoben</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PlanarPane</name>
+    <message>
+        <source>lossily compressed</source>
+        <translation>verlustbehaftet komprimiert</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PlanarPresenting</name>
+    <message>
+        <source>As stored</source>
+        <translation>Wie gespeichert</translation>
+    </message>
+    <message>
+        <source>Presentation state %1</source>
+        <translation>Presentation State %1</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PlanarSaving</name>
+    <message>
+        <source>The measurements are written to %1.</source>
+        <translation>Die Messungen sind in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild sichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture is written to %1, without names.</source>
+        <translation>Das Bild ist in %1 geschrieben, ohne Namen.</translation>
+    </message>
+    <message>
+        <source>There are no measurements to save.</source>
+        <translation>Es gibt keine Messungen zu sichern.</translation>
+    </message>
+    <message>
+        <source>Measure something on an image first: D draws a distance.</source>
+        <translation>Messen Sie zuerst etwas in einem Bild: D zeichnet eine Strecke.</translation>
+    </message>
+    <message>
+        <source>Save the measurements</source>
+        <translation>Messungen sichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -14896,6 +16988,107 @@
     <message>
         <source>The archive has more of them.</source>
         <translation>Das Archiv hat noch mehr davon.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ProgramDialog</name>
+    <message>
+        <source>Segment by a Program</source>
+        <translation>Mit einem Programm segmentieren</translation>
+    </message>
+    <message>
+        <source>The program gets the open volume as a NIfTI file without patient data, {input}, and writes a map of segment numbers on the same voxels, {output}. It runs as you, and may do what you may: use only programs that you trust. Macula makes no statement about what it finds.</source>
+        <translation>Das Programm bekommt das offene Volumen als NIfTI-Datei ohne Patientendaten, {input}, und schreibt auf denselben Voxeln eine Karte der Segmentnummern, {output}. Es läuft unter Ihrem Namen und darf, was Sie dürfen: Verwenden Sie nur Programme, denen Sie vertrauen. Macula sagt nichts darüber aus, was es findet.</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>A program, {input}, {output} and its options</source>
+        <translation>Ein Programm, {input}, {output} und seine Optionen</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>The program is stopped after so many minutes</source>
+        <translation>Nach so vielen Minuten wird das Programm beendet</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Ausführen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ProgramRun</name>
+    <message numerus="yes">
+        <source>The program took longer than %n minutes, and was stopped.</source>
+        <translation>
+            <numerusform>Das Programm brauchte länger als %n Minute und wurde beendet.</numerusform>
+            <numerusform>Das Programm brauchte länger als %n Minuten und wurde beendet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Allow more time, or let it work on a smaller volume.</source>
+        <translation>Geben Sie ihm mehr Zeit oder ein kleineres Volumen.</translation>
+    </message>
+    <message>
+        <source>The command has to name a program, {input} and {output}.</source>
+        <translation>Der Befehl muss ein Programm, {input} und {output} nennen.</translation>
+    </message>
+    <message>
+        <source>Write for example: my-model --in {input} --out {output}</source>
+        <translation>Schreiben Sie zum Beispiel: my-model --in {input} --out {output}</translation>
+    </message>
+    <message>
+        <source>No folder could be made for the program.</source>
+        <translation>Für das Programm ließ sich kein Ordner anlegen.</translation>
+    </message>
+    <message>
+        <source>Free some space for temporary files.</source>
+        <translation>Schaffen Sie Platz für temporäre Dateien.</translation>
+    </message>
+    <message>
+        <source>The program could not be started.</source>
+        <translation>Das Programm ließ sich nicht starten.</translation>
+    </message>
+    <message>
+        <source>Check its path, and that it may be run.</source>
+        <translation>Prüfen Sie seinen Pfad und ob es ausgeführt werden darf.</translation>
+    </message>
+    <message>
+        <source>The program is working</source>
+        <translation>Das Programm arbeitet</translation>
+    </message>
+    <message>
+        <source>The program ended with an error (code %1).</source>
+        <translation>Das Programm endete mit einem Fehler (Code %1).</translation>
+    </message>
+    <message>
+        <source>The program crashed.</source>
+        <translation>Das Programm ist abgestürzt.</translation>
+    </message>
+    <message>
+        <source>It said nothing about why.</source>
+        <translation>Es hat nicht gesagt, warum.</translation>
+    </message>
+    <message>
+        <source>It said: %1</source>
+        <translation>Es meldete: %1</translation>
+    </message>
+    <message>
+        <source>The program wrote no result.</source>
+        <translation>Das Programm hat kein Ergebnis geschrieben.</translation>
+    </message>
+    <message>
+        <source>It has to write the file that {output} names.</source>
+        <translation>Es muss die Datei schreiben, die {output} nennt.</translation>
+    </message>
+    <message>
+        <source>Reading the result</source>
+        <translation>Das Ergebnis wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -15577,6 +17770,57 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::SegmentWork</name>
+    <message>
+        <source>New segment</source>
+        <translation>Neues Segment</translation>
+    </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>Segment %1</translation>
+    </message>
+    <message>
+        <source>Name of the segment</source>
+        <translation>Name des Segments</translation>
+    </message>
+    <message>
+        <source>Delete segment</source>
+        <translation>Segment löschen</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwellen</translation>
+    </message>
+    <message>
+        <source>Growing stopped at %1 ml: it may have leaked.</source>
+        <translation>Das Wachsen endete bei %1 ml: Es ist vielleicht ausgelaufen.</translation>
+    </message>
+    <message>
+        <source>Growing</source>
+        <translation>Wachsen</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Nothing was found.</source>
+        <translation>Nichts gefunden.</translation>
+    </message>
+    <message>
+        <source>Preview: %1 ml, in no segment yet.</source>
+        <translation>Vorschau: %1 ml, noch in keinem Segment.</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>Add to the segment</source>
+        <translation>Zum Segment hinzufügen</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SegmentationKeeper</name>
     <message>
         <source>Segmentations</source>
@@ -15592,6 +17836,10 @@
             <numerusform>Es gibt eine Segmentierung dieses Volumens: F11.</numerusform>
             <numerusform>Es gibt %n Segmentierungen dieses Volumens: F11.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Own segments</source>
+        <translation>Eigene Segmente</translation>
     </message>
 </context>
 <context>
@@ -15740,6 +17988,10 @@
         <source>Volumes are estimates: the size of a pixel is not calibrated.</source>
         <translation>Volumina sind Schätzungen: Die Pixelgröße ist nicht kalibriert.</translation>
     </message>
+    <message>
+        <source>Made here, by you: they are in no file of the folder</source>
+        <translation>Hier von Ihnen gemacht: Sie sind in keiner Datei des Ordners</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::SegmentationsController</name>
@@ -15793,6 +18045,354 @@
     <message>
         <source>DICOM files (*.dcm)</source>
         <translation>DICOM-Dateien (*.dcm)</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SegmentingController</name>
+    <message>
+        <source>The segments are written to %1.</source>
+        <translation>Die Segmente sind in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Segments of a program</source>
+        <translation>Segmente eines Programms</translation>
+    </message>
+    <message numerus="yes">
+        <source>The program made %n segments. Nobody has checked them yet.</source>
+        <translation>
+            <numerusform>Das Programm hat %n Segment gemacht. Noch hat es niemand geprüft.</numerusform>
+            <numerusform>Das Programm hat %n Segmente gemacht. Noch hat sie niemand geprüft.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save Own Segments…</source>
+        <translation>Eigene Segmente speichern …</translation>
+    </message>
+    <message>
+        <source>A NIfTI label map, or the surface of a segment as STL or glTF</source>
+        <translation>Eine NIfTI-Karte der Segmente oder die Oberfläche eines Segments als STL oder glTF</translation>
+    </message>
+    <message>
+        <source>Segment by a Program…</source>
+        <translation>Mit einem Programm segmentieren …</translation>
+    </message>
+    <message>
+        <source>Lets a program of your own segment the open volume</source>
+        <translation>Lässt ein eigenes Programm das offene Volumen segmentieren</translation>
+    </message>
+    <message>
+        <source>Segments are still being written.</source>
+        <translation>Segmente werden noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>A program is still segmenting.</source>
+        <translation>Ein Programm segmentiert noch.</translation>
+    </message>
+    <message>
+        <source>Own segments are in no file, and are not kept.</source>
+        <translation>Eigene Segmente sind in keiner Datei und werden nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>There are no own segments.</source>
+        <translation>Es gibt keine eigenen Segmente.</translation>
+    </message>
+    <message>
+        <source>Make one in the panel Segmentations, F11.</source>
+        <translation>Legen Sie eines im Bedienfeld Segmentierungen an, F11.</translation>
+    </message>
+    <message>
+        <source>Save own segments</source>
+        <translation>Eigene Segmente speichern</translation>
+    </message>
+    <message>
+        <source>NIfTI label map of all (*.nii.gz);;Surface of the selected one, STL (*.stl);;Surface of the selected one, glTF (*.glb)</source>
+        <translation>NIfTI-Karte aller Segmente (*.nii.gz);;Oberfläche des gewählten, STL (*.stl);;Oberfläche des gewählten, glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Saving segments</source>
+        <translation>Segmente werden gespeichert</translation>
+    </message>
+    <message>
+        <source>No study is open.</source>
+        <translation>Es ist keine Studie geöffnet.</translation>
+    </message>
+    <message>
+        <source>Segmenting by a program</source>
+        <translation>Ein Programm segmentiert</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SegmentingPanel</name>
+    <message>
+        <source>New segment…</source>
+        <translation>Neues Segment …</translation>
+    </message>
+    <message>
+        <source>A segment of your own, on the voxels of this volume; it is kept with the study</source>
+        <translation>Ein eigenes Segment auf den Voxeln dieses Volumens; es wird mit der Studie aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen …</translation>
+    </message>
+    <message>
+        <source>Another name for the own segment</source>
+        <translation>Ein anderer Name für das eigene Segment</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Deletes the own segment; Undo brings it back</source>
+        <translation>Löscht das eigene Segment; Rückgängig bringt es zurück</translation>
+    </message>
+    <message>
+        <source>New segment</source>
+        <translation>Neues Segment</translation>
+    </message>
+    <message>
+        <source>Name of the segment</source>
+        <translation>Name des Segments</translation>
+    </message>
+    <message>
+        <source>Name, without anything of the patient:</source>
+        <translation>Name, ohne Angaben zum Patienten:</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>What the tool Segment does on slices</source>
+        <translation>Was das Werkzeug Segment auf Schichten tut</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Grow from a click</source>
+        <translation>Von einem Klick wachsen</translation>
+    </message>
+    <message>
+        <source>On slices</source>
+        <translation>Auf Schichten</translation>
+    </message>
+    <message>
+        <source>Takes the tool Segment</source>
+        <translation>Nimmt das Werkzeug Segment</translation>
+    </message>
+    <message>
+        <source>Radius of the brush, in mm</source>
+        <translation>Radius des Pinsels in mm</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>One slice</source>
+        <translation>Eine Schicht</translation>
+    </message>
+    <message>
+        <source>The brush is a disc in the slice that is shown, and no ball</source>
+        <translation>Der Pinsel ist eine Scheibe in der gezeigten Schicht und keine Kugel</translation>
+    </message>
+    <message>
+        <source>Growing takes values so far from the mean around the click, in their unit</source>
+        <translation>Das Wachsen nimmt Werte, die so weit vom Mittel um den Klick liegen, in ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>Growing stops at this volume</source>
+        <translation>Bei diesem Volumen endet das Wachsen</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Over corners</source>
+        <translation>Über Ecken</translation>
+    </message>
+    <message>
+        <source>Growing goes on over edges and corners of voxels, too (26 neighbours instead of 6)</source>
+        <translation>Das Wachsen geht auch über Kanten und Ecken der Voxel (26 Nachbarn statt 6)</translation>
+    </message>
+    <message>
+        <source>Within the segment</source>
+        <translation>Nur im Segment</translation>
+    </message>
+    <message>
+        <source>Growing and threshold look in the selected segment alone</source>
+        <translation>Wachsen und Schwellen suchen nur im gewählten Segment</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Tolerance ±</source>
+        <translation>Toleranz ±</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Lowest value of the threshold</source>
+        <translation>Untere Schwelle</translation>
+    </message>
+    <message>
+        <source>Highest value of the threshold</source>
+        <translation>Obere Schwelle</translation>
+    </message>
+    <message>
+        <source>From the window</source>
+        <translation>Aus dem Fenster</translation>
+    </message>
+    <message>
+        <source>The threshold goes from the lower to the upper end of the display window</source>
+        <translation>Die Schwellen sind das untere und das obere Ende des Anzeigefensters</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwellen</translation>
+    </message>
+    <message>
+        <source>Shows on slices which voxels have such values</source>
+        <translation>Zeigt auf Schichten, welche Voxel solche Werte haben</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds the preview to the segment</source>
+        <translation>Fügt die Vorschau zum Segment hinzu</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>Takes the preview away from the segment</source>
+        <translation>Nimmt die Vorschau vom Segment weg</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>The segment becomes the preview</source>
+        <translation>Das Segment wird zur Vorschau</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Forgets the preview</source>
+        <translation>Verwirft die Vorschau</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>What is done to the whole segment</source>
+        <translation>Was mit dem ganzen Segment geschieht</translation>
+    </message>
+    <message>
+        <source>Keep the largest part</source>
+        <translation>Größten Teil behalten</translation>
+    </message>
+    <message>
+        <source>Remove parts below</source>
+        <translation>Teile entfernen unter</translation>
+    </message>
+    <message>
+        <source>Smooth: median of</source>
+        <translation>Glätten: Median von</translation>
+    </message>
+    <message>
+        <source>Smooth: Gaussian of</source>
+        <translation>Glätten: Gauß von</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Löcher füllen</translation>
+    </message>
+    <message>
+        <source>Fill between slices</source>
+        <translation>Zwischen Schichten füllen</translation>
+    </message>
+    <message>
+        <source>Grow by</source>
+        <translation>Vergrößern um</translation>
+    </message>
+    <message>
+        <source>Shrink by</source>
+        <translation>Verkleinern um</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>Wie viel</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Changes the segment; Undo takes it back</source>
+        <translation>Ändert das Segment; Rückgängig nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>NIfTI, STL or glTF; DICOM is in the File menu</source>
+        <translation>NIfTI, STL oder glTF; DICOM ist im Menü Datei</translation>
+    </message>
+    <message>
+        <source>By a program…</source>
+        <translation>Mit einem Programm …</translation>
+    </message>
+    <message>
+        <source>Lets a program of your own segment this volume</source>
+        <translation>Lässt ein eigenes Programm dieses Volumen segmentieren</translation>
+    </message>
+    <message>
+        <source>No own segment is selected: painting and previews make a new one.</source>
+        <translation>Kein eigenes Segment ist gewählt: Malen und Vorschauen legen ein neues an.</translation>
+    </message>
+    <message>
+        <source>%1: being counted.</source>
+        <translation>%1: wird gezählt.</translation>
+    </message>
+    <message>
+        <source>%1: %2 ml.</source>
+        <translation>%1: %2 ml.</translation>
+    </message>
+    <message>
+        <source>Mean %1, SD %2, from %3 to %4 %5.</source>
+        <translation>Mittel %1, SD %2, von %3 bis %4 %5.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n voxels have no value, and are left out of these.</source>
+        <translation>
+            <numerusform>%n Voxel hat keinen Wert und ist darin nicht enthalten.</numerusform>
+            <numerusform>%n Voxel haben keinen Wert und sind darin nicht enthalten.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -16885,6 +19485,33 @@
     <message>
         <source>Leave out the table and what else lies beside the patient</source>
         <translation>Den Tisch und was sonst neben dem Patienten liegt weglassen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::TimeCurveDialog</name>
+    <message>
+        <source>Curve over Phases</source>
+        <translation>Verlauf über die Phasen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as a Table</source>
+        <translation>Als Tabelle &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Save as a Table…</source>
+        <translation>Als Tabelle &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Save the curve</source>
+        <translation>Die Kurve speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>The curve is written to %1.</source>
+        <translation>Die Kurve ist in %1 geschrieben.</translation>
     </message>
 </context>
 <context>

@@ -159,6 +159,16 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::DocumentsController</name>
+    <message numerus="yes">
+        <source>%n measurements were taken over from the report.</source>
+        <translation>
+            <numerusform>%n measurement was taken over from the report.</numerusform>
+            <numerusform>%n measurements were taken over from the report.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::LinkChoice</name>
     <message numerus="yes">
         <source>%n studies fit the link. Choose the one to fetch and open.</source>
@@ -253,6 +263,16 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::ProgramRun</name>
+    <message numerus="yes">
+        <source>The program took longer than %n minutes, and was stopped.</source>
+        <translation>
+            <numerusform>The program took longer than %n minute, and was stopped.</numerusform>
+            <numerusform>The program took longer than %n minutes, and was stopped.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::QueueDialog</name>
     <message numerus="yes">
         <source>Remove %n objects without sending them?</source>
@@ -303,6 +323,26 @@
         <translation>
             <numerusform>A segmentation object for the archive: the segment that is shown, on the voxels of this series, with label, colour and code.</numerusform>
             <numerusform>A segmentation object for the archive: the %n segments of what is shown, on the voxels of this series, with labels, colours and codes.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SegmentingController</name>
+    <message numerus="yes">
+        <source>The program made %n segments. Nobody has checked them yet.</source>
+        <translation>
+            <numerusform>The program made %n segment. Nobody has checked it yet.</numerusform>
+            <numerusform>The program made %n segments. Nobody has checked them yet.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SegmentingPanel</name>
+    <message numerus="yes">
+        <source>%n voxels have no value, and are left out of these.</source>
+        <translation>
+            <numerusform>%n voxel has no value, and is left out of these.</numerusform>
+            <numerusform>%n voxels have no value, and are left out of these.</numerusform>
         </translation>
     </message>
 </context>
