@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostParts = 32;
+constexpr std::size_t kMostParts = 16;
 constexpr std::size_t kMostOfPart = 100;         // bytes
 constexpr std::size_t kMostOfName = 512;         // bytes that are remembered of a part
 constexpr std::size_t kMostOfExtension = 8;      // with its point

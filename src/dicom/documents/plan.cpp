@@ -213,7 +213,11 @@ class Reader {
     void addPoints(std::size_t at, const Dataset& beam, const std::vector<Dataset>& points) {
         const Dataset& first = points.front();
         const std::string radiation = beam.shortText(kRadiationType);
-        add(at, Text("Energy"), number(first, kNominalEnergy, radiation == "PHOTON" ? " MV" : " MeV"));
+        add(at, Text("Energy"),
+            number(first, kNominalEnergy,
+                   radiation == "PHOTON" ? " MV"
+                   : radiation == "ION"  ? " MeV/u"
+                                         : " MeV"));
         add(at, Text("Dose rate"), number(first, kDoseRate, " MU/min"));
         add(at, Text("Gantry angle"), angles(points, kGantryAngle, first.shortText(kGantryDirection)));
         add(at, Text("Collimator angle"), angles(points, kCollimatorAngle, {}));

@@ -90,7 +90,7 @@ std::optional<Numbered> numbered(const std::string& description) {
     if (first == last || last - first > 6) return std::nullopt;
     return Numbered{
         .words = std::string(description.begin(), first) + '#' + std::string(last, description.end()),
-        .number = std::stod(std::string(first, last))};
+        .number = finiteNumber(std::string(first, last)).value_or(0.0)};
 }
 
 bool namesAPhase(const std::string& description) {

@@ -33,6 +33,10 @@ bool isSameScale(const dicom::UltrasoundRegion& a, const dicom::UltrasoundRegion
            isSame(std::abs(a.perRow), std::abs(b.perRow));
 }
 
+bool overlap(const dicom::UltrasoundRegion& a, const dicom::UltrasoundRegion& b) {
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
 double areaOf(const dicom::UltrasoundRegion& region) {
     return (double(region.right) - region.left) * (double(region.bottom) - region.top);
 }
@@ -258,7 +262,8 @@ ImageScale scaleOver(const dicom::PlanarHeader& header, std::span<const glm::dve
             scale.of = ImageScale::Of::outside;
             return scale;
         }
-        if (shared != nullptr && own != shared && !isSameScale(*own, *shared)) {
+        // Two regions of one scale are two pictures side by side, unless one lies over the other.
+        if (shared != nullptr && own != shared && (!isSameScale(*own, *shared) || !overlap(*own, *shared))) {
             scale.of = ImageScale::Of::different;
             return scale;
         }

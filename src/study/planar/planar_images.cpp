@@ -1,4 +1,5 @@
 #include "study/planar/planar_images.h"
+#include "unpack/archive_name.h"
 
 #include <algorithm>
 
@@ -26,7 +27,8 @@ PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::p
     });
     if (own != all.end()) return *own;
     std::error_code failure;
-    const bool isFile = std::filesystem::is_regular_file(source, failure) && source.filename() != "DICOMDIR";
+    const bool isFile = std::filesystem::is_regular_file(source, failure) &&
+                        source.filename() != "DICOMDIR" && !unpack::isArchive(source);
     const bool isOfOne = std::ranges::all_of(
         all, [&](const PlanarSeries& each) { return each.study->patient == all.front().study->patient; });
     if (isFile || !isOfOne) return {};

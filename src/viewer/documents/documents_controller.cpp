@@ -17,6 +17,7 @@
 #include "dicom/documents/read_document.h"
 #include "scene/slices/measurements_of_report.h"
 #include "study/open/slice_images.h"
+#include "unpack/archive_name.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/documents/document_dialog.h"
 #include "viewer/editor/study_editor.h"
@@ -52,7 +53,7 @@ DocumentsController::DocumentsController(const WindowContext& context, const Use
       context_(context),
       uses_(uses),
       dialog_(new DocumentDialog(&context.window)),
-      reading_(this, {.ended = [this](const Result<dicom::StudyDocument>& document) { show(document); }}) {
+      reading_(this, {.ended = [this](const Result<Read>& read) { show(read); }}) {
     connect(&uses_.browser, &StudyBrowser::documentChosen, this,
             [this](const study::StudyRow::Document& chosen) { open(uses_.browser.found(), chosen); });
     const StudyLoader& loader = uses_.opening.loader();
@@ -90,9 +91,12 @@ void DocumentsController::open(std::shared_ptr<const study::FoundVolumes> found,
             tr("Patients' names are hidden, and a document may name the patient anywhere."),
             tr("Show the names first: View, Patient and study over the picture."));
     context_.viewport.window().endDrag();
-    found_ = std::move(found);
-    patient_ = document.patient;
-    reading_.start([file = document.file](Progress&) { return dicom::readDocument(file); });
+    reading_.start([file = document.file, found = std::move(found),
+                    patient = document.patient](Progress&) -> Result<Read> {
+        Result<dicom::StudyDocument> made = dicom::readDocument(file);
+        if (!made) return made.error();
+        return Read{*std::move(made), found, patient};
+    });
 }
 
 bool DocumentsController::openInstead(const std::shared_ptr<const study::FoundVolumes>& found,
@@ -112,13 +116,17 @@ bool DocumentsController::openInstead(const std::shared_ptr<const study::FoundVo
         }
     }
     const bool isOnlyOne = documents.size() == 1 && found->scan().imageCount() == 0 &&
-                           std::filesystem::is_directory(source, error);
+                           (std::filesystem::is_directory(source, error) || unpack::isArchive(source));
     if (isOnlyOne) open(found, documents.front());
     return isOnlyOne;
 }
 
-void DocumentsController::show(const Result<dicom::StudyDocument>& document) {
-    if (!document) return context_.notifications.failUnlessCancelled(document.error());
+void DocumentsController::show(const Result<Read>& read) {
+    if (!read) return context_.notifications.failUnlessCancelled(read.error());
+    const dicom::StudyDocument* document = &read->document;
+    found_ = read->found;
+    patient_ = read->patient;
+    awaiting_.reset();
     places_.clear();
     QStringList images;
     if (found_) {
@@ -187,13 +195,17 @@ void DocumentsController::goToSlice(const study::ImagePlace& place) {
     const glm::dvec3 to = transformPoint(volume.worldFromVoxel(), voxel);
     context_.session.change(tr("Cross-hair"), [&](scene::StudyState& next) {
         next.slices.crosshairMm = to;
-        if (next.layout == scene::Layout::volume) next.layout = scene::Layout::fourPanes;
+        // The image itself is to be seen, and not a plane through it.
+        next.slices.turn.reset();
+        next.slices.asAcquired = true;
+        next.slices.slab = {};
+        next.layout = scene::Layout::fourPanes;
     });
 }
 
 void DocumentsController::askToOpenFile() {
     const dicom::StudyDocument& document = dialog_->document();
-    if (confirmed_.contains(document.sopInstanceUid)) return openFile();
+    if (confirmed_.contains(document.file)) return openFile(document.file);
     auto* box =
         new QMessageBox(QMessageBox::Question, tr("Open the PDF?"),
                         tr("Show this PDF in another program of this computer?") + QStringLiteral("\n\n") +
@@ -206,15 +218,16 @@ void DocumentsController::askToOpenFile() {
            "copy, or its name in a list."));
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* yes = box->addButton(tr("&Open"), QMessageBox::AcceptRole);
-    connect(yes, &QPushButton::clicked, this, [this] {
-        confirmed_.insert(dialog_->document().sopInstanceUid);
-        openFile();
+    // The file that was asked about, even if another document is on screen by then.
+    connect(yes, &QPushButton::clicked, this, [this, file = document.file] {
+        confirmed_.insert(file);
+        openFile(file);
     });
     box->open();
 }
 
-void DocumentsController::openFile() {
-    const Result<std::string> bytes = dicom::readEncapsulatedFile(dialog_->document().file);
+void DocumentsController::openFile(const std::filesystem::path& file) {
+    const Result<std::string> bytes = dicom::readEncapsulatedFile(file);
     if (!bytes) return context_.notifications.fail(bytes.error());
     // A program that is called for a PDF gets nothing else.
     if (!dicom::beginsAsPdf(*bytes))

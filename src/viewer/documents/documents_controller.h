@@ -4,10 +4,10 @@
 #include <QObject>
 #include <QString>
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "dicom/documents/document.h"
@@ -55,13 +55,19 @@ class DocumentsController : public QObject {
     void shown();
 
   private:
+    // A document with the list that it is in, so that no image of another list is taken for one of its own.
+    struct Read {
+        dicom::StudyDocument document;
+        std::shared_ptr<const study::FoundVolumes> found;
+        int patient = 0;
+    };
     void connectDialog();
-    void show(const Result<dicom::StudyDocument>& document);
+    void show(const Result<Read>& read);
     void askForOne();
     void goTo(int place);
     void goToSlice(const study::ImagePlace& place);
     void askToOpenFile();
-    void openFile();
+    void openFile(const std::filesystem::path& file);
     void saveFile();
     void saveText();
     void takeMeasurements();
@@ -74,9 +80,9 @@ class DocumentsController : public QObject {
     int patient_ = 0;
     std::vector<std::optional<study::ImagePlace>> places_;  // of its references
     std::optional<std::size_t> awaiting_;                   // a reference to go to once its series is open
-    std::set<std::string> confirmed_;  // documents whose file a person wants in another program
+    std::set<std::filesystem::path> confirmed_;  // documents whose file a person wants in another program
     PrivateFiles files_;
-    BackgroundJob<dicom::StudyDocument> reading_;
+    BackgroundJob<Read> reading_;
 };
 
 }  // namespace macula::viewer

@@ -116,6 +116,7 @@ void DvhDialog::setTrouble(const QString& sentence) {
 void DvhDialog::showNames(bool shown) {
     namesShown_ = shown;
     fill();
+    chart_->setHidden({});  // all regions are checked again
 }
 
 void DvhDialog::showNotes() {

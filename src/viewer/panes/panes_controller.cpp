@@ -95,8 +95,10 @@ void PanesController::addActions(QMenu& view) {
                                          [this, layout = row.layout] { changeLayout(layout); });
         action->setShortcut(keyOf(row));
     }
-    QAction* typed = view.addAction(tr("Type a &Window…"), this,
-                                    [this] { askForWindow(context_.session, &context_.window); });
+    QAction* typed = view.addAction(tr("Type a &Window…"), this, [this] {
+        // Images that are no volume may hide the slices.
+        if (grid_->isVisible()) askForWindow(context_.session, &context_.window);
+    });
     describe(*typed, "type-window", tr("Width and level of the slices as numbers"));
     typed->setShortcut(keyOf(KeyAction::typedWindow));
     typed->setEnabled(false);

@@ -57,20 +57,31 @@ void KeptImages::open(const study::PlanarSeries& series) {
                                     .volume = sha256Hex("images of " + uid)};
     name_ = opened_->series + " images " + std::to_string(placeOf(series) + 1);
     stored_.clear();
+    isAnswered_ = false;
     keeper_->withStore([home = this, opening = openings_, opened = *opened_,
                         id = idOf(*opened_, name_)](session::Store* store) {
         if (store == nullptr) return;
         const auto document = store->getDocument(id);
-        if (document && *document)
-            post(home, [home, opening, text = (*document)->json] {
-                const auto state = study::imagesStateOf(text);
-                if (!state || opening != home->openings_) return;
-                home->stored_ = study::toJsonText(*state);
-                Q_EMIT home->found(*state);
-            });
+        const std::string text = document && *document ? (*document)->json : std::string();
+        post(home, [home, opening, text] {
+            if (opening == home->openings_) home->answer(text);
+        });
         // After the answer: it waits for the disk.
         (void)store->recordOpened(opened);
     });
+}
+
+// Nothing is written before, because it would replace what a person left the last time.
+void KeptImages::answer(const std::string& text) {
+    isAnswered_ = true;
+    const auto state = text.empty() ? std::nullopt : study::imagesStateOf(text);
+    if (!state) {
+        if (waiting_) timer_.start(kSoon);
+        return;
+    }
+    waiting_.reset();
+    stored_ = study::toJsonText(*state);
+    Q_EMIT found(*state);
 }
 
 void KeptImages::keep(const study::ImagesState& state) {
@@ -81,12 +92,12 @@ void KeptImages::keep(const study::ImagesState& state) {
         return timer_.stop();
     }
     waiting_ = std::move(text);
-    timer_.start(kSoon);
+    if (isAnswered_) timer_.start(kSoon);
 }
 
 void KeptImages::keepNow() {
     timer_.stop();
-    if (!waiting_ || !opened_ || !keeper_) return;
+    if (!waiting_ || !opened_ || !keeper_ || !isAnswered_) return waiting_.reset();
     stored_ = *std::exchange(waiting_, {});
     keeper_->withStore([id = idOf(*opened_, name_), text = stored_](session::Store* store) {
         if (store == nullptr) return;

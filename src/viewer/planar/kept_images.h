@@ -37,11 +37,14 @@ class KeptImages : public QObject {
     void found(const macula::study::ImagesState& state);
 
   private:
+    void answer(const std::string& text);
+
     std::shared_ptr<live::StudyKeeper> keeper_;
     std::optional<session::OpenedVolume> opened_;  // nothing: no series that could be kept
     std::string name_;                             // of the document
     std::string stored_;                           // text
     std::optional<std::string> waiting_;           // text
+    bool isAnswered_ = false;                      // the store said what was left the last time
     int openings_ = 0;  // counts, so that a late answer is not taken for another series
     QTimer timer_;
 };

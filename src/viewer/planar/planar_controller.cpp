@@ -332,8 +332,9 @@ void PlanarController::restore() {
     if (!isShown() || !left_ || !pane_->hasImage()) return;
     const study::ImagesState state = *left_;
     pane_->restore(state);
-    setPlace(state.place);
+    if (pane_->presenting().state() == nullptr) setPlace(state.place);
     left_.reset();
+    keep();
 }
 
 }  // namespace macula::viewer

@@ -214,6 +214,10 @@ void PlanarPane::restore(const study::ImagesState& state) {
     all.insert(all.end(), measuring_->all().begin(), measuring_->all().end());
     measuring_->setAll(std::move(all));
     image_.showOverlays(state.overlaysAreShown);
+    if (presenting_->state() != nullptr) {
+        Q_EMIT choicesNeeded();
+        return Q_EMIT labelsNeeded();
+    }
     if (state.window && !image().pixels->isColour())
         image_.setDisplay({.window = *state.window, .table = {}, .isInverted = state.isInverted});
     invert(state.isInverted);

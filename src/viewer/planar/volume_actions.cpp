@@ -24,8 +24,8 @@ constexpr std::array kOfVolume{"save-measurement-report",
                                "save-view",
                                "open-view",
                                "send-to-archive",
-                               "type-window",
-                               "slices-straight"};
+                               "save-own-segments",
+                               "segment-by-program"};
 
 }  // namespace
 

@@ -43,7 +43,8 @@ bool KeptSegments::hasVoxels(const Revision& revision) {
 
 void KeptSegments::onStudyShown() {
     flush();  // of the study before
-    series_ = session_.study().seriesDigest;
+    // Phases of a series are volumes of their own.
+    series_ = session_.study().seriesDigest + " " + std::to_string(session_.study().volumeIndex);
     if (!session_.hasStudy()) return;
     const auto known = left_.find(series_);
     if (known != left_.end() && known->second.size == session_.study().volume->size()) {
@@ -56,9 +57,9 @@ void KeptSegments::onStudyShown() {
 
 void KeptSegments::look() {
     keeper_.expectOwn(true);
-    const auto answer = [this, series = series_](Result<Revision> found) {
-        post(this, [this, series, found] {
-            if (series_ == series) onFound(found);
+    const auto answer = [this, of = session_.study().volume](Result<Revision> found) {
+        post(this, [this, of, found] {
+            if (session_.study().volume == of) onFound(found);
         });
     };
     // This outlives the store, which does all of its work before the window ends.
@@ -74,6 +75,7 @@ void KeptSegments::look() {
 void KeptSegments::onFound(const Result<Revision>& found) {
     keeper_.expectOwn(false);
     if (!found) {
+        unread_.insert(series_);
         Q_EMIT failed(found.error());
     } else if (*found && !keeper_.own()) {
         const QScopedValueRollback taking(isTaking_, true);
@@ -105,7 +107,8 @@ void KeptSegments::onOwnChanged() {
 void KeptSegments::flush() {
     soon_.stop();
     const auto at = left_.find(series_);
-    if (!waiting_ || at == left_.end() || store_ == nullptr) return waiting_.reset();
+    if (!waiting_ || at == left_.end() || store_ == nullptr || unread_.contains(series_))
+        return waiting_.reset();
     at->second.isKept = true;  // the store finishes what it was given, unless it says that it cannot
     store(series_, at->second.revision);
     waiting_.reset();
@@ -135,8 +138,14 @@ bool KeptSegments::isAllKept() const {
     return std::ranges::all_of(left_, [](const auto& each) { return each.second.isKept; });
 }
 
-void KeptSegments::wereSaved() {
-    if (const auto at = left_.find(series_); at != left_.end()) at->second.isKept = true;
+KeptSegments::Mark KeptSegments::mark() const {
+    const auto at = left_.find(series_);
+    return {series_, at == left_.end() ? nullptr : at->second.revision};
+}
+
+void KeptSegments::wereSaved(const Mark& mark) {
+    const auto at = left_.find(mark.volume);
+    if (at != left_.end() && at->second.revision == mark.revision) at->second.isKept = true;
 }
 
 void KeptSegments::giveUp() {

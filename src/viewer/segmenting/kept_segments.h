@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "base/result.h"
@@ -32,8 +33,14 @@ class KeptSegments : public QObject {
 
     void flush();            // hands over what waits to be stored
     bool isAllKept() const;  // false: some segments would be lost at the end of the program
-    void wereSaved();        // as a file: those of the open study may be lost
-    void giveUp();           // all may be lost
+    // The segments of the open volume, as they are now.
+    struct Mark {
+        std::string volume;
+        std::shared_ptr<const study::LoadedSegmentation> revision;
+    };
+    Mark mark() const;
+    void wereSaved(const Mark& mark);  // as a file: they may be lost, unless they changed since
+    void giveUp();                     // all may be lost
 
   Q_SIGNALS:
     void looked();  // for the segments of the open study
@@ -57,8 +64,9 @@ class KeptSegments : public QObject {
     StudyEditor& session_;
     SegmentationKeeper& keeper_;
     live::StudyKeeper* store_;
-    std::map<std::string, Left> left_;  // by the series, of this run
-    std::string series_;                // that is open
+    std::map<std::string, Left> left_;  // by series and volume, of this run
+    std::string series_;                // and volume that is open
+    std::set<std::string> unread_;      // those whose stored segments could not be read: they stay stored
     bool isTaking_ = false;
     std::shared_ptr<const Volume> waiting_;  // its segments wait to be stored; null: none do
     QTimer soon_;

@@ -142,7 +142,12 @@ void SegmentWork::addSegment(const QString& label) {
 
 void SegmentWork::addSegments(std::vector<scene::OwnSegment> added, const QString& what) {
     std::vector<scene::OwnSegment> all = ownSegments();
-    if (all.size() + added.size() > scene::kMostOwnSegments || added.empty()) return;
+    if (added.empty()) return;
+    if (all.size() + added.size() > scene::kMostOwnSegments)
+        return Q_EMIT failed({ErrorCode::usage,
+                              Text("There can be at most {} segments of your own.", scene::kMostOwnSegments),
+                              {},
+                              Text("Delete some of them first.")});
     std::uint16_t number = 0;
     for (const scene::OwnSegment& each : all) number = std::max(number, each.segment.number);
     for (scene::OwnSegment& each : added) {

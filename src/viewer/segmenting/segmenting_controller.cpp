@@ -41,7 +41,7 @@ SegmentingController::SegmentingController(const WindowContext& context, const P
                          [this](const Result<std::vector<Text>>& notes) {
                              bar_->hide();
                              if (notes) {
-                                 if (holdsAll_) kept_.wereSaved();
+                                 if (holdsAll_) kept_.wereSaved(saved_);
                                  context_.notifications.showDone(
                                      tr("The segments are written to %1.").arg(path_),
                                      inWindowsLanguage(*notes));
@@ -171,14 +171,16 @@ void SegmentingController::askWhereToSave() {
            "Surface of the selected one, glTF (*.glb)"),
         QStringLiteral("nii.gz"), QStringLiteral("segments.nii.gz"));
     FileDialogs::followFilter(*dialog);
-    context_.files.ask(dialog, FolderKind::measurements, [this, what = toSave()](const QString& path) {
-        path_ = path;
-        holdsAll_ = !segment::surfaceFormatOf(path.toStdString());
-        bar_->begin(tr("Saving segments"));
-        saving_.start([path = path.toStdString(), what](Progress& progress) {
-            return scene::saveSegments(path, what, progress);
-        });
-    });
+    context_.files.ask(dialog, FolderKind::measurements,
+                       [this, what = toSave(), mark = kept_.mark()](const QString& path) {
+                           saved_ = mark;
+                           path_ = path;
+                           holdsAll_ = !segment::surfaceFormatOf(path.toStdString());
+                           bar_->begin(tr("Saving segments"));
+                           saving_.start([path = path.toStdString(), what](Progress& progress) {
+                               return scene::saveSegments(path, what, progress);
+                           });
+                       });
 }
 
 void SegmentingController::askForProgram() {

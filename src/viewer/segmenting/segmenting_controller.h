@@ -69,8 +69,9 @@ class SegmentingController : public QObject {
     ProgramToRun lastProgram_;
     WorkBar* bar_;
     QAction* tool_ = nullptr;
-    QString path_;           // of the file that is being written
-    bool holdsAll_ = false;  // that file
+    QString path_;              // of the file that is being written
+    bool holdsAll_ = false;     // that file
+    KeptSegments::Mark saved_;  // what it holds
     BackgroundJob<std::vector<Text>> saving_;
 };
 

@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QTimer>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -149,7 +150,7 @@ void MeasurementList::takeLabel(const QTreeWidgetItem& item, int column) {
                 found->label = std::string(startOf(typed, scene::kLongestLabelBytes));
         });
     };
-    QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
+    QTimer::singleShot(0, this, take);
 }
 
 void MeasurementList::removeSelected() {

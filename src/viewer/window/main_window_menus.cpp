@@ -106,7 +106,7 @@ void MainWindow::makeViewMenu() {
     second_->addViewActions(*view);
     dose_->addViewActions(*view);
     view->addSeparator();
-    view->addActions(panels_->actions());
+    view->addMenu(tr("Pane&ls"))->addActions(panels_->actions());
     view->addSeparator();
     names_ = view->addAction(tr("Patient and study over the picture"));
     KeyBook::showPictureKey(*names_, keyOf(KeyAction::names));
