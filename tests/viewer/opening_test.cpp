@@ -145,6 +145,9 @@ TEST_F(OpeningTest, ADroppedArchiveOpensLikeItsFolder) {
     QObject::connect(&*window_, &MainWindow::studyShown, &*window_, [&] { ++shown; });
     QMimeData dropped;
     dropped.setUrls({QUrl::fromLocalFile(QString::fromStdString(archive.string()))});
+    QDragEnterEvent enter({5, 5}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&*window_, &enter);
+    EXPECT_TRUE(enter.isAccepted());
     QDropEvent drop({5, 5}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&*window_, &drop);
     ASSERT_TRUE(waitUntil([&] { return shown == 1; })) << window_->message().toStdString();

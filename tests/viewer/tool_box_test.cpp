@@ -197,7 +197,7 @@ TEST_F(ToolBoxTest, EveryControlCanBeReachedAndSaysWhatItIs) {
         EXPECT_FALSE(button->toolTip().isEmpty()) << button->text().toStdString();
         EXPECT_FALSE(button->icon().isNull()) << button->text().toStdString();
     }
-    EXPECT_EQ(buttons, int(kSliceTools.size()) + 9);
+    EXPECT_EQ(buttons, int(kSliceTools.size()) + 10);
     EXPECT_FALSE(thickness().accessibleName().isEmpty());
     EXPECT_EQ(thickness().suffix(), QStringLiteral(" mm"));
 }

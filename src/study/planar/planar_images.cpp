@@ -1,7 +1,8 @@
 #include "study/planar/planar_images.h"
-#include "unpack/archive_name.h"
 
 #include <algorithm>
+
+#include "unpack/archive_name.h"
 
 namespace macula::study {
 

@@ -13189,6 +13189,14 @@
         <source>Measure: distance, angle, ellipse, Cobb angle; window; overlays; remove, label</source>
         <translation>Messen: Strecke, Winkel, Ellipse, Cobb-Winkel; Fenster; Overlays; entfernen, bezeichnen</translation>
     </message>
+    <message>
+        <source>There can be at most {} segments of your own.</source>
+        <translation>Es kann höchstens {} eigene Segmente geben.</translation>
+    </message>
+    <message>
+        <source>Delete some of them first.</source>
+        <translation>Löschen Sie zuerst einige davon.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -15230,6 +15238,10 @@
     <message>
         <source>Dose</source>
         <translation>Dosis</translation>
+    </message>
+    <message>
+        <source>Pane&amp;ls</source>
+        <translation>Fel&amp;der</translation>
     </message>
 </context>
 <context>
