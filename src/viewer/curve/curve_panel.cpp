@@ -89,11 +89,11 @@ void CurvePanel::addControls() {
         look_.kind = slices::CurvedKind(index);
         refresh();
     });
-    turn_ = addNumber("curve-turn", tr("Turn the plane about the curve"), 0.0, 359.0, look_.turnDeg);
+    turn_ = addNumber("curve-turn", tr("Turn the plane about the curve, in °"), 0.0, 359.0, look_.turnDeg);
     turn_->setSuffix(QStringLiteral("°"));
     turn_->setWrapping(true);
     turn_->setSingleStep(5.0);
-    height_ = addNumber("curve-height", tr("Height of the picture across the curve"), kLeastHeightMm,
+    height_ = addNumber("curve-height", tr("Height of the picture across the curve, in mm"), kLeastHeightMm,
                         kMostHeightMm, look_.heightMm);
     height_->setSuffix(tr(" mm"));
     height_->setSingleStep(10.0);

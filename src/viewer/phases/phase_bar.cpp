@@ -38,7 +38,6 @@ PhaseBar::PhaseBar(QWidget* parent) : QWidget(parent) {
     rate_->setRange(0.5, kMostRate);
     rate_->setDecimals(1);
     rate_->setValue(kUsualRate);
-    rate_->setSuffix(tr(" /s"));
     row->addWidget(rate_);
     note_ = new QLabel(this);
     makePlain(*note_, "phases-note");

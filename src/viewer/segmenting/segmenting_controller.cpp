@@ -116,6 +116,7 @@ QWidget* SegmentingController::makePanel() {
     scroll->setWidget(tools);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);  // its contents have the focus
     auto* both = new QSplitter(Qt::Vertical);
     both->setChildrenCollapsible(false);
     both->addWidget(&parts_.list);

@@ -64,6 +64,13 @@ QPushButton* SegmentingPanel::makeButton(const char* name, const QString& text, 
     return button;
 }
 
+// The tool tip says the unit as well.
+void SegmentingPanel::setUnit(QDoubleSpinBox& spin, const QString& unit) {
+    spin.setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+    spin.setToolTip(unit.isEmpty() ? spin.accessibleName()
+                                   : QStringLiteral("%1 (%2)").arg(spin.accessibleName(), unit));
+}
+
 QDoubleSpinBox* SegmentingPanel::makeSpin(const char* name, const QString& what, double low, double high,
                                           double value) {
     auto* spin = new QDoubleSpinBox(this);
@@ -129,7 +136,7 @@ void SegmentingPanel::makeBrush(QFormLayout& form) {
                           tr("Growing takes values so far from the mean around the click, in their unit"),
                           0.0, kMostValue, kUsualToleranceHu);
     most_ = makeSpin("segment-most", tr("Growing stops at this volume"), 0.1, 100000.0, 500.0);
-    most_->setSuffix(tr(" ml"));
+    setUnit(*most_, tr("ml"));
     corners_ = new QCheckBox(tr("Over corners"), this);
     describe(*corners_, "segment-corners", tr("Over corners"),
              tr("Growing goes on over edges and corners of voxels, too (26 neighbours instead of 6)"));
@@ -240,7 +247,7 @@ void SegmentingPanel::makeFilter(QFormLayout& form) {
 void SegmentingPanel::followFilter() {
     const auto filter = SegmentFilter(filter_->currentIndex());
     amount_->setEnabled(needsAmount(filter));
-    amount_->setSuffix(filter == SegmentFilter::withoutSmall ? tr(" ml") : tr(" mm"));
+    setUnit(*amount_, filter == SegmentFilter::withoutSmall ? tr("ml") : tr("mm"));
 }
 
 void SegmentingPanel::followStudy() {
@@ -256,7 +263,7 @@ void SegmentingPanel::followStudy() {
         const int decimals = width > 0.0 && width < 10.0 ? 4 : 1;
         for (QDoubleSpinBox* each : {low_, high_, tolerance_}) {
             each->setDecimals(decimals);
-            each->setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+            setUnit(*each, unit);
         }
         const QSignalBlocker blocker(low_);
         const QSignalBlocker blockerHigh(high_);

@@ -33,6 +33,7 @@ class SegmentingPanel : public QWidget {
     void makeThreshold(QFormLayout& form);
     void makePreview(QFormLayout& form);
     void makeFilter(QFormLayout& form);
+    static void setUnit(QDoubleSpinBox& spin, const QString& unit);
     QDoubleSpinBox* makeSpin(const char* name, const QString& what, double low, double high, double value);
     QPushButton* makeButton(const char* name, const QString& text, const QString& what);
     QWidget* row(const std::vector<QWidget*>& widgets);

@@ -13807,14 +13807,6 @@
         <translation>Gestreckt</translation>
     </message>
     <message>
-        <source>Turn the plane about the curve</source>
-        <translation>Die Ebene um die Kurve drehen</translation>
-    </message>
-    <message>
-        <source>Height of the picture across the curve</source>
-        <translation>Höhe des Bildes quer zur Kurve</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -13857,6 +13849,14 @@
     <message>
         <source>Planes Across</source>
         <translation>Ebenen quer</translation>
+    </message>
+    <message>
+        <source>Turn the plane about the curve, in °</source>
+        <translation>Die Ebene um die Kurve drehen, in °</translation>
+    </message>
+    <message>
+        <source>Height of the picture across the curve, in mm</source>
+        <translation>Höhe des Bildes quer zur Kurve, in mm</translation>
     </message>
 </context>
 <context>
@@ -15960,10 +15960,6 @@
     <message>
         <source>How many phases are shown in a second</source>
         <translation>Wie viele Phasen in einer Sekunde gezeigt werden</translation>
-    </message>
-    <message>
-        <source> /s</source>
-        <translation> /s</translation>
     </message>
     <message>
         <source>Open This Phase</source>
@@ -18224,10 +18220,6 @@
         <translation>Bei diesem Volumen endet das Wachsen</translation>
     </message>
     <message>
-        <source> ml</source>
-        <translation> ml</translation>
-    </message>
-    <message>
         <source>Over corners</source>
         <translation>Über Ecken</translation>
     </message>
@@ -18405,6 +18397,14 @@
             <numerusform>%n Voxel hat keinen Wert und ist darin nicht enthalten.</numerusform>
             <numerusform>%n Voxel haben keinen Wert und sind darin nicht enthalten.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>
