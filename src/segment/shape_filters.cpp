@@ -69,8 +69,8 @@ bool convolve(std::vector<float>& values, const Grid& grid, int axis, const std:
                 for (int at = 0; at < length; ++at) {
                     double sum = 0.0;
                     for (int by = std::max(-reach, -at); by <= std::min(reach, length - 1 - at); ++by)
-                        sum +=
-                            double(weights[std::size_t(std::abs(by))]) * double(line[std::size_t(at + by)]);
+                        sum += double(weights[std::size_t(std::abs(by))]) *
+                               double(line[std::size_t(at) + std::size_t(by)]);
                     first[std::size_t(at) * stride] = float(sum);
                 }
             }
@@ -141,7 +141,7 @@ std::vector<int> slicesWithVoxels(const VoxelSet& set, int axis) {
 }
 
 bool hasGap(const std::vector<int>& slices) {
-    return !slices.empty() && std::size_t(slices.back() - slices.front() + 1) > slices.size();
+    return !slices.empty() && std::size_t(slices.back() - slices.front()) >= slices.size();
 }
 
 DenseBox sliceOf(const VoxelSet& set, const SegmentGrid& grid, int axis, int at) {

@@ -98,9 +98,10 @@ Result<VoxelSet> voxelsBetween(const Volume& volume, const ValueRange& range, co
     if (glm::any(glm::greaterThan(low, high))) return VoxelSet();
     MACULA_TRY_VOID(checkMemory(2.0 * VoxelSet::bytesFor(low, high), 1.0));
     VoxelSet set(low, high);
-    progress.beginStage(Text("Looking for values"), std::size_t(high.z - low.z + 1));
+    const auto count = std::size_t(high.z) - std::size_t(low.z) + 1;
+    progress.beginStage(Text("Looking for values"), count);
     parallelFor(
-        std::size_t(high.z - low.z + 1),
+        count,
         [&](std::size_t slice) {
             const int k = low.z + int(slice);  // slices share no word of the set
             for (int j = low.y; j <= high.y; ++j)

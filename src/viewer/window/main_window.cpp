@@ -323,7 +323,7 @@ void MainWindow::connectImages() {
 bool MainWindow::showImagesInstead() {
     const auto& found = browser_->browser().found();
     // An opening that read no folder leaves the list as it was, which may be another patient's.
-    const bool isNew = found && found->isWhole() && found != foundBefore_;
+    const bool isNew = found && found->isWhole() && found != foundBefore_.lock();
     const study::StudySource& source = opening_->loader().source();
     if (isNew && source && documents_->openInstead(found, *source)) return true;
     if (!isNew || !found->volumes().empty()) return false;

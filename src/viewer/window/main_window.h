@@ -198,7 +198,7 @@ class MainWindow : public QMainWindow {
     PanesController* panes_ = nullptr;
     PlanarController* planar_ = nullptr;
     PhasesController* phases_ = nullptr;
-    std::shared_ptr<const study::FoundVolumes> foundBefore_;  // in the list, when the last opening began
+    std::weak_ptr<const study::FoundVolumes> foundBefore_;  // in the list, when the last opening began
     PanelsController* panels_ = nullptr;
     UndoActions* undo_ = nullptr;
     TableController* table_ = nullptr;
