@@ -87,7 +87,8 @@ class Lines {
         const double b = values_[std::size_t(first + (isDown ? width_ : 1))];
         const double share = (level_ - a) / (b - a);
         const double along = std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.5;
-        const glm::dvec2 corner(double(first % width_) + 0.5, double(first / width_) + 0.5);
+        const std::int64_t row = first / width_;
+        const glm::dvec2 corner(double(first - row * width_) + 0.5, double(row) + 0.5);
         return isDown ? corner + glm::dvec2(0.0, along) : corner + glm::dvec2(along, 0.0);
     }
 
