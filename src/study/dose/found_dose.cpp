@@ -39,7 +39,8 @@ std::vector<FoundDose> dosesOn(const FoundVolumes& found, std::size_t volume) {
         if (auto facts = dicom::doseFactsOf(found.scan(), *each.stack))
             doses.push_back({i, *std::move(facts)});
     }
-    std::ranges::stable_partition(doses, [](const FoundDose& each) { return each.facts.isOfPlan(); });
+    std::stable_partition(doses.begin(), doses.end(),
+                          [](const FoundDose& each) { return each.facts.isOfPlan(); });
     return doses;
 }
 
