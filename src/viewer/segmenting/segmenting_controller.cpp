@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <utility>
 
@@ -117,6 +118,7 @@ QWidget* SegmentingController::makePanel() {
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);  // its contents have the focus
+    scroll->setMinimumWidth(tools->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
     auto* both = new QSplitter(Qt::Vertical);
     both->setChildrenCollapsible(false);
     both->addWidget(&parts_.list);
