@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "base/parallel.h"
@@ -21,12 +20,6 @@ constexpr int kMostSlabSteps = 512;  // to each side
 glm::dvec3 turned(const glm::dvec3& across, const glm::dvec3& beside, double deg) {
     const double angle = glm::radians(std::isfinite(deg) ? deg : 0.0);
     return across * std::cos(angle) + beside * std::sin(angle);
-}
-
-double smallestSideMm(const Volume& volume) {
-    const glm::dmat4& m = volume.worldFromVoxel();
-    return std::min(
-        {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))});
 }
 
 // Projects values onto one. Skips those that are missing.
@@ -61,7 +54,8 @@ class CurvedSampler {
     CurvedSampler(const Volume& volume, const CurvedFrame& frame, const Slab& slab)
         : grid_(volume), places_(volume), bounds_(boundsOf(volume.size())), frame_(frame), slab_(slab) {
         if (!(slab.thicknessMm > 0.0)) return;
-        const double wanted = std::ceil(slab.thicknessMm / smallestSideMm(volume));
+        const glm::dvec3 spacingMm = volume.spacingMm();
+        const double wanted = std::ceil(slab.thicknessMm / std::min({spacingMm.x, spacingMm.y, spacingMm.z}));
         sideSteps_ = int(std::clamp(wanted, 1.0, double(kMostSlabSteps)));
     }
 

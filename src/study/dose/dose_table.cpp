@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/csv.h"
 #include "base/printable.h"
 
 namespace macula::study {
@@ -15,17 +16,6 @@ namespace {
 
 constexpr double kPercent = 100.0;
 constexpr double kTwentyGy = 20.0;
-
-// A text in quotes; with an apostrophe where a spreadsheet would take it for a formula.
-std::string quoted(const std::string& text) {
-    const bool isFormula = !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string::npos;
-    std::string quoted = isFormula ? "\"'" : "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += c;
-        quoted += c;
-    }
-    return quoted + '"';
-}
 
 std::string number(const std::optional<double>& value, double factor = 1.0) {
     return value && std::isfinite(*value) ? fmt::format("{:.6g}", *value * factor) : std::string();
@@ -106,13 +96,13 @@ std::string doseCsv(const DoseReport& report) {
     const std::string of = report.reference ? std::string(nameOf(report.reference->of)) : std::string();
     for (const RegionInDose& region : report.regions) {
         const DoseFigures f = figuresOf(region, report);
-        const std::vector<std::string> fields{quoted(region.set),
-                                              quoted(region.label),
+        const std::vector<std::string> fields{csvWords(region.set),
+                                              csvWords(region.label),
                                               number(region.volumeMl),
                                               fmt::format("{}", region.dose.voxels),
                                               fmt::format("{}", region.dose.samples),
                                               number(region.dose.outsideShare(), kPercent),
-                                              quoted(report.unit),
+                                              csvWords(report.unit),
                                               number(f.minimum),
                                               number(f.mean),
                                               number(f.maximum),

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/csv.h"
 #include "base/sha256.h"
 
 namespace macula::study {
@@ -204,16 +205,6 @@ std::string textOf(const PixelValues& values) {
     return text + ", min " + digits(values.low, decimals) + ", max " + digits(values.high, decimals);
 }
 
-std::string field(std::string text) {
-    // A spreadsheet would take such a text for a formula.
-    if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos)
-        text.insert(0, "'");
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return quoted + "\"";
-}
-
 std::string numberField(double value) {
     return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
 }
@@ -334,7 +325,7 @@ std::string csvOf(std::span<const ListedImageMeasurement> measurements) {
         std::string points;
         for (const glm::dvec2& p : each.measurement.points)
             points += fmt::format("{}{:.3f} {:.3f}", points.empty() ? "" : "; ", p.x, p.y);
-        csv += fmt::format("{},{},{},{},{}", kindOf(each.measurement), field(each.measurement.label),
+        csv += fmt::format("{},{},{},{},{}", kindOf(each.measurement), csvWords(each.measurement.label),
                            each.imageNumber, each.measurement.frame + 1, points);
         for (std::size_t i = 0; i < 2; ++i) {
             const bool has = i < measured.quantities.size();
@@ -342,7 +333,7 @@ std::string csvOf(std::span<const ListedImageMeasurement> measurements) {
                                      measured.quantities[i].unit)
                        : std::string(",,");
         }
-        csv += "," + field(measured.basis.english());
+        csv += "," + csvWords(measured.basis.english());
         if (const auto& v = measured.values)
             csv += fmt::format(",{},{},{},{},{}", numberField(v->mean), numberField(v->deviation),
                                numberField(v->low), numberField(v->high), v->pixels);

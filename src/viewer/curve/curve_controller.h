@@ -20,7 +20,6 @@ class CurveController : public QObject {
     explicit CurveController(const WindowContext& context);
 
     CurvePanel& panel() const { return *panel_; }
-    bool following() const { return following_.running(); }
 
   private:
     void follow();

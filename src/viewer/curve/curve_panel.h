@@ -28,7 +28,6 @@ class CurvePanel : public QWidget {
     explicit CurvePanel(StudyEditor& session, QWidget* parent = nullptr);  // `session` outlives it
 
     CurveView& view() const { return *view_; }
-    const CurveLook& look() const { return look_; }
     bool isUpToDate() const { return !job_.running() && !isStale_; }
     void setFollowing(bool follows);  // the way of the vessel is being looked for
     // Another phase of the study that slices show, and a text that says which; null: the open study.

@@ -33,12 +33,6 @@ slices::SlicePlane sectionAt(const slices::CurvePlace& place) {
     return plane;
 }
 
-double smallestSideMm(const Volume& volume) {
-    const glm::dmat4& m = volume.worldFromVoxel();
-    return std::min(
-        {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))});
-}
-
 }  // namespace
 
 // Pixels are as small as the width allows, but not smaller than a quarter of a voxel, which would show no
@@ -46,8 +40,9 @@ double smallestSideMm(const Volume& volume) {
 Result<CurvePicture> makeCurvePicture(const CurveRequest& request, const CancelToken& token) {
     slices::Curve curve(request.pointsMm);
     MACULA_CHECK(curve.isUsable());
-    const double mmPerPixel =
-        std::max(curve.lengthMm() / std::max(request.widthPx, 1), 0.25 * smallestSideMm(*request.volume));
+    const glm::dvec3 spacingMm = request.volume->spacingMm();
+    const double mmPerPixel = std::max(curve.lengthMm() / std::max(request.widthPx, 1),
+                                       0.25 * std::min({spacingMm.x, spacingMm.y, spacingMm.z}));
     CurvePicture picture{.of = request, .sectionFrame = {}};
     picture.sectionFrame = {.plane = sectionAt(curve.at(request.sectionAtMm)),
                             .mmPerPixel = kSectionMm / std::max(request.sectionPx, 1),
