@@ -16,8 +16,7 @@ namespace {
 constexpr const char* kFrame = "2.25.1";
 
 // 2 Gy for each mm from the left edge, on points of 4 mm: at x it is 2 * (x + 40), at most 160.
-study::OpenedStudy doseStudy(std::string frame = kFrame) {
-    const glm::ivec3 size(21, 21, 15);
+study::OpenedStudy doseStudy(std::string frame = kFrame, const glm::ivec3& size = {21, 21, 15}) {
     std::vector<float> values;
     for (int k = 0; k < size.z; ++k)
         for (int j = 0; j < size.y; ++j)
@@ -141,6 +140,26 @@ TEST_F(DoseOverTest, AnIsodoseIsALineAtItsDose) {
     session_->change("None", [](scene::StudyState& next) { next.secondVolume->isodoses->areShown = false; });
     ASSERT_TRUE(settled());
     EXPECT_LT(redLinesIn(pictureOf(study())), lines / 2) << "the cross-hair may be red, too";
+}
+
+// The grid of points ends at x = 0. Half a voxel farther nobody computed a dose: the pointer reads none, and
+// so there is no colour and no line.
+TEST_F(DoseOverTest, WhereNoDoseWasComputedThereIsNoColour) {
+    secondVolume_->offer(doseStudy(kFrame, {11, 21, 15}));
+    ASSERT_TRUE(settled());
+    session_->change("Opaque", [](scene::StudyState& next) {
+        next.secondVolume->opacity = 1.0;
+        next.secondVolume->isodoses->areShown = false;
+    });
+    ASSERT_TRUE(settled());
+    const auto brightness = [&](double x) {
+        const QColor colour = QColor::fromRgb(colourAt(study(), {x, -6.0, 0.0}));
+        return colour.red() + colour.green() + colour.blue();
+    };
+    EXPECT_GT(brightness(-3.0), 60);
+    EXPECT_LT(brightness(1.5), 10);
+    moveTo(study(), placeOf(study(), {1.5, -6.0, 0.0}));
+    EXPECT_TRUE(study().overProbedText().contains("none was computed here"));
 }
 
 TEST_F(DoseOverTest, TheLegendNamesEachLine) {

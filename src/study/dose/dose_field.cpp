@@ -24,13 +24,18 @@ DoseField::DoseField(std::shared_ptr<const Volume> volume)
       voxelFromMm_(glm::inverse(glm::dmat3(volume_->worldFromVoxel()))),
       originMm_(volume_->worldFromVoxel()[3]) {}
 
-std::optional<double> DoseField::at(const glm::dvec3& mm) const {
-    const glm::dvec3 at = voxelFromMm_ * (mm - originMm_);
+// NaN is not covered either.
+bool DoseField::covers(const glm::dvec3& mm) const {
+    const glm::dvec3 at = voxelAt(mm);
     const glm::ivec3& size = volume_->size();
     const glm::dvec3 reach = reachOf(size);
-    const bool isInside = glm::all(glm::greaterThanEqual(at, -reach)) &&
-                          glm::all(glm::lessThanEqual(at, glm::dvec3(size - 1) + reach));
-    if (!isInside) return std::nullopt;  // NaN is not inside either
+    return glm::all(glm::greaterThanEqual(at, -reach)) &&
+           glm::all(glm::lessThanEqual(at, glm::dvec3(size - 1) + reach));
+}
+
+std::optional<double> DoseField::at(const glm::dvec3& mm) const {
+    if (!covers(mm)) return std::nullopt;
+    const glm::dvec3 at = voxelAt(mm);
     const double value = volume_->format() == VoxelFormat::float32
                              ? slices::VoxelGrid<slices::FloatVoxels>(*volume_).linear(at)
                              : slices::VoxelGrid<slices::StoredVoxels>(*volume_).linear(at);

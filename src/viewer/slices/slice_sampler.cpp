@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <new>
 #include <utility>
 #include <vector>
 
 #include "base/give_way.h"
 #include "base/log.h"
+#include "base/parallel.h"
 #include "slices/grey.h"
+#include "study/dose/dose_field.h"
 
 namespace macula::viewer {
 
@@ -105,8 +108,7 @@ SlicePicture SliceSampler::make(const SliceRequest& request) {
             return picture;
         }
         const SliceOver& over = *request.over;
-        slice = sampled(lastOver_, over.volume, transformed(request.frame, over.volumeFromPane), request.slab,
-                        request.study);
+        slice = sampledOver(lastOver_, request, request.slab);
         if (slice == nullptr) return {.of = request, .grey = {}};
         picture.colours = imageOf(
             slices::toColours(slice->values, over.window, over.isInverted, over.colours, over.opacity),
@@ -157,8 +159,7 @@ void SliceSampler::drawIsodoses(const SliceRequest& request) {
     const bool isSlab = request.slab.thicknessMm > 0.0;
     std::optional<Sampled> ofPlane;  // a projection through a slab has no isodose
     const auto* slice =
-        sampled(isSlab ? ofPlane : lastOver_, over.volume, transformed(request.frame, over.volumeFromPane),
-                isSlab ? slices::Slab() : request.slab, request.study);
+        sampledOver(isSlab ? ofPlane : lastOver_, request, isSlab ? slices::Slab() : request.slab);
     if (slice == nullptr) return;
     isodoses_ = isodosePaths(*slice, over.dose->lines, isGivenUp);
     if (isGivenUp()) return forgetIsodoses();
@@ -166,12 +167,35 @@ void SliceSampler::drawIsodoses(const SliceRequest& request) {
     drawnFrame_ = request.frame;
 }
 
+// The second volume over the picture. Null if the request was cancelled.
+const slices::SampledSlice* SliceSampler::sampledOver(std::optional<Sampled>& kept,
+                                                      const SliceRequest& request, const slices::Slab& slab) {
+    const SliceOver& over = *request.over;
+    const slices::SliceFrame frame = transformed(request.frame, over.volumeFromPane);
+    const bool isKept = kept && kept->isOf(over.volume, frame, slab);
+    const slices::SampledSlice* slice = sampled(kept, over.volume, frame, slab, request.study);
+    if (slice != nullptr && over.dose && !isKept) forgetUncovered(*kept);
+    return slice;
+}
+
+// A dose is shown where its pointer and its histogram have one, and not half a voxel beyond.
+void SliceSampler::forgetUncovered(Sampled& dose) {
+    const study::DoseField field(dose.volume);
+    const glm::ivec2 size = dose.slice.sizePx;
+    parallelFor(std::size_t(size.y), [&](std::size_t y) {
+        for (int x = 0; x < size.x; ++x)
+            if (!field.covers(dose.frame.worldFromPicture({x + 0.5, double(y) + 0.5})))
+                dose.slice.values[y * std::size_t(size.x) + std::size_t(x)] =
+                    std::numeric_limits<float>::quiet_NaN();
+    });
+}
+
 // Null if the request was cancelled.
 const slices::SampledSlice* SliceSampler::sampled(std::optional<Sampled>& kept,
                                                   const std::shared_ptr<const Volume>& volume,
                                                   const slices::SliceFrame& frame, const slices::Slab& slab,
                                                   std::uint64_t study) {
-    if (kept && kept->volume == volume && kept->frame == frame && kept->slab == slab) return &kept->slice;
+    if (kept && kept->isOf(volume, frame, slab)) return &kept->slice;
     kept.reset();
     const auto isGivenUp = [this, study] { return ends_ || study_ != study; };
     slices::SampledSlice slice = slices::sampleSlice(*volume, frame, slab, slices::Filter::linear, isGivenUp);

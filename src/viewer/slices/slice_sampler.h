@@ -112,12 +112,20 @@ class SliceSampler {
                                         const std::shared_ptr<const Volume>& volume,
                                         const slices::SliceFrame& frame, const slices::Slab& slab,
                                         std::uint64_t study);
+    const slices::SampledSlice* sampledOver(std::optional<Sampled>& kept, const SliceRequest& request,
+                                            const slices::Slab& slab);
+    static void forgetUncovered(Sampled& dose);
 
     struct Sampled {
         std::shared_ptr<const Volume> volume;
         slices::SliceFrame frame;
         slices::Slab slab;
         slices::SampledSlice slice;
+
+        bool isOf(const std::shared_ptr<const Volume>& of, const slices::SliceFrame& in,
+                  const slices::Slab& through) const {
+            return volume == of && frame == in && slab == through;
+        }
     };
 
     std::function<void(SlicePicture)> made_;
