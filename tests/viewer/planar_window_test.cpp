@@ -116,6 +116,19 @@ TEST_F(PlanarWindowTest, AFolderWithoutAVolumeShowsItsImages) {
     EXPECT_DOUBLE_EQ(labels.mmPerPixel, 0.16);
 }
 
+TEST_F(PlanarWindowTest, AnImageThatIsOpenedItselfIsShownBesideVolumes) {
+    const auto files = dicom::test::writeFiles(folder_.path(), radiograph());
+    dicom::test::SyntheticSeries volume;
+    volume.patientName = "RADIOGRAPH^ANNA";
+    volume.seriesUid = "2.25.7001";
+    dicom::test::writeFiles(folder_ / "volume", volume);
+    std::filesystem::copy_file(files.front(), folder_ / "volume" / "radiograph.dcm");
+    window_->open(folder_ / "volume" / "radiograph.dcm");
+    ASSERT_TRUE(waitForImage());
+    EXPECT_TRUE(window_->message().isEmpty()) << window_->message().toStdString();
+    EXPECT_FALSE(window_->panes().isVisible());
+}
+
 TEST_F(PlanarWindowTest, TurningMirroringAndInvertingAreSaidAndUndone) {
     dicom::test::writeFiles(folder_.path(), radiograph());
     window_->open(folder_.path());

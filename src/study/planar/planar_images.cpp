@@ -19,13 +19,16 @@ std::vector<PlanarSeries> planarSeriesOf(const FoundVolumes& found) {
     return all;
 }
 
+bool holds(const PlanarSeries& series, const std::filesystem::path& file) {
+    return series.stack != nullptr &&
+           std::ranges::any_of(series.stack->frames,
+                               [&](const dicom::Frame& frame) { return frame.instance->file == file; });
+}
+
 PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::path& source) {
     const std::vector<PlanarSeries> all = planarSeriesOf(found);
     if (all.empty()) return {};
-    const auto own = std::ranges::find_if(all, [&](const PlanarSeries& each) {
-        return std::ranges::any_of(each.stack->frames,
-                                   [&](const dicom::Frame& frame) { return frame.instance->file == source; });
-    });
+    const auto own = std::ranges::find_if(all, [&](const PlanarSeries& each) { return holds(each, source); });
     if (own != all.end()) return *own;
     std::error_code failure;
     const bool isFile = std::filesystem::is_regular_file(source, failure) &&

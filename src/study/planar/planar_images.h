@@ -24,6 +24,8 @@ std::vector<PlanarSeries> planarSeriesOf(const FoundVolumes& found);
 // What opening `source` shows: of an image its series, of a folder or a DICOMDIR the series with the most
 // images. stack is null without any, for a file that is no image, and for a folder of several patients.
 PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::path& source);
+// Whether the file is one of its images. False without a stack.
+bool holds(const PlanarSeries& series, const std::filesystem::path& file);
 // stack is null where that stack is not in the folder, or is a volume.
 PlanarSeries planarSeriesOf(const FoundVolumes& found, const dicom::Stack* stack);
 

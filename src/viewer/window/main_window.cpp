@@ -319,17 +319,17 @@ void MainWindow::connectImages() {
     connect(panes_, &PanesController::layoutShown, planar_, &PlanarController::close);
 }
 
-// A folder without any volume is shown as what it holds.
+// A folder without any volume is shown as what it holds, and so is an image that is opened itself.
 bool MainWindow::showImagesInstead() {
     const auto& found = browser_->browser().found();
     // An opening that read no folder leaves the list as it was, which may be another patient's.
     const bool isNew = found && found->isWhole() && found != foundBefore_.lock();
     const study::StudySource& source = opening_->loader().source();
     if (isNew && source && documents_->openInstead(found, *source)) return true;
-    if (!isNew || !found->volumes().empty()) return false;
-    const study::PlanarSeries series =
-        study::planarSeriesFor(*found, source.value_or(std::filesystem::path()));
-    if (series.stack == nullptr) return false;
+    if (!isNew) return false;
+    const std::filesystem::path opened = source.value_or(std::filesystem::path());
+    const study::PlanarSeries series = study::planarSeriesFor(*found, opened);
+    if (series.stack == nullptr || (!found->volumes().empty() && !study::holds(series, opened))) return false;
     planar_->show(found, series.stack);
     // The folder of a fetched study has no name for people.
     if (source && source->parent_path() != study::spoolFolder()) browser_->recent().add(*source);
