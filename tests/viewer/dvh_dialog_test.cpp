@@ -111,7 +111,7 @@ TEST_F(DvhDialogTest, CopiesAndExportsAllFigures) {
     dialog_->findChild<QPushButton*>(QStringLiteral("dvh-copy"))->click();
     const QString copied = QGuiApplication::clipboard()->text();
     EXPECT_TRUE(copied.startsWith("set,region,")) << copied.toStdString();
-    EXPECT_TRUE(copied.contains("\"Cord\",12.5,200"));
+    EXPECT_TRUE(copied.contains(QStringLiteral("\nPlan,Cord,12.5,200"))) << copied.toStdString();
     QString exported;
     QObject::connect(&*dialog_, &DvhDialog::exportAsked, &*dialog_,
                      [&](const QString& csv) { exported = csv; });
