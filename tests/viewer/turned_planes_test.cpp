@@ -11,7 +11,7 @@
 #include "viewer/panes/tool_box.h"
 #include "viewer/slice_view_fixture.h"
 #include "viewer/slices/measurement_list.h"
-#include "viewer/slices/slice_menu.h"
+#include "viewer/slices/typed_window.h"
 
 namespace macula::viewer {
 namespace {

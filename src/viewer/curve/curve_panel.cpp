@@ -144,12 +144,7 @@ void CurvePanel::setPhase(std::shared_ptr<const study::OpenedStudy> phase, const
 }
 
 const slices::Curve& CurvePanel::curve() const {
-    const auto& points = session_.state().slices.curveMm;
-    if (points != curveOf_) {
-        curveOf_ = points;
-        curve_ = slices::Curve(points);
-    }
-    return curve_;
+    return curve_.through(session_.state().slices.curveMm);
 }
 
 glm::dvec3 CurvePanel::crosshairMm() const {

@@ -5,11 +5,11 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "viewer/curve/curve_picture.h"
 #include "viewer/editor/study_editor.h"
 #include "viewer/jobs/background_job.h"
+#include "viewer/slices/kept_curve.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -65,8 +65,7 @@ class CurvePanel : public QWidget {
     std::shared_ptr<const study::OpenedStudy> phase_;
     QString phaseText_;
     bool isFollowing_ = false;
-    mutable std::vector<glm::dvec3> curveOf_;  // the points of curve_
-    mutable slices::Curve curve_{{}};
+    mutable KeptCurve curve_;
     bool isStale_ = false;  // another picture is wanted than the one that is being made
     QTimer scrollEnds_;     // steps along the curve until then are one undo step
     BackgroundJob<CurvePicture> job_;

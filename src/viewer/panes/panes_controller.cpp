@@ -16,9 +16,9 @@
 #include "viewer/panes/tool_box.h"
 #include "viewer/second/slice_pair.h"
 #include "viewer/settings/file_dialogs.h"
-#include "viewer/slices/slice_menu.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/slices/slice_windowing.h"
+#include "viewer/slices/typed_window.h"
 #include "viewer/status/notifications.h"
 
 namespace macula::viewer {

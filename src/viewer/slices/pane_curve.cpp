@@ -36,12 +36,7 @@ double PaneCurve::nearMm() const {
 }
 
 const slices::Curve& PaneCurve::curve() {
-    const auto& points = session_.state().slices.curveMm;
-    if (points != curveOf_) {
-        curveOf_ = points;
-        curve_ = slices::Curve(points);
-    }
-    return curve_;
+    return curve_.through(session_.state().slices.curveMm);
 }
 
 std::optional<std::size_t> PaneCurve::pointAt(const QPointF& place, const SliceRequest& shown) const {

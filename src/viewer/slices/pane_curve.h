@@ -1,4 +1,4 @@
-// The points of a curved plane on a pane of slices: sets, moves and removes them, and draws the curve.
+// Sets, moves and removes the points of a curve on a pane of slices, and draws the spline through them.
 #pragma once
 
 #include <QCoreApplication>
@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "slices/curve.h"
 #include "viewer/editor/study_editor.h"
+#include "viewer/slices/kept_curve.h"
 #include "viewer/slices/pane_content.h"
 #include "viewer/slices/slice_sampler.h"
 
@@ -49,8 +49,7 @@ class PaneCurve {
     std::optional<std::size_t> last_;  // held last
     std::vector<glm::dvec3> lastOf_;   // the points when it was
     bool isHeld_ = false;
-    std::vector<glm::dvec3> curveOf_;  // the points of curve_
-    slices::Curve curve_{{}};
+    KeptCurve curve_;
 };
 
 }  // namespace macula::viewer

@@ -1,16 +1,9 @@
 #include "viewer/slices/slice_menu.h"
 
 #include <QCoreApplication>
-#include <QDialog>
-#include <QDialogButtonBox>
-#include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
-#include <algorithm>
-#include <cmath>
-#include <memory>
 #include <optional>
 
 #include "pipeline/volume/window.h"
@@ -22,6 +15,7 @@
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
 #include "viewer/settings/key_book.h"
+#include "viewer/slices/typed_window.h"
 
 namespace macula::viewer {
 
@@ -173,64 +167,6 @@ QMenu* makeSliceMenu(const SliceMenuOf& of, QWidget* parent) {
     addColours(*menu, of);
     addPictures(*menu, of, parent);
     return menu;
-}
-
-void askForWindow(StudyEditor& session, QWidget* parent) {
-    if (!session.hasStudy()) return;
-    const Volume& volume = *session.study().measured();
-    const std::optional<DisplayWindow> before = session.state().slices.window;
-    const DisplayWindow usual = seriesWindow(volume);
-    const double width = before.value_or(usual).width;
-    auto* dialog = new QDialog(parent);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setObjectName(QStringLiteral("window-dialog"));
-    dialog->setWindowTitle(SliceMenuWords::tr("Window of the Slices"));
-    auto* form = new QFormLayout(dialog);
-    const auto hasChanged = std::make_shared<bool>(false);
-    const auto addNumber = [&](const char* name, const QString& title, double DisplayWindow::*member,
-                               double least) {
-        auto* box = new QDoubleSpinBox(dialog);
-        describe(*box, name, title, title);
-        box->setRange(least, 1e9);
-        // Four digits of the width, as small as values may be.
-        box->setDecimals(std::clamp(3 - int(std::floor(std::log10(std::max(width, 1e-9)))), 0, 9));
-        box->setValue(before.value_or(usual).*member);
-        const QString unit = harmless(QString::fromStdString(volume.unitName()));
-        if (!unit.isEmpty()) box->setSuffix(QLatin1Char(' ') + unit);
-        form->addRow(title, box);
-        QObject::connect(box, &QDoubleSpinBox::valueChanged, &session,
-                         [&session, usual, member, hasChanged](double value) {
-                             *hasChanged = true;
-                             session.drag(SliceMenuWords::tr("Window"), [&](scene::StudyState& next) {
-                                 DisplayWindow typed = next.slices.window.value_or(usual);
-                                 typed.*member = value;
-                                 typed.explanation.clear();
-                                 next.slices.window = typed;
-                             });
-                         });
-        return box;
-    };
-    QDoubleSpinBox* first =
-        addNumber("window-width", SliceMenuWords::tr("&Width"), &DisplayWindow::width, 1e-9);
-    addNumber("window-level", SliceMenuWords::tr("&Level"), &DisplayWindow::center, -1e9);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, dialog);
-    form->addRow(buttons);
-    QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
-    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
-    // Other steps may have followed, so this puts the window back instead of undoing the last step.
-    QObject::connect(dialog, &QDialog::finished, &session, [&session, before, hasChanged](int result) {
-        session.endDrag();
-        if (result != QDialog::Rejected || !*hasChanged) return;
-        session.change(SliceMenuWords::tr("Window"),
-                       [&](scene::StudyState& next) { next.slices.window = before; });
-    });
-    // The steps of another study are not its own to undo.
-    QObject::connect(&session, &StudyEditor::studyShown, dialog, [dialog, hasChanged] {
-        *hasChanged = false;
-        dialog->reject();
-    });
-    first->selectAll();
-    dialog->open();
 }
 
 }  // namespace macula::viewer

@@ -25,7 +25,4 @@ struct SliceMenuOf {
 // Deletes itself when it is closed.
 QMenu* makeSliceMenu(const SliceMenuOf& of, QWidget* parent);
 
-// Asks for width and level, and applies them while a person types; Cancel takes them back.
-void askForWindow(StudyEditor& session, QWidget* parent);
-
 }  // namespace macula::viewer
