@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QElapsedTimer>
 #include <QPushButton>
+#include <QTest>
 #include <QTreeView>
 #include <optional>
 
+#include "viewer/archive/read_marks.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {
@@ -56,6 +59,30 @@ TEST_F(FoundStudyListTest, TheLatestIsSelectedAndStaysSo) {
     EXPECT_EQ(list_->selected()->archive, "Cloud") << "another archive's, the first of the list";
     list_->setStudies({});
     EXPECT_EQ(selected(), "");
+}
+
+TEST_F(FoundStudyListTest, SpaceMarksTheSelectedStudyAsRead) {
+    ReadMarks marks(nullptr);
+    list_->setStudies({listed("1", "20240101"), listed("2", "20260101")});
+    auto* mark = list_->findChild<QAction*>(QStringLiteral("mark-study-read"));
+    EXPECT_FALSE(mark->isEnabled()) << "no marks yet";
+    list_->setMarks(&marks);
+    list_->show();
+    list_->view().setFocus();
+    const auto shown = [&](int row) {
+        return list_->view().model()->index(row, FoundStudyModel::mark).data().toString();
+    };
+    EXPECT_EQ(shown(0), QString());
+    marks.noteOpened("2");
+    QTest::keyClick(&list_->view(), Qt::Key_Space);
+    EXPECT_EQ(marks.of("2"), ReadMark::read);
+    EXPECT_EQ(marks.of("1"), ReadMark::unknown);
+    EXPECT_EQ(shown(0), QStringLiteral("read"));
+    EXPECT_EQ(mark->text(), QStringLiteral("Mark as Not Read"));
+    list_->view().sortByColumn(FoundStudyModel::mark, Qt::AscendingOrder);
+    EXPECT_EQ(shown(1), QStringLiteral("read")) << "what is read comes last";
+    QTest::keyClick(&list_->view(), Qt::Key_Space);
+    EXPECT_EQ(marks.of("2"), ReadMark::seen);
 }
 
 TEST_F(FoundStudyListTest, OffersWhatCanBeDone) {

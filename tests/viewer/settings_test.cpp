@@ -38,6 +38,8 @@ Settings someSettings() {
     settings.windowPlace = QStringLiteral("AAEC");
     settings.priors = PriorSearch::fetch;
     settings.archiveColumns = QStringLiteral("AAED");
+    settings.mouse = QStringLiteral("scroll");
+    settings.layouts = {{QStringLiteral("0123"), QStringLiteral("axial")}};
     settings.receiving = {.atStart = true,
                           .title = QStringLiteral("INBOX"),
                           .port = 104,

@@ -14,6 +14,7 @@ namespace {
 constexpr Tag kRecommendedRate{0x0008, 0x2144};
 constexpr Tag kPlaybackSequencing{0x0018, 0x1244};
 constexpr Tag kViewPosition{0x0018, 0x5101};
+constexpr Tag kBodyPartExamined{0x0018, 0x0015};
 constexpr Tag kRegions{0x0018, 0x6011};
 constexpr Tag kRegionFlags{0x0018, 0x6016};
 constexpr Tag kRegionLeft{0x0018, 0x6018};
@@ -244,6 +245,7 @@ Result<PlanarHeader> readPlanarHeader(const std::filesystem::path& file, int fra
         planar.towards = {towards[0], towards[1]};
     planar.laterality = header.text(kImageLaterality).value_or(header.text(kLaterality).value_or(""));
     planar.viewPosition = header.text(kViewPosition).value_or("");
+    planar.bodyPart = header.text(kBodyPartExamined).value_or("");
     return planar;
 }
 

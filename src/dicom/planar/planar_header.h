@@ -99,6 +99,7 @@ struct PlanarHeader {
     std::array<std::string, 2> towards;
     std::string laterality;    // R, L, B or U
     std::string viewPosition;  // "CC", "AP"; may be empty
+    std::string bodyPart;      // "CHEST": Body Part Examined; may be empty
 };
 
 // Of frame `frame`, from 0. Fails with inputNotUsable when the file is gone or no image. Never throws but for

@@ -40,10 +40,12 @@ PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::p
                                      [](const PlanarSeries& each) { return each.stack->frames.size(); });
 }
 
-PlanarSeries planarSeriesOf(const FoundVolumes& found, const dicom::Stack* stack) {
-    const std::vector<PlanarSeries> all = planarSeriesOf(found);
-    const auto own = std::ranges::find(all, stack, &PlanarSeries::stack);
-    return own == all.end() ? PlanarSeries{} : *own;
+PlanarSeries seriesOf(const FoundVolumes& found, const dicom::Stack* stack) {
+    for (const dicom::Study& study : found.scan().studies)
+        for (const dicom::Series& series : study.series)
+            for (const dicom::Stack& each : series.stacks)
+                if (&each == stack && !each.frames.empty()) return {&study, &series, &each};
+    return {};
 }
 
 Identity identityOf(const PlanarSeries& series) {

@@ -26,8 +26,8 @@ std::vector<PlanarSeries> planarSeriesOf(const FoundVolumes& found);
 PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::path& source);
 // Whether the file is one of its images. False without a stack.
 bool holds(const PlanarSeries& series, const std::filesystem::path& file);
-// stack is null where that stack is not in the folder, or is a volume.
-PlanarSeries planarSeriesOf(const FoundVolumes& found, const dicom::Stack* stack);
+// Of any stack with images, a volume or not; stack is null where it is not in the folder.
+PlanarSeries seriesOf(const FoundVolumes& found, const dicom::Stack* stack);
 
 Identity identityOf(const PlanarSeries& series);
 

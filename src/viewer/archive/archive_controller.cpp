@@ -15,6 +15,7 @@
 #include "viewer/archive/archive_way.h"
 #include "viewer/archive/found_study_list.h"
 #include "viewer/archive/priors_controller.h"
+#include "viewer/archive/read_marks.h"
 #include "viewer/archive/series_pictures.h"
 #include "viewer/archive/source_dialog.h"
 #include "viewer/browser/recent_menu.h"
@@ -22,6 +23,7 @@
 #include "viewer/jobs/newest_posted.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/window_language.h"
+#include "viewer/menus/controls.h"
 #include "viewer/settings/settings_controller.h"
 #include "viewer/status/notifications.h"
 #include "viewer/status/status_widgets.h"
@@ -117,6 +119,41 @@ void ArchiveController::addAction(QMenu& file) {
     });
     open->setShortcut(keyOf(KeyAction::openArchive));
     open->setToolTip(tr("Search a PACS, and fetch a study from it"));
+    read_ = file.addAction(tr("Study Is &Read"), this,
+                           [this](bool isRead) { marks_->setRead(uidOnScreen(), isRead); });
+    describe(*read_, "study-is-read", tr("Mark the open study as read, in the lists of studies"));
+    read_->setCheckable(true);
+    showReadMark();
+}
+
+void ArchiveController::setMarks(ReadMarks* marks) {
+    marks_ = marks;
+    panel_->found().setMarks(marks);
+    panel_->priors().setMarks(marks);
+    connect(marks, &ReadMarks::changed, this, &ArchiveController::showReadMark);
+    connect(marks, &ReadMarks::failed, this, [this] {
+        context_.notifications.fail({.code = ErrorCode::outputNotWritable,
+                                     .message = Text("The mark could not be kept."),
+                                     .where = {},
+                                     .hint = Text("Is the disk full?")});
+    });
+}
+
+void ArchiveController::onImagesShown(const std::optional<study::Identity>& identity) {
+    uidOfImages_ = identity ? identity->studyInstanceUid : std::string();
+    if (marks_ != nullptr && !uidOfImages_.empty()) marks_->noteOpened(uidOfImages_);
+    showReadMark();
+}
+
+const std::string& ArchiveController::uidOnScreen() const {
+    return uidOfImages_.empty() ? context_.session.study().identity.studyInstanceUid : uidOfImages_;
+}
+
+void ArchiveController::showReadMark() {
+    if (read_ == nullptr) return;
+    const std::string& uid = uidOnScreen();
+    read_->setEnabled(marks_ != nullptr && !uid.empty());
+    read_->setChecked(marks_ != nullptr && marks_->of(uid) == ReadMark::read);
 }
 
 void ArchiveController::showNames(bool shown) {
@@ -131,6 +168,8 @@ void ArchiveController::onStudyShown() {
     if (source || uid != shownUid_) shownSource_ = source;
     shownUid_ = uid;
     context_.notes.show();
+    if (marks_ != nullptr) marks_->noteOpened(uid);
+    showReadMark();
     priors_->onStudyShown(shownSource_);
 }
 

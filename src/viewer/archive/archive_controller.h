@@ -28,6 +28,7 @@ namespace macula::viewer {
 class ArchivePanel;
 class OpeningController;
 class PriorsController;
+class ReadMarks;
 class RecentMenu;
 class SeriesPictures;
 class SettingsController;
@@ -55,6 +56,7 @@ class ArchiveController : public QObject {
         opensBeside_ = std::move(opens);
     }
     void addAction(QMenu& file);
+    void setMarks(ReadMarks* marks);  // of the studies in the lists, and of the open one; outlives this
     // Fetches a study that the archive of this name has, and opens it as it comes.
     void fetchFrom(const QString& from, const net::FoundStudy& study);
     void showNames(bool shown);
@@ -62,6 +64,8 @@ class ArchiveController : public QObject {
     void onStudiesReceived();
     bool fetching() const { return fetcher_->running(); }
     void onStudyShown();
+    // Images that are no volume hide the open study; nothing: none do.
+    void onImagesShown(const std::optional<study::Identity>& identity);
 
   Q_SIGNALS:
     void answered(const QString& archive);  // its name: it can be reached
@@ -76,6 +80,8 @@ class ArchiveController : public QObject {
     };
 
     void connectPanel();
+    void showReadMark();
+    const std::string& uidOnScreen() const;
     void connectFetcher();
     void showSeries();
     void readSources();
@@ -101,6 +107,8 @@ class ArchiveController : public QObject {
     PriorsController* priors_;
     SeriesPictures* series_;
     QAction* shown_ = nullptr;
+    QAction* read_ = nullptr;  // marks the open study
+    ReadMarks* marks_ = nullptr;
     std::function<void(const std::filesystem::path&)> opensBeside_;
     std::optional<net::SourceList> sources_;
     QStringList searched_;                        // archives
@@ -111,6 +119,7 @@ class ArchiveController : public QObject {
     Coming coming_;
     study::StudySource shownSource_;  // of the study on screen
     std::string shownUid_;
+    std::string uidOfImages_;
     BackgroundJob<study::Listing> search_;
     BackgroundJob<study::Listing> renewal_;      // of what is on this machine
     BackgroundJob<std::filesystem::path> look_;  // whether what has come can be shown; its folder

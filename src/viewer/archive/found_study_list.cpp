@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "viewer/archive/read_marks.h"
 #include "viewer/menus/controls.h"
 
 namespace macula::viewer {
@@ -44,6 +45,14 @@ FoundStudyList::FoundStudyList(const QString& name, const QString& title, QWidge
     connect(list_, &QTreeView::activated, this, [this] {
         if (const auto study = selected()) Q_EMIT openAsked(*study);
     });
+    mark_ = new QAction(tr("Mark as Read"), list_);
+    describe(*mark_, "mark-study-read",
+             tr("A study that is marked stands as read; Space marks it, or takes it back"));
+    mark_->setShortcut(Qt::Key_Space);
+    mark_->setShortcutContext(Qt::WidgetShortcut);
+    connect(mark_, &QAction::triggered, this, &FoundStudyList::toggleMark);
+    list_->addAction(mark_);
+    list_->header()->moveSection(FoundStudyModel::mark, 0);
     auto* row = new QWidget(this);
     makeButtons(*row, name);
     makeMenuOfColumns();
@@ -119,7 +128,10 @@ void FoundStudyList::makeMenuOfColumns() {
 
 void FoundStudyList::setStudies(std::vector<study::ListedStudy> studies) {
     const auto before = selected();
+    std::vector<std::string> uids;
+    for (const study::ListedStudy& each : studies) uids.push_back(each.study.studyInstanceUid);
     model_->setStudies(std::move(studies));
+    if (marks_ != nullptr) marks_->ask(uids);
     fitColumns();
     int row = model_->rowCount() > 0 ? sorted_->mapToSource(sorted_->index(0, 0)).row() : -1;
     if (before) row = rowOf(*before);
@@ -155,6 +167,27 @@ void FoundStudyList::showButtons() {
     open_->setEnabled(study.has_value());
     beside_->setEnabled(study && canOpenBeside_);
     fetch_->setEnabled(study && !study->archive.empty() && !(isHere && study->isWhole));
+    const bool isRead =
+        study && marks_ != nullptr && marks_->of(study->study.studyInstanceUid) == ReadMark::read;
+    mark_->setEnabled(study && marks_ != nullptr);
+    mark_->setText(isRead ? tr("Mark as Not Read") : tr("Mark as Read"));
+}
+
+void FoundStudyList::setMarks(ReadMarks* marks) {
+    marks_ = marks;
+    model_->setMarks(marks);
+    connect(marks, &ReadMarks::changed, this, [this] {
+        model_->tellMarksChanged();
+        showButtons();
+    });
+    showButtons();
+}
+
+void FoundStudyList::toggleMark() {
+    const auto study = selected();
+    if (!study || marks_ == nullptr) return;
+    const std::string& uid = study->study.studyInstanceUid;
+    marks_->setRead(uid, marks_->of(uid) != ReadMark::read);
 }
 
 void FoundStudyList::showNames(bool shown) {

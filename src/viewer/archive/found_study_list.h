@@ -10,11 +10,14 @@
 #include "study/archive/study_search.h"
 #include "viewer/archive/found_study_model.h"
 
+class QAction;
 class QPushButton;
 class QSortFilterProxyModel;
 class QTreeView;
 
 namespace macula::viewer {
+
+class ReadMarks;
 
 // Lives on the UI thread.
 class FoundStudyList : public QWidget {
@@ -29,6 +32,7 @@ class FoundStudyList : public QWidget {
     void showNames(bool shown);
     void hideColumns(const QList<FoundStudyModel::Column>& columns);
     void setCanOpenBeside(bool can);  // whether a study is open
+    void setMarks(ReadMarks* marks);  // outlives this
     std::optional<study::ListedStudy> selected() const;
     QTreeView& view() const { return *list_; }
 
@@ -49,6 +53,7 @@ class FoundStudyList : public QWidget {
     int rowOf(const study::ListedStudy& study) const;
     void fitColumns();
     void showButtons();
+    void toggleMark();
 
     FoundStudyModel* model_;
     QSortFilterProxyModel* sorted_;
@@ -56,6 +61,8 @@ class FoundStudyList : public QWidget {
     QPushButton* open_ = nullptr;
     QPushButton* beside_ = nullptr;
     QPushButton* fetch_ = nullptr;
+    ReadMarks* marks_ = nullptr;
+    QAction* mark_ = nullptr;
     bool canOpenBeside_ = false;
     bool hasOwnColumns_ = false;  // those that a person chose are not fitted to their contents
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "study/open/identity.h"
+#include "viewer/archive/read_marks.h"
 
 namespace macula::viewer {
 
@@ -22,7 +23,30 @@ QString placeOf(const study::ListedStudy& listed) {
                           : FoundStudyModel::tr("%1, partly fetched").arg(archive);
 }
 
+QString textOf(ReadMark mark) {
+    switch (mark) {
+        case ReadMark::unseen:
+            return FoundStudyModel::tr("new");
+        case ReadMark::seen:
+            return FoundStudyModel::tr("opened");
+        case ReadMark::read:
+            return FoundStudyModel::tr("read");
+        case ReadMark::unknown:
+            break;
+    }
+    return {};
+}
+
 }  // namespace
+
+void FoundStudyModel::setMarks(const ReadMarks* marks) {
+    marks_ = marks;
+    tellMarksChanged();
+}
+
+void FoundStudyModel::tellMarksChanged() {
+    if (!studies_.empty()) Q_EMIT dataChanged(index(0, mark), index(rowCount() - 1, mark));
+}
 
 void FoundStudyModel::setStudies(std::vector<study::ListedStudy> studies) {
     beginResetModel();
@@ -69,6 +93,8 @@ QString FoundStudyModel::text(const study::ListedStudy& listed, int column) cons
             return study.instanceCount ? QString::number(*study.instanceCount) : QString();
         case place:
             return placeOf(listed);
+        case mark:
+            return marks_ != nullptr ? textOf(marks_->of(study.studyInstanceUid)) : QString();
         default:
             return {};
     }
@@ -84,6 +110,7 @@ QVariant FoundStudyModel::data(const QModelIndex& index, int role) const {
     if (role != sortRole) return {};
     // Later studies of a day stand behind earlier ones.
     if (index.column() == date) return QString::fromStdString(study.date + study.time);
+    if (index.column() == mark) return marks_ != nullptr ? int(marks_->of(study.studyInstanceUid)) : 0;
     if (index.column() == images) return study.instanceCount ? int(*study.instanceCount) : -1;
     return text(listed, index.column());
 }
@@ -109,6 +136,8 @@ QVariant FoundStudyModel::headerData(int section, Qt::Orientation orientation, i
             return tr("Images");
         case place:
             return tr("Place");
+        case mark:
+            return tr("Read");
         default:
             return {};
     }

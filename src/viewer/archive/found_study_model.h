@@ -8,6 +8,8 @@
 
 namespace macula::viewer {
 
+class ReadMarks;
+
 // A row for each study; what tells most apart comes first, since a panel is narrow. Sorting is a proxy's:
 // sortRole has dates and numbers as such.
 class FoundStudyModel : public QAbstractTableModel {
@@ -24,6 +26,7 @@ class FoundStudyModel : public QAbstractTableModel {
         accession,
         images,
         place,
+        mark,
         columnCountOf
     };
     enum Role { sortRole = Qt::UserRole };
@@ -31,6 +34,8 @@ class FoundStudyModel : public QAbstractTableModel {
     using QAbstractTableModel::QAbstractTableModel;
 
     void setStudies(std::vector<study::ListedStudy> studies);
+    void setMarks(const ReadMarks* marks);  // null: the column stays empty; outlives this
+    void tellMarksChanged();
     void showNames(bool shown);  // otherwise name, ID, date of birth and accession number are hidden
     const study::ListedStudy& study(int row) const { return studies_[std::size_t(row)]; }
 
@@ -43,6 +48,7 @@ class FoundStudyModel : public QAbstractTableModel {
     QString text(const study::ListedStudy& listed, int column) const;
 
     std::vector<study::ListedStudy> studies_;
+    const ReadMarks* marks_ = nullptr;
     bool namesShown_ = true;
 };
 

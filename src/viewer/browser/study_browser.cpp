@@ -88,6 +88,8 @@ void StudyBrowser::makeTree() {
     tree_->setIndentation(kIndentPx);
     tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     tree_->setExpandsOnDoubleClick(false);  // a double click opens; see openRow
+    tree_->setDragEnabled(true);
+    tree_->setDragDropMode(QAbstractItemView::DragOnly);
     tree_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     tree_->installEventFilter(this);
@@ -123,6 +125,7 @@ void StudyBrowser::setFound(std::shared_ptr<const study::FoundVolumes> found,
     const int scrolledTo = tree_->verticalScrollBar()->value();
     found_ = std::move(found);
     if (!goesOn) endSearch();
+    model_->setFound(found_);
     model_->setTree(makeRows());
     model_->setRowsShown(study::rowsThatMatch(model_->tree(), search_->text().toStdString()));
     expanded_.clear();

@@ -1,7 +1,9 @@
 #include "viewer/browser/study_tree_model.h"
 
+#include <QMimeData>
 #include <utility>
 
+#include "viewer/browser/series_mime.h"
 #include "viewer/language/harmless_text.h"
 #include "viewer/language/window_language.h"
 
@@ -108,6 +110,26 @@ int StudyTreeModel::rowCount(const QModelIndex& parent) const {
 
 int StudyTreeModel::columnCount(const QModelIndex&) const {
     return 1;
+}
+
+Qt::ItemFlags StudyTreeModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags usual = QAbstractItemModel::flags(index);
+    const bool can = index.isValid() && tree_.rows[rowOf(index)].picture != nullptr;
+    return can ? usual | Qt::ItemIsDragEnabled : usual;
+}
+
+QStringList StudyTreeModel::mimeTypes() const {
+    return {QLatin1String(kSeriesMime)};
+}
+
+QMimeData* StudyTreeModel::mimeData(const QModelIndexList& indexes) const {
+    if (indexes.isEmpty() || !found_) return nullptr;
+    const dicom::Stack* stack = tree_.rows[rowOf(indexes.front())].picture;
+    const QByteArray text = stack == nullptr ? QByteArray() : seriesText(*found_, *stack);
+    if (text.isEmpty()) return nullptr;
+    auto* data = new QMimeData;
+    data->setData(QLatin1String(kSeriesMime), text);
+    return data;
 }
 
 bool StudyTreeModel::isOpen(std::size_t row) const {

@@ -3,9 +3,11 @@
 
 #include <QAbstractItemModel>
 #include <QImage>
+#include <memory>
 #include <optional>
 #include <set>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "study/list/study_tree.h"
@@ -30,6 +32,8 @@ class StudyTreeModel : public QAbstractItemModel {
 
     // Shows all rows, and clears the open volume, the stored ones and the thumbnails.
     void setTree(study::StudyTree tree);
+    // Where its series are; null: none can be dragged.
+    void setFound(std::shared_ptr<const study::FoundVolumes> found) { found_ = std::move(found); }
     // Replaces the texts of the same folder, and keeps the open volume, the stored ones and the thumbnails.
     void setTexts(study::StudyTree tree);
     const study::StudyTree& tree() const { return tree_; }
@@ -52,6 +56,10 @@ class StudyTreeModel : public QAbstractItemModel {
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    // A series with images can be dragged, as kSeriesMime.
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    QStringList mimeTypes() const override;
+    QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
   private:
     void layOut();
@@ -64,6 +72,7 @@ class StudyTreeModel : public QAbstractItemModel {
     void tellChanged(Which which);
 
     study::StudyTree tree_;
+    std::shared_ptr<const study::FoundVolumes> found_;
     std::vector<bool> shown_;
     std::vector<std::size_t> top_;                    // the shown rows at the top level
     std::vector<std::vector<std::size_t>> children_;  // each row's shown children

@@ -90,6 +90,8 @@ enum class KeyAction {
     imageWindow,
     imageChange,
     imageMeasure,
+    imageBoxes,
+    images,
     quit,
     help,  // the last: a test counts to it
 };
@@ -189,6 +191,10 @@ inline constexpr std::array kKeys{
            "Invert, turn clockwise, mirror, fit; back to the volume"},
     KeyRow{KeyAction::imageMeasure, "D, G, E, C, W, O, Delete, Enter on images", "",
            "Measure: distance, angle, ellipse, Cobb angle; window; overlays; remove, label"},
+    KeyRow{KeyAction::imageBoxes, "B, L on images", "",
+           "The chosen box alone, or all of them; boxes scroll together, or not"},
+    KeyRow{KeyAction::images, "", "Ctrl+Shift+I",
+           "The slices as they were acquired, in boxes, with priors beside them"},
     KeyRow{KeyAction::help, "", "F1", "All keys"},
     KeyRow{KeyAction::quit, "", "Ctrl+Q", "Quit"},
 };

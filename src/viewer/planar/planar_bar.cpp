@@ -58,6 +58,9 @@ PlanarBar::PlanarBar(QWidget* parent)
     row->addWidget(presentations_);
     row->addWidget(displays_);
     row->addWidget(measure_);
+    boxes_ = addButton("image-boxes", tr("Boxes"), tr("Several images side by side, and hanging protocols"));
+    boxes_->setPopupMode(QToolButton::InstantPopup);
+    boxes_->hide();
     invert_ = addButton("invert-image", tr("Invert"), tr("Show bright values dark; I"));
     invert_->setCheckable(true);
     QToolButton* turn = addButton("turn-image", tr("Turn"), tr("Turn the picture by 90° clockwise; R"));
@@ -178,6 +181,11 @@ void PlanarBar::setOverlays(bool hasOnes, bool shown) {
 
 void PlanarBar::setHasMeasurements(bool has) {
     for (QAction* action : {copy_, save_, removeAll_}) action->setEnabled(has);
+}
+
+void PlanarBar::setBoxesMenu(QMenu* menu) {
+    boxes_->setMenu(menu);
+    boxes_->setVisible(menu != nullptr);
 }
 
 double PlanarBar::speed() const {

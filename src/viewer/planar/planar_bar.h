@@ -35,7 +35,8 @@ class PlanarBar : public QWidget {
     void setTool(std::optional<study::ImageMeasurement::Kind> tool);
     void setOverlays(bool hasOnes, bool shown);
     void setHasMeasurements(bool has);
-    double speed() const;  // 1: as recorded
+    void setBoxesMenu(QMenu* menu);  // null: none
+    double speed() const;            // 1: as recorded
 
   Q_SIGNALS:
     void placeChosen(int place);
@@ -68,6 +69,7 @@ class PlanarBar : public QWidget {
     QAction* copy_ = nullptr;
     QAction* save_ = nullptr;
     QAction* removeAll_ = nullptr;
+    QToolButton* boxes_;
     QToolButton* invert_;
     QToolButton* back_;
 };

@@ -11,7 +11,7 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr std::array<std::pair<Qt::Key, PlanarKey>, 25> kKeys{
+constexpr std::array<std::pair<Qt::Key, PlanarKey>, 27> kKeys{
     {{Qt::Key_Space, PlanarKey::play},    {Qt::Key_Up, PlanarKey::back},
      {Qt::Key_PageUp, PlanarKey::back},   {Qt::Key_Left, PlanarKey::back},
      {Qt::Key_Down, PlanarKey::forward},  {Qt::Key_PageDown, PlanarKey::forward},
@@ -24,6 +24,7 @@ constexpr std::array<std::pair<Qt::Key, PlanarKey>, 25> kKeys{
      {Qt::Key_W, PlanarKey::window},      {Qt::Key_D, PlanarKey::distance},
      {Qt::Key_G, PlanarKey::angle},       {Qt::Key_E, PlanarKey::ellipse},
      {Qt::Key_C, PlanarKey::cobb},        {Qt::Key_O, PlanarKey::overlays},
+     {Qt::Key_B, PlanarKey::alone},       {Qt::Key_L, PlanarKey::link},
      {Qt::Key_Escape, PlanarKey::escape}}};
 
 }  // namespace

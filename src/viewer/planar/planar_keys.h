@@ -27,6 +27,8 @@ enum class PlanarKey {
     ellipse,
     cobb,
     overlays,
+    alone,
+    link,
     escape,
 };
 

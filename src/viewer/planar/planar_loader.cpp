@@ -6,7 +6,6 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 constexpr int kAllFrames = -1;
 
 std::size_t bytesOf(const LoadedImage& image) {
@@ -50,7 +49,7 @@ void PlanarLoader::readAhead(const study::PlanarLoop& loop) {
 
 std::optional<std::size_t> PlanarLoader::nextAhead() const {
     // Another image would evict one of these.
-    const bool isFull = !images_.empty() && bytes_ + bytesOf(images_.begin()->second) > kMostBytes;
+    const bool isFull = !images_.empty() && bytes_ + bytesOf(images_.begin()->second) > mostBytes_;
     if (isFull || failedAhead_) return {};
     for (std::size_t place = ahead_.begin; place < ahead_.end; ++place)
         if (!images_.contains(place)) return place;
@@ -107,7 +106,7 @@ void PlanarLoader::take(const Result<LoadedImage>& image) {
 void PlanarLoader::keep(const LoadedImage& image) {
     images_.emplace(image.place, image);
     bytes_ += bytesOf(image);
-    while (bytes_ > kMostBytes && images_.size() > 1) {
+    while (bytes_ > mostBytes_ && images_.size() > 1) {
         const std::size_t low = images_.begin()->first;
         const std::size_t high = images_.rbegin()->first;
         const auto gone = image.place - low > high - image.place ? images_.begin() : std::prev(images_.end());

@@ -34,6 +34,8 @@ class PlanarLoader : public QObject {
     void ask(std::size_t place);
     // Also decodes these, as far as memory goes, while nothing is asked for.
     void readAhead(const study::PlanarLoop& loop);
+    // Decoded images beyond are let go, the farthest from the newest first; it is kept.
+    void setMostBytes(std::size_t bytes) { mostBytes_ = bytes; }
     bool has(std::size_t place) const { return images_.contains(place); }
 
   Q_SIGNALS:
@@ -54,6 +56,7 @@ class PlanarLoader : public QObject {
     std::map<std::pair<const dicom::Instance*, int>, std::shared_ptr<const dicom::PlanarHeader>> headers_;
     std::map<std::size_t, LoadedImage> images_;
     std::size_t bytes_ = 0;
+    std::size_t mostBytes_ = std::size_t{1} << 30;
     std::optional<std::size_t> asked_;
     std::optional<std::size_t> loading_;
     study::PlanarLoop ahead_;

@@ -98,10 +98,24 @@ bool PlanarMeasuring::isOnFrame(const study::ImageMeasurement& measurement) cons
     return frame_.header && measurement.image == frame_.image && measurement.frame == frame_.frame;
 }
 
-void PlanarMeasuring::change(const QString& what, std::vector<study::ImageMeasurement> next) {
-    done_.push_back({what, std::exchange(all_, std::move(next))});
+void PlanarMeasuring::follow(const std::vector<study::ImageMeasurement>& all) {
+    if (all == all_) return;
+    all_ = all;
+    selected_.reset();
+    held_.reset();
+    moving_.reset();
+    view_.update();
+}
+
+void PlanarMeasuring::record(Step step) {
+    done_.push_back(std::move(step));
     if (done_.size() > kMostUndone) done_.erase(done_.begin());
     undone_.clear();
+    Q_EMIT stepMade();
+}
+
+void PlanarMeasuring::change(const QString& what, std::vector<study::ImageMeasurement> next) {
+    record({what, std::exchange(all_, std::move(next))});
     view_.update();
     Q_EMIT changed();
 }

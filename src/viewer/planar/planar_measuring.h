@@ -35,7 +35,9 @@ class PlanarMeasuring : public QObject, public PlanarLayer, public UndoSteps {
 
     const std::vector<study::ImageMeasurement>& all() const { return all_; }
     void setAll(std::vector<study::ImageMeasurement> all);  // nothing is left to undo
-    void setFrame(const MeasuredFrame& frame);              // drops what is being drawn on another frame
+    // As another view of the same series has them now. Steps stay; emits nothing.
+    void follow(const std::vector<study::ImageMeasurement>& all);
+    void setFrame(const MeasuredFrame& frame);  // drops what is being drawn on another frame
     // What the left button draws; nothing: a window.
     void setTool(std::optional<Kind> tool);
     std::optional<Kind> tool() const { return tool_; }
@@ -63,7 +65,8 @@ class PlanarMeasuring : public QObject, public PlanarLayer, public UndoSteps {
     bool doubleClick(const QPointF& place) override;
 
   Q_SIGNALS:
-    void changed();  // the measurements, or what can be undone
+    void changed();   // the measurements, or what can be undone
+    void stepMade();  // there is one more to undo, before `changed`
     void toolChanged();
 
   private:
@@ -86,6 +89,7 @@ class PlanarMeasuring : public QObject, public PlanarLayer, public UndoSteps {
     bool isFarFromLast(const QPointF& place) const;
     void addPoint(const QPointF& place);
     std::optional<study::ImageMeasurement> drawn() const;
+    void record(Step step);
     void change(const QString& what, std::vector<study::ImageMeasurement> next);
     void restore(std::vector<Step>& from, std::vector<Step>& to);
     void editLabel(std::size_t index, const QPointF& place);

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <algorithm>
 #include <utility>
 
 #include "viewer/planar/planar_bar.h"
@@ -211,7 +212,8 @@ study::ImagesState PlanarPane::state() const {
 void PlanarPane::restore(const study::ImagesState& state) {
     // What a person has drawn meanwhile stays.
     std::vector<study::ImageMeasurement> all = state.measurements;
-    all.insert(all.end(), measuring_->all().begin(), measuring_->all().end());
+    for (const study::ImageMeasurement& drawn : measuring_->all())
+        if (std::ranges::find(all, drawn) == all.end()) all.push_back(drawn);
     measuring_->setAll(std::move(all));
     image_.showOverlays(state.overlaysAreShown);
     if (presenting_->state() != nullptr) {

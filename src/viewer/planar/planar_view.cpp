@@ -20,6 +20,7 @@ constexpr double kBarHeightPx = 4.0;
 constexpr double kLongestBarPart = 0.25;  // of the pane's width
 constexpr int kWheelStep = 120;
 constexpr double kZoomOfStep = 1.2;
+constexpr double kDragZoomPerHeight = 6.0;  // magnification by a drag up over the pane's height
 constexpr double kQuarter = 90.0;
 const QColor kInk(235, 235, 235);
 const QColor kWarningInk(255, 214, 120);
@@ -188,14 +189,19 @@ void PlanarView::paint(QPainter& painter, const PlanarLabels& labels) const {
 }
 
 void PlanarView::paintLabels(QPainter& painter, const PlanarLabels& labels) const {
-    drawLines(painter, size(), Corner::topLeft, labels.identity, kInk);
-    drawLines(painter, size(), Corner::topRight, labels.place, kInk);
-    drawLines(painter, size(), Corner::bottomLeft, labels.display, kInk);
+    const QFontMetricsF metrics(painter.font());
     QStringList warnings = labels.warnings;
     if (labels.mmPerPixel > 0.0) warnings += QString();  // the scale bar's line
+    // In a low pane names go first, from the last line on, then the rest; warnings stay.
+    const auto lines = qsizetype((height() - 2.0 * kMarginPx) / metrics.lineSpacing());
+    const auto display = labels.display.mid(std::max<qsizetype>(0, labels.display.size() - lines));
+    drawLines(painter, size(), Corner::topLeft,
+              labels.identity.mid(0, std::max<qsizetype>(0, lines - display.size())), kInk);
+    drawLines(painter, size(), Corner::topRight,
+              labels.place.mid(0, std::max<qsizetype>(0, lines - warnings.size())), kInk);
+    drawLines(painter, size(), Corner::bottomLeft, display, kInk);
     drawLines(painter, size(), Corner::bottomRight, warnings, kWarningInk);
     if (picture_.isNull()) return;
-    const QFontMetricsF metrics(painter.font());
     const std::array<QString, 4> letters = edgeLetters(labels.towards, turn_);
     const double middleY = 0.5 * height() + 0.5 * metrics.ascent();
     const auto widthOf = [&](std::size_t i) { return metrics.horizontalAdvance(letters[i]); };
@@ -231,7 +237,8 @@ void PlanarView::resizeEvent(QResizeEvent*) {
 }
 
 void PlanarView::mousePressEvent(QMouseEvent* event) {
-    lastAt_ = event->position();
+    lastAt_ = pressedAt_ = event->position();
+    scrollRestPx_ = 0.0;
     if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier || picture_.isNull())
         return;
     for (auto layer = layers_.rbegin(); layer != layers_.rend() && taken_ == nullptr; ++layer)
@@ -245,18 +252,42 @@ void PlanarView::mouseMoveEvent(QMouseEvent* event) {
         taken_->drag(event->position());
         return Q_EMIT pointedAt(pixelAt(event->position()));
     }
-    if ((buttons & Qt::MiddleButton) != 0 ||
-        (buttons != Qt::NoButton && event->modifiers() == Qt::ShiftModifier)) {
-        if (!zoom_.scale) zoom_.scale = fittingScale();
-        zoom_.middle += moved;
-        keepInPane();
-        update();
-        return Q_EMIT zoomed();
-    }
-    if ((buttons & (Qt::LeftButton | Qt::RightButton)) != 0) Q_EMIT windowDragged(moved);
-    if (buttons == Qt::NoButton)
+    if (buttons != Qt::NoButton && event->modifiers() == Qt::ShiftModifier) {
+        dragBy(moved, MouseDrag::pan);
+    } else if ((buttons & Qt::MiddleButton) != 0) {
+        dragBy(moved, mouseProfile().middle);
+    } else if ((buttons & Qt::LeftButton) != 0) {
+        dragBy(moved, mouseProfile().leftOnImages);
+    } else if ((buttons & Qt::RightButton) != 0) {
+        dragBy(moved, mouseProfile().right);
+    } else {
         for (PlanarLayer* layer : layers_) layer->hover(event->position());
+    }
     Q_EMIT pointedAt(pixelAt(event->position()));
+}
+
+void PlanarView::dragBy(QPointF moved, MouseDrag drag) {
+    switch (drag) {
+        case MouseDrag::window:
+            return Q_EMIT windowDragged(moved);
+        case MouseDrag::zoom:
+            return zoomBy(std::pow(kDragZoomPerHeight, -moved.y() / std::max(height(), 1)), pressedAt_);
+        case MouseDrag::scroll: {
+            scrollRestPx_ += moved.y();
+            const int images = int(scrollRestPx_ / kScrollPx);
+            scrollRestPx_ -= images * kScrollPx;
+            if (images != 0) Q_EMIT steppedBy(images);
+            return;
+        }
+        case MouseDrag::pan:
+        case MouseDrag::tool:
+            break;
+    }
+    if (!zoom_.scale) zoom_.scale = fittingScale();
+    zoom_.middle += moved;
+    keepInPane();
+    update();
+    Q_EMIT zoomed();
 }
 
 void PlanarView::mouseReleaseEvent(QMouseEvent* event) {

@@ -12,6 +12,7 @@
 
 #include "viewer/planar/planar_layer.h"
 #include "viewer/planar/planar_texts.h"
+#include "viewer/settings/mouse_profile.h"
 
 namespace macula::viewer {
 
@@ -87,6 +88,7 @@ class PlanarView : public QWidget {
     void leaveEvent(QEvent* event) override;
 
   private:
+    void dragBy(QPointF moved, MouseDrag drag);
     QRectF area() const;
     void paint(QPainter& painter, const PlanarLabels& labels) const;
     // To lengths, in widths of a column, of the turned and mirrored image around its middle.
@@ -106,6 +108,8 @@ class PlanarView : public QWidget {
     std::vector<PlanarLayer*> layers_;
     PlanarLayer* taken_ = nullptr;  // the layer that has the button
     QPointF lastAt_;
+    QPointF pressedAt_;
+    double scrollRestPx_ = 0.0;
     int wheelRest_ = 0;
 };
 

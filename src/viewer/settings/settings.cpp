@@ -110,6 +110,8 @@ Result<Settings> settingsFromJson(const std::string& text) {
     settings.priors = priorSearchOf(members.text(QStringLiteral("priors"), {}));
     settings.archiveColumns = members.text(QStringLiteral("archiveColumns"), {});
     settings.archive = members.text(QStringLiteral("archive"), {});
+    settings.layouts = members.texts(QStringLiteral("layouts"));
+    settings.mouse = members.text(QStringLiteral("mouse"), {});
     settings.receiving = receiveSettingsOf(members.object(QStringLiteral("receiving")));
     settings.others = members.rest();
     return settings;
@@ -128,6 +130,7 @@ std::string toJson(const Settings& settings) {
     object[QStringLiteral("deidentifies")] = settings.deidentifies;
     object[QStringLiteral("showsNames")] = settings.showsNames;
     object[QStringLiteral("priors")] = QLatin1String(kPriorSearches[std::size_t(settings.priors)]);
+    if (!settings.mouse.isEmpty()) object[QStringLiteral("mouse")] = settings.mouse;
     if (!settings.archiveColumns.isEmpty())
         object[QStringLiteral("archiveColumns")] = settings.archiveColumns;
     const auto write = [&](const QString& name, const QMap<QString, QString>& texts) {
@@ -137,6 +140,7 @@ std::string toJson(const Settings& settings) {
     };
     write(QStringLiteral("keys"), settings.keys);
     write(QStringLiteral("folders"), settings.folders);
+    write(QStringLiteral("layouts"), settings.layouts);
     if (!settings.watchedFolders.isEmpty())
         object[QStringLiteral("watchedFolders")] = QJsonArray::fromStringList(settings.watchedFolders);
     if (!settings.windowPlace.isEmpty()) object[QStringLiteral("windowPlace")] = settings.windowPlace;
@@ -167,8 +171,9 @@ Settings withChanges(Settings stored, const Settings& before, const Settings& af
         if (!before.watchedFolders.contains(folder) && !stored.watchedFolders.contains(folder))
             stored.watchedFolders.append(folder);
     take(&Settings::archive);
+    take(&Settings::mouse);
     take(&Settings::receiving);
-    for (auto field : {&Settings::keys, &Settings::folders}) {
+    for (auto field : {&Settings::keys, &Settings::folders, &Settings::layouts}) {
         const QMap<QString, QString>& old = before.*field;
         const QMap<QString, QString>& now = after.*field;
         for (auto text = old.begin(); text != old.end(); ++text)

@@ -39,8 +39,10 @@ struct Settings {
     QStringList watchedFolders = {};      // see WatchController
     QString windowPlace = {};             // see WindowPlace; empty: the default
     PriorSearch priors = PriorSearch::list;
-    QString archiveColumns = {};  // of the list of studies, see ArchivePanel; empty: the default
-    QString archive = {};         // the name of the one to which something was sent last
+    QString archiveColumns = {};          // of the list of studies, see ArchivePanel; empty: the default
+    QString archive = {};                 // the name of the one to which something was sent last
+    QMap<QString, QString> layouts = {};  // see UsualLayouts
+    QString mouse = {};                   // a MouseProfile by its name; empty: the first
     ReceiveSettings receiving = {};
     QJsonObject others = {};  // from a later version: written back unchanged
 

@@ -7,6 +7,7 @@
 
 #include "viewer/menus/controls.h"
 #include "viewer/settings/key_book.h"
+#include "viewer/settings/mouse_profile.h"
 #include "viewer/settings/settings_dialog.h"
 #include "viewer/status/notifications.h"
 #include "viewer/theme/theme.h"
@@ -28,6 +29,7 @@ QAction* SettingsController::addAction(QMenu& edit) {
 }
 
 void SettingsController::useKeys() {
+    useMouseProfile(settings_.mouse);
     KeyBook& book = KeyBook::ofProgram();
     connect(&book, &KeyBook::changed, this, [this] { KeyBook::ofProgram().applyTo(window_); });
     book.setOwn(withoutTrouble(settings_.keys, KeyBook::entriesOf(window_)));
@@ -51,6 +53,12 @@ void SettingsController::keepFolders(const QMap<QString, QString>& folders) {
 void SettingsController::keepWindowPlace(const QString& place) {
     Settings settings = settings_;
     settings.windowPlace = place;
+    take(settings);
+}
+
+void SettingsController::keepLayouts(const QMap<QString, QString>& layouts) {
+    Settings settings = settings_;
+    settings.layouts = layouts;
     take(settings);
 }
 
@@ -79,6 +87,7 @@ void SettingsController::take(const Settings& settings) {
         applyTheme(*qobject_cast<QApplication*>(QCoreApplication::instance()),
                    {.highContrast = settings.highContrast, .fontScale = settings.fontScale});
     }
+    useMouseProfile(settings.mouse);
     if (settings.showsNames != before.showsNames) Q_EMIT namesToggled(settings.showsNames);
     if (settings.receiving != before.receiving) Q_EMIT receivingChanged();
     KeyBook::ofProgram().setOwn(settings.keys);

@@ -28,6 +28,7 @@ class SettingsController : public QObject {
     void take(const Settings& settings);  // applies and stores them
     void keepFolders(const QMap<QString, QString>& folders);
     void keepWindowPlace(const QString& place);
+    void keepLayouts(const QMap<QString, QString>& layouts);
     void keepArchiveColumns(const QString& columns);
     void keepWatched(const QStringList& folders);
     void keepArchive(const QString& name);

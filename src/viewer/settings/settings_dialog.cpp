@@ -10,12 +10,14 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <array>
 #include <utility>
 
 #include "scene/choice/quality_choice.h"
 #include "session/store.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
+#include "viewer/settings/mouse_profile.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {
@@ -41,6 +43,7 @@ SettingsDialog::SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isK
       highContrast_(new QCheckBox(tr("&High contrast: black, white and yellow"), this)),
       fontScale_(new QDoubleSpinBox(this)),
       showsNames_(new QCheckBox(tr("&Patient and study over pictures"), this)),
+      mouse_(new QComboBox(this)),
       qualities_(new QComboBox(this)),
       deidentifies_(new QCheckBox(tr("DICOM pictures &without patient and study"), this)),
       folder_(new QLineEdit(before_.storeFolder, this)),
@@ -95,9 +98,20 @@ QWidget* SettingsDialog::makeLook() {
     describe(*showsNames_, "settings-names", tr("Patient and study over pictures"),
              tr("When the window opens; N hides and shows them at any time"));
     showsNames_->setChecked(before_.showsNames);
+    describe(
+        *mouse_, "settings-mouse", tr("Mouse on slices and images"),
+        tr("What dragging does; at once. On slices tools other than the cross-hair keep the left button"));
+    const std::array titles{tr("Cross-hair left, move middle, window right"),
+                            tr("Window left, move middle, zoom right"),
+                            tr("Slices left, window middle, zoom right")};
+    static_assert(titles.size() == kMouseProfiles.size());
+    for (std::size_t i = 0; i < titles.size(); ++i)
+        mouse_->addItem(titles[i], QLatin1String(kMouseProfiles[i].name));
+    mouse_->setCurrentIndex(std::max(0, mouse_->findData(before_.mouse)));
     auto* form = new QFormLayout(page);
     form->addRow(tr("&Language"), languages_);
     form->addRow(tr("Letters"), fontScale_);
+    form->addRow(tr("&Mouse"), mouse_);
     form->addRow(highContrast_);
     form->addRow(showsNames_);
     return page;
@@ -197,6 +211,7 @@ Settings SettingsDialog::settings() const {
     now.highContrast = highContrast_->isChecked();
     now.fontScale = fontScale_->value();
     now.showsNames = showsNames_->isChecked();
+    if (mouse_->currentIndex() > 0 || !before_.mouse.isEmpty()) now.mouse = mouse_->currentData().toString();
     if (qualities_->currentIndex() >= 0) now.quality = qualities_->currentData().toString();
     now.deidentifies = deidentifies_->isChecked();
     // Absolute, because the next run may start in another folder.

@@ -36,6 +36,7 @@ class SettingsDialog : public QDialog {
     QCheckBox* highContrast_;
     QDoubleSpinBox* fontScale_;
     QCheckBox* showsNames_;
+    QComboBox* mouse_;
     QComboBox* qualities_;
     QCheckBox* deidentifies_;
     QLineEdit* folder_;

@@ -27,16 +27,17 @@ bool SliceHand::takesHold() const {
 bool SliceHand::press(Qt::MouseButton button, const QPointF& place, const SliceRequest& shown) {
     pressedAt_ = lastAt_ = place;
     hasDragged_ = false;
+    scrollRestPx_ = 0.0;
     button_ = button;
     switch (button) {
         case Qt::LeftButton:
             pressLeft(place, shown);
             return true;
         case Qt::RightButton:
-            drag_ = Drag::window;
+            drag_ = dragOf(mouseProfile().right);
             return true;
         case Qt::MiddleButton:
-            drag_ = Drag::pan;
+            drag_ = dragOf(mouseProfile().middle);
             return true;
         default:
             return false;
@@ -58,8 +59,42 @@ void SliceHand::pressLeft(const QPointF& place, const SliceRequest& shown) {
         if (!shown.showsStudy()) return;  // measurements are stored with the study
         measurements.beginDrawing(tool_, place, shown);
     }
+    startLeft(place, shown);
+}
+
+// Where the left button does something else than set the cross-hair, a click still sets it.
+void SliceHand::startLeft(const QPointF& place, const SliceRequest& shown) {
     drag_ = dragOfTool();
-    if (drag_ == Drag::crosshair) parts_.travel.pointAt(shown.worldFromPane(place), shown.shows);
+    if (drag_ != Drag::crosshair) return;
+    const MouseDrag left = mouseProfile().leftOnSlices;
+    if (left == MouseDrag::tool)
+        parts_.travel.pointAt(shown.worldFromPane(place), shown.shows);
+    else
+        drag_ = dragOf(left);
+}
+
+SliceHand::Drag SliceHand::dragOf(MouseDrag drag) {
+    switch (drag) {
+        case MouseDrag::window:
+            return Drag::window;
+        case MouseDrag::pan:
+            return Drag::pan;
+        case MouseDrag::zoom:
+            return Drag::zoom;
+        case MouseDrag::scroll:
+            return Drag::scroll;
+        case MouseDrag::tool:
+            break;
+    }
+    return Drag::none;
+}
+
+// Down as the wheel turns down.
+void SliceHand::scrollTo(const QPointF& place) {
+    scrollRestPx_ += place.y() - lastAt_.y();
+    const int slices = int(scrollRestPx_ / kScrollPx);
+    scrollRestPx_ -= slices * kScrollPx;
+    if (slices != 0) parts_.travel.moveBy(-slices);
 }
 
 // Segments are drawn on the voxels of the study alone.
@@ -168,6 +203,8 @@ void SliceHand::dragTo(const Pointer& pointer, const SliceRequest& shown, const 
             return parts_.zoom.zoomAt(pressedAt_, std::pow(kDragZoomPerHeight, -by.y() / heightPx), sizePx);
         case Drag::pan:
             return parts_.zoom.panBy({by.x(), by.y()});
+        case Drag::scroll:
+            return scrollTo(place);
         case Drag::handle:
             return parts_.measurements.moveHandle(heldHandle_, shown.worldFromPane(place));
         case Drag::clip:
@@ -188,7 +225,9 @@ void SliceHand::dragTo(const Pointer& pointer, const SliceRequest& shown, const 
 
 // The pointer moves a little during a click.
 bool SliceHand::isStillClick(const QPointF& place) const {
-    return button_ == Qt::RightButton && drag_ == Drag::window && !hasDragged_ &&
+    const bool mayClick = drag_ == Drag::window || drag_ == Drag::zoom || drag_ == Drag::scroll;
+    const bool isLeft = button_ == Qt::LeftButton && tool_ == SliceTool::crosshair;
+    return (button_ == Qt::RightButton || isLeft) && mayClick && !hasDragged_ &&
            (place - pressedAt_).manhattanLength() <= kClickPx;
 }
 
@@ -202,6 +241,10 @@ bool SliceHand::release(Qt::MouseButton button, const QPointF& place, const Slic
     if (ended == Drag::draw && shown != nullptr)
         parts_.measurements.releaseDrawing(shown->worldFromPane(place));
     if (isUndoStep(ended)) parts_.session.endDrag();
+    const bool isClick = button_ == Qt::LeftButton && !hasDragged_ && tool_ == SliceTool::crosshair &&
+                         (ended == Drag::window || ended == Drag::scroll);
+    if (isClick && shown != nullptr) parts_.travel.pointAt(shown->worldFromPane(place), shown->shows);
+    if (isClick) parts_.session.endDrag();
     return button_ == Qt::RightButton && !hasDragged_;
 }
 

@@ -9,6 +9,7 @@
 
 #include "viewer/editor/study_editor.h"
 #include "viewer/keys/slice_tool.h"
+#include "viewer/settings/mouse_profile.h"
 #include "viewer/slices/pane_clip.h"
 #include "viewer/slices/pane_curve.h"
 #include "viewer/slices/pane_measurements.h"
@@ -66,7 +67,21 @@ class SliceHand {
     std::optional<Qt::CursorShape> cursorAt(const QPointF& place, const SliceRequest& shown) const;
 
   private:
-    enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe, clip, turn, curve, brush };
+    enum class Drag {
+        none,
+        crosshair,
+        window,
+        zoom,
+        pan,
+        scroll,
+        draw,
+        handle,
+        probe,
+        clip,
+        turn,
+        curve,
+        brush
+    };
 
     static bool isUndoStep(Drag drag);
     bool takesHold() const;
@@ -76,6 +91,9 @@ class SliceHand {
     bool takeMeasurement(const QPointF& place, const SliceRequest& shown);
     bool takeRing(const QPointF& place, const SliceRequest& shown);
     Drag dragOfTool() const;
+    static Drag dragOf(MouseDrag drag);
+    void startLeft(const QPointF& place, const SliceRequest& shown);
+    void scrollTo(const QPointF& place);
     bool isStillClick(const QPointF& place) const;
     void dragTo(const Pointer& pointer, const SliceRequest& shown, const glm::ivec2& sizePx);
 
@@ -86,7 +104,8 @@ class SliceHand {
     Qt::MouseButton button_ = Qt::NoButton;
     QPointF pressedAt_;
     QPointF lastAt_;
-    bool hasDragged_ = false;     // since the press
+    bool hasDragged_ = false;  // since the press
+    double scrollRestPx_ = 0.0;
     std::size_t heldHandle_ = 0;  // of the selected measurement, in Drag::handle
 };
 

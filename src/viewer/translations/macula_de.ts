@@ -13197,6 +13197,94 @@
         <source>Delete some of them first.</source>
         <translation>Löschen Sie zuerst einige davon.</translation>
     </message>
+    <message>
+        <source>Reading headers was cancelled.</source>
+        <translation>Das Lesen der Kopfdaten wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Save a hanging protocol again.</source>
+        <translation>Speichern Sie ein Hängeprotokoll noch einmal.</translation>
+    </message>
+    <message>
+        <source>These are no hanging protocols.</source>
+        <translation>Das sind keine Hängeprotokolle.</translation>
+    </message>
+    <message>
+        <source>Hanging protocol {} lacks a value, or has one of another kind.</source>
+        <translation>Hängeprotokoll {} fehlt ein Wert, oder einer ist von anderer Art.</translation>
+    </message>
+    <message>
+        <source>Hanging protocol {} has a value out of range.</source>
+        <translation>Hängeprotokoll {} hat einen Wert außerhalb der Grenzen.</translation>
+    </message>
+    <message>
+        <source>A hanging protocol has a name of up to {} bytes.</source>
+        <translation>Ein Hängeprotokoll hat einen Namen von höchstens {} Bytes.</translation>
+    </message>
+    <message>
+        <source>Give it a shorter name.</source>
+        <translation>Geben Sie ihm einen kürzeren Namen.</translation>
+    </message>
+    <message>
+        <source>There are {} hanging protocols already.</source>
+        <translation>Es gibt schon {} Hängeprotokolle.</translation>
+    </message>
+    <message>
+        <source>Mammograms above the prior</source>
+        <translation>Mammographien über der Voraufnahme</translation>
+    </message>
+    <message>
+        <source>Four mammograms</source>
+        <translation>Vier Mammographien</translation>
+    </message>
+    <message>
+        <source>Mammograms of both sides</source>
+        <translation>Mammographien beider Seiten</translation>
+    </message>
+    <message>
+        <source>X-ray beside the prior</source>
+        <translation>Röntgenbild neben der Voraufnahme</translation>
+    </message>
+    <message>
+        <source>Two X-rays</source>
+        <translation>Zwei Röntgenbilder</translation>
+    </message>
+    <message>
+        <source>Slices with three priors</source>
+        <translation>Schichten mit drei Voruntersuchungen</translation>
+    </message>
+    <message>
+        <source>Slices with two priors</source>
+        <translation>Schichten mit zwei Voruntersuchungen</translation>
+    </message>
+    <message>
+        <source>Slices beside the prior</source>
+        <translation>Schichten neben der Voruntersuchung</translation>
+    </message>
+    <message>
+        <source>Two series of slices</source>
+        <translation>Zwei Serien von Schichten</translation>
+    </message>
+    <message>
+        <source>The mark could not be kept.</source>
+        <translation>Die Markierung konnte nicht gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Is the disk full?</source>
+        <translation>Ist die Platte voll?</translation>
+    </message>
+    <message>
+        <source>B, L on images</source>
+        <translation>B, L auf Bildern</translation>
+    </message>
+    <message>
+        <source>The chosen box alone, or all of them; boxes scroll together, or not</source>
+        <translation>Das gewählte Feld allein oder alle; Felder blättern zusammen oder nicht</translation>
+    </message>
+    <message>
+        <source>The slices as they were acquired, in boxes, with priors beside them</source>
+        <translation>Die Schichten wie aufgenommen, in Feldern, mit Voruntersuchungen daneben</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -13242,6 +13330,14 @@
     <message>
         <source>Another study was opened meanwhile. Beside shows this one next to it.</source>
         <translation>Inzwischen wurde eine andere Studie geöffnet. Daneben zeigt diese neben ihr.</translation>
+    </message>
+    <message>
+        <source>Study Is &amp;Read</source>
+        <translation>Untersuchung ist &amp;gelesen</translation>
+    </message>
+    <message>
+        <source>Mark the open study as read, in the lists of studies</source>
+        <translation>Die offene Untersuchung in den Listen als gelesen markieren</translation>
     </message>
 </context>
 <context>
@@ -14538,6 +14634,18 @@
         <source>Columns</source>
         <translation>Spalten</translation>
     </message>
+    <message>
+        <source>Mark as Read</source>
+        <translation>Als gelesen markieren</translation>
+    </message>
+    <message>
+        <source>A study that is marked stands as read; Space marks it, or takes it back</source>
+        <translation>Eine markierte Untersuchung gilt als gelesen; die Leertaste markiert sie oder nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Mark as Not Read</source>
+        <translation>Als nicht gelesen markieren</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::FoundStudyModel</name>
@@ -14593,6 +14701,125 @@
         <source>Place</source>
         <translation>Ort</translation>
     </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>opened</source>
+        <translation>geöffnet</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::HangingController</name>
+    <message>
+        <source>&amp;Boxes of Images</source>
+        <translation>Bil&amp;dfelder</translation>
+    </message>
+    <message>
+        <source>As &amp;Acquired</source>
+        <translation>Wie &amp;aufgenommen</translation>
+    </message>
+    <message>
+        <source>Show the slices of the open volume as they were acquired, and priors beside them</source>
+        <translation>Die Schichten des offenen Volumens wie aufgenommen zeigen, mit Voruntersuchungen daneben</translation>
+    </message>
+    <message>
+        <source>Hanging protocol</source>
+        <translation>Hängeprotokoll</translation>
+    </message>
+    <message>
+        <source>&amp;Scroll Together</source>
+        <translation>&amp;Zusammen blättern</translation>
+    </message>
+    <message>
+        <source>By the place in the patient; across studies as the boxes lie now</source>
+        <translation>Nach dem Ort im Patienten; zwischen Untersuchungen so, wie die Felder jetzt stehen</translation>
+    </message>
+    <message>
+        <source>This Box A&amp;lone</source>
+        <translation>Dieses Feld a&amp;llein</translation>
+    </message>
+    <message>
+        <source>The box that is chosen, or all of them again</source>
+        <translation>Das gewählte Feld, oder wieder alle</translation>
+    </message>
+    <message>
+        <source>In a &amp;Window of Their Own</source>
+        <translation>In einem eigenen &amp;Fenster</translation>
+    </message>
+    <message>
+        <source>On another screen where there is one, while this window shows the volume</source>
+        <translation>Auf einem anderen Bildschirm, wo es einen gibt, während dieses Fenster das Volumen zeigt</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Rows and columns of boxes</source>
+        <translation>Zeilen und Spalten von Feldern</translation>
+    </message>
+    <message>
+        <source>&amp;Other Grid…</source>
+        <translation>&amp;Anderes Raster…</translation>
+    </message>
+    <message>
+        <source>Any number of rows and columns</source>
+        <translation>Beliebig viele Zeilen und Spalten</translation>
+    </message>
+    <message>
+        <source>Hang the study by this protocol</source>
+        <translation>Die Untersuchung nach diesem Protokoll hängen</translation>
+    </message>
+    <message>
+        <source>It is for other studies.</source>
+        <translation>Es ist für andere Untersuchungen.</translation>
+    </message>
+    <message>
+        <source>Save as &amp;Hanging Protocol…</source>
+        <translation>Als &amp;Hängeprotokoll speichern…</translation>
+    </message>
+    <message>
+        <source>Hang studies of this kind as these boxes are now</source>
+        <translation>Untersuchungen dieser Art so hängen, wie diese Felder jetzt sind</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Hanging Protocol</source>
+        <translation>Hängeprotokoll &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Boxes of Images</source>
+        <translation>Bildfelder</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Save as Hanging Protocol</source>
+        <translation>Als Hängeprotokoll speichern</translation>
+    </message>
+    <message>
+        <source>Name; one of the same name is replaced</source>
+        <translation>Name; eines mit demselben Namen wird ersetzt</translation>
+    </message>
+    <message>
+        <source>Studies of this kind are hung so from now on.</source>
+        <translation>Untersuchungen dieser Art werden von nun an so gehängt.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::HeadsetController</name>
@@ -14646,6 +14873,48 @@
     <message>
         <source>The study of this window in a headset (OpenXR)</source>
         <translation>Die Studie dieses Fensters in einem Headset (OpenXR)</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ImageBox</name>
+    <message>
+        <source>The image is being read…</source>
+        <translation>Das Bild wird gelesen…</translation>
+    </message>
+    <message>
+        <source>lines: the slices of the open volume</source>
+        <translation>Linien: die Schichten des offenen Volumens</translation>
+    </message>
+    <message>
+        <source>the file says no rate: %1 frames per second</source>
+        <translation>die Datei nennt keine Rate: %1 Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>line: the image of the box that is chosen</source>
+        <translation>Linie: das Bild des gewählten Feldes</translation>
+    </message>
+    <message>
+        <source>scrolls with the others</source>
+        <translation>blättert mit den anderen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ImageBoxes</name>
+    <message>
+        <source>Boxes of images</source>
+        <translation>Bildfelder</translation>
+    </message>
+    <message>
+        <source>Series in a box</source>
+        <translation>Serie in einem Feld</translation>
+    </message>
+    <message>
+        <source>Scroll together</source>
+        <translation>Zusammen blättern</translation>
+    </message>
+    <message>
+        <source>Scroll alone</source>
+        <translation>Allein blättern</translation>
     </message>
 </context>
 <context>
@@ -16326,20 +16595,20 @@
         <source>Overlays of the file</source>
         <translation>Overlays der Datei</translation>
     </message>
+    <message>
+        <source>Boxes</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Several images side by side, and hanging protocols</source>
+        <translation>Mehrere Bilder nebeneinander, und Hängeprotokolle</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::PlanarController</name>
     <message>
-        <source>The image is being read…</source>
-        <translation>Das Bild wird gelesen…</translation>
-    </message>
-    <message>
-        <source>the file says no rate: %1 frames per second</source>
-        <translation>die Datei nennt kein Tempo: %1 Bilder je Sekunde</translation>
-    </message>
-    <message>
-        <source>lines: the slices of the open volume</source>
-        <translation>Linien: die Schichten des geöffneten Volumens</translation>
+        <source>Images</source>
+        <translation>Bilder</translation>
     </message>
 </context>
 <context>
@@ -18974,6 +19243,30 @@
     <message>
         <source>Receiving</source>
         <translation>Empfang</translation>
+    </message>
+    <message>
+        <source>Mouse on slices and images</source>
+        <translation>Maus auf Schichten und Bildern</translation>
+    </message>
+    <message>
+        <source>What dragging does; at once. On slices tools other than the cross-hair keep the left button</source>
+        <translation>Was Ziehen tut; sofort. Auf Schichten behalten andere Werkzeuge als das Fadenkreuz die linke Taste</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse</source>
+        <translation>&amp;Maus</translation>
+    </message>
+    <message>
+        <source>Cross-hair left, move middle, window right</source>
+        <translation>Fadenkreuz links, Schieben Mitte, Fenster rechts</translation>
+    </message>
+    <message>
+        <source>Window left, move middle, zoom right</source>
+        <translation>Fenster links, Schieben Mitte, Zoom rechts</translation>
+    </message>
+    <message>
+        <source>Slices left, window middle, zoom right</source>
+        <translation>Schichten links, Fenster Mitte, Zoom rechts</translation>
     </message>
 </context>
 <context>

@@ -95,7 +95,7 @@ OpeningState StateController::openingState(const study::OpenedStudy& study,
                           .lights = options_.lights,
                           .showsMarks = before.showsMarks,
                           .background = before.background,
-                          .layout = before.layout,
+                          .layout = layoutOf(volume),
                           .slices = {.asAcquired = planes.asAcquired}};
     std::optional<scene::StudyState> left = stateAsLeft(study);
     if (left && options_.restores == Restores::work) {
@@ -122,6 +122,12 @@ OpeningState StateController::openingState(const study::OpenedStudy& study,
     opening.state = std::move(now);
     opening.left = std::move(left);
     return opening;
+}
+
+scene::Layout StateController::layoutOf(const Volume& volume) const {
+    const scene::Layout before = context_.session.state().layout;
+    if (options_.keepsLayout || !options_.usualLayout) return before;
+    return options_.usualLayout(volume).value_or(before);
 }
 
 // Leaves out a camera that nobody has moved: it fits the visible part in a window of any size.

@@ -31,7 +31,9 @@ struct StateOptions {
     std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
     std::shared_ptr<const trace::LightRig> lights = {};   // null: the default lights of each look
     Restores restores = Restores::all;
-    bool keepsLayout = false;  // a restored study takes the window's layout
+    bool keepsLayout = false;  // every study takes the window's layout
+    // Of a study that is shown as new; nothing: that of the study before.
+    std::function<std::optional<scene::Layout>(const Volume&)> usualLayout = {};
 };
 
 // The state in which a study is shown first.
@@ -69,6 +71,7 @@ class StateController : public QObject {
 
   private:
     std::shared_ptr<const TransferFunction> usualPreset(const Volume& volume) const;
+    scene::Layout layoutOf(const Volume& volume) const;  // of one that is shown as new
     std::optional<scene::StudyState> stateAsLeft(const study::OpenedStudy& study);
     scene::StudyState stateToKeep() const;
     void showAfresh();

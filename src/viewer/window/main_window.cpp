@@ -10,6 +10,7 @@
 #include "study/spool/spool.h"
 #include "viewer/archive/archive_controller.h"
 #include "viewer/archive/archive_panel.h"
+#include "viewer/archive/read_marks.h"
 #include "viewer/archive/send_controller.h"
 #include "viewer/archive/waiting_bar.h"
 #include "viewer/browser/browser_controller.h"
@@ -24,6 +25,7 @@
 #include "viewer/dose/dose_controller.h"
 #include "viewer/dose/dose_panel.h"
 #include "viewer/editor/undo_actions.h"
+#include "viewer/hanging/hanging_controller.h"
 #include "viewer/headset/headset_controller.h"
 #include "viewer/headset/headset_mirror.h"
 #include "viewer/jobs/post.h"
@@ -42,11 +44,11 @@
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/panels_controller.h"
 #include "viewer/panes/tool_box.h"
+#include "viewer/panes/usual_layouts.h"
 #include "viewer/phases/phase_bar.h"
 #include "viewer/phases/phases_controller.h"
 #include "viewer/pick/pick_controller.h"
 #include "viewer/planar/planar_controller.h"
-#include "viewer/planar/planar_measuring.h"
 #include "viewer/planar/planar_presenting.h"
 #include "viewer/presets/preset_gallery.h"
 #include "viewer/presets/presets_controller.h"
@@ -129,15 +131,19 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
 // The order of construction is the Tab order, and the order in which the features get the session's signals;
 // showStudy() and connectStudy() set the rest.
 void MainWindow::makeStudy() {
-    states_ = new StateController(context_,
-                                  {.preset = options_.preset,
-                                   .lights = options_.lights,
-                                   .restores = options_.restores,
-                                   .keepsLayout = options_.keepsLayout},
-                                  keeper_.get());
+    const auto* layouts = new UsualLayouts(session_, *settings_, this);
+    states_ =
+        new StateController(context_,
+                            {.preset = options_.preset,
+                             .lights = options_.lights,
+                             .restores = options_.restores,
+                             .keepsLayout = options_.keepsLayout,
+                             .usualLayout = [layouts](const Volume& volume) { return layouts->of(volume); }},
+                            keeper_.get());
     opening_ = new OpeningController(context_, *states_, keeper_);
     panes_ = new PanesController(context_);
     planar_ = new PlanarController(context_, panes_->grid());
+    hanging_ = new HangingController(context_, *planar_, options_.sessions);
     phases_ = new PhasesController(context_, *opening_, panes_->allSlices());
     undo_ = new UndoActions(session_, this);
     table_ = new TableController(context_);
@@ -187,6 +193,8 @@ void MainWindow::makePanels() {
         context_, {.opening = *opening_, .browser = browser_->browser(), .images = *planar_});
     archive_ = new ArchiveController(
         context_, {.opening = *opening_, .settings = *settings_, .recent = browser_->recent()});
+    marks_ = new ReadMarks(keeper_, this);
+    archive_->setMarks(marks_);
     QDockWidget* archive =
         panels_->add(Qt::LeftDockWidgetArea, &archive_->panel(), tr("Archive"), "archive-panel");
     archive_->setShownAction(*archive->toggleViewAction());
@@ -294,29 +302,34 @@ void MainWindow::connectImages() {
                 planar_->presenting().choose(of.file);
             });
     connect(planar_, &PlanarController::shownChanged, this, [this] {
-        phases_->setImagesShown(planar_->isShown());
+        phases_->setImagesShown(planar_->hidesPanes());
         status_->setImagesShown(planar_->identity());
-        panes_->tools().setEnabled(!planar_->isShown());
-        undo_->actOn(planar_->isShown() ? &planar_->measuring() : nullptr);
+        archive_->onImagesShown(planar_->identity());
+        panes_->tools().setEnabled(!planar_->hidesPanes());
+        undo_->actOn(planar_->isInFront() ? &planar_->boxes() : nullptr);
         // The notes are about the open study.
-        if (planar_->isShown())
+        if (planar_->hidesPanes())
             notes_->bar().hide();
         else
             notes_->show();
     });
-    connect(&planar_->measuring(), &PlanarMeasuring::changed, undo_, &UndoActions::update);
+    connect(&planar_->boxes(), &ImageBoxes::stepsChanged, undo_, &UndoActions::update);
     pictures_->setInstead([this] { return planar_->savePicture(); });
     measurements_->setInstead({.save = [this] { return planar_->saveMeasurements(); },
                                .remove = [this] { return planar_->removeMeasurements(); }});
-    if (options_.restores != Restores::nothing) planar_->keepIn(keeper_);
+    if (options_.restores != Restores::nothing) {
+        planar_->keepIn(keeper_);
+        hanging_->keepIn(keeper_);
+    }
     connect(&opening_->loader(), &StudyLoader::began, this,
             [this] { foundBefore_ = browser_->browser().found(); });
     opening_->setInstead([this] { return showImagesInstead(); });
     // What is listed of the open volume may be beneath images.
-    connect(&browser_->browser(), &StudyBrowser::openChosen, planar_, &PlanarController::close);
-    connect(&browser_->browser(), &StudyBrowser::presentationChosen, planar_, &PlanarController::close);
-    connect(this, &MainWindow::studyShown, planar_, &PlanarController::close);
-    connect(panes_, &PanesController::layoutShown, planar_, &PlanarController::close);
+    connect(&browser_->browser(), &StudyBrowser::openChosen, planar_, &PlanarController::giveWay);
+    connect(&browser_->browser(), &StudyBrowser::presentationChosen, planar_, &PlanarController::giveWay);
+    connect(this, &MainWindow::studyShown, planar_, &PlanarController::onStudyShown);
+    connect(this, &MainWindow::studyShown, hanging_, &HangingController::onStudyShown);
+    connect(panes_, &PanesController::layoutShown, planar_, &PlanarController::giveWay);
 }
 
 // A folder without any volume is shown as what it holds, and so is an image that is opened itself.
@@ -373,10 +386,12 @@ MainWindow::~MainWindow() {
     notes_->setSource(NoteOn::dose, {});
     delete dose_;
     delete second_;
+    marks_->letKeeperGo();
+    hanging_->keepIn({});
+    planar_->keepIn({});
     delete takeCentralWidget();  // with the panes
     viewport_ = nullptr;         // for viewport()
     opening_->letKeeperGo();
-    planar_->keepIn({});
     keeper_.reset();
 }
 

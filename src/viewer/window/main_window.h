@@ -34,6 +34,7 @@ class ClipsController;
 class CurveController;
 class DoseController;
 class DocumentsController;
+class HangingController;
 class HeadsetController;
 class LightsController;
 class LinksController;
@@ -51,6 +52,7 @@ class PlanarController;
 class PresentationsController;
 class PresetsController;
 class QualityController;
+class ReadMarks;
 class ReceiveController;
 class ScissorTool;
 class SecondVolumeController;
@@ -121,7 +123,8 @@ class MainWindow : public QMainWindow {
     SliceView& slices(slices::Orientation orientation) { return panes_->slices(orientation); }
     SlicePair& pair(slices::Orientation orientation) { return panes_->pair(orientation); }
     PaneGrid& panes() { return panes_->grid(); }
-    PlanarController& images() { return *planar_; }  // those that are no volumes
+    PlanarController& images() { return *planar_; }  // as they are
+    HangingController& hanging() { return *hanging_; }
     DocumentsController& documents() { return *documents_; }
     SecondVolumeLoader& secondVolume();
     DoseController& dose() { return *dose_; }
@@ -197,6 +200,7 @@ class MainWindow : public QMainWindow {
     OpeningController* opening_ = nullptr;
     PanesController* panes_ = nullptr;
     PlanarController* planar_ = nullptr;
+    HangingController* hanging_ = nullptr;
     PhasesController* phases_ = nullptr;
     std::weak_ptr<const study::FoundVolumes> foundBefore_;  // in the list, when the last opening began
     PanelsController* panels_ = nullptr;
@@ -210,6 +214,7 @@ class MainWindow : public QMainWindow {
     SegmentationsController* segmentations_ = nullptr;
     CurveController* curve_ = nullptr;
     SegmentingController* segmenting_ = nullptr;
+    ReadMarks* marks_ = nullptr;
     ArchiveController* archive_ = nullptr;
     LinksController* links_ = nullptr;
     ManifestsController* manifests_ = nullptr;

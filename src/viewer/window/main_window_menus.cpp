@@ -13,6 +13,7 @@
 #include "viewer/documents/documents_controller.h"
 #include "viewer/dose/dose_controller.h"
 #include "viewer/editor/undo_actions.h"
+#include "viewer/hanging/hanging_controller.h"
 #include "viewer/headset/headset_controller.h"
 #include "viewer/keys/keys.h"
 #include "viewer/lights/lights_controller.h"
@@ -103,6 +104,7 @@ void MainWindow::makeViewMenu() {
     states_->addActions(*view);
     view->addSeparator();
     panes_->addActions(*view);
+    hanging_->addMenu(*view);
     second_->addViewActions(*view);
     dose_->addViewActions(*view);
     view->addSeparator();
