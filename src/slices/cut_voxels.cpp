@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/is_finite.h"
+#include "slices/outline.h"
 
 namespace macula::slices {
 
@@ -44,27 +45,14 @@ Polygon clipped(const Polygon& polygon, const glm::dvec2& normal, double offset)
     return kept;
 }
 
-// Nothing for a polygon without area.
-std::optional<glm::dvec2> centroidOf(const Polygon& polygon) {
-    glm::dvec2 sum(0.0);
-    double doubleArea = 0.0;
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-        const glm::dvec2 a = polygon[i - 1] - polygon[0];
-        const glm::dvec2 b = polygon[i] - polygon[0];
-        const double cross = a.x * b.y - a.y * b.x;
-        doubleArea += cross;
-        sum += cross * (a + b);
-    }
-    if (!(doubleArea > 0.0)) return std::nullopt;
-    return polygon[0] + sum / (3.0 * doubleArea);
-}
-
-// The plane of an ellipse among the voxels of a volume: (u, v), in mm from the ellipse's centre along right
-// and down, lies at centre + u * right + v * down in voxel coordinates.
+// The plane of an ellipse or an outline among the voxels of a volume: (u, v), in mm from the centre along
+// right and down, lies at centre + u * right + v * down in voxel coordinates.
 class CutVoxels {
   public:
-    // Nothing for an invalid ellipse, or one too far away.
+    // Nothing for an invalid shape, or one too far away.
     static std::optional<CutVoxels> of(const Ellipse& ellipse, const Volume& volume);
+    static std::optional<CutVoxels> of(const Outline& outline, const glm::dvec3& normal,
+                                       const Volume& volume);
 
     void forEach(const std::function<void(const glm::ivec3&)>& visit) const;
 
@@ -73,15 +61,21 @@ class CutVoxels {
         int first = 0;
         int end = 0;
     };
+    static std::optional<CutVoxels> of(const SlicePlane& plane, const glm::dvec2& radiiMm,
+                                       const Volume& volume);
     Indices indices(double low, double high, int axis) const;
-    Indices besideTheEllipse(int axis) const;
+    Indices besideTheShape(int axis) const;
+    std::optional<glm::ivec3> voxelAt(const glm::dvec2& mm) const;
     bool counts(const glm::ivec3& voxel) const;
+    bool countsForOutline(const glm::ivec3& voxel, const glm::dvec2& middleMm) const;
     Polygon cutOf(const glm::ivec3& voxel, const glm::dvec2& middleMm) const;
 
     glm::ivec3 size_{0};
     glm::dmat4 worldFromVoxel_{1.0};
     glm::dvec3 centreMm_{0.0}, rightMm_{0.0}, downMm_{0.0};  // unit vectors
-    glm::dvec2 radiiMm_{0.0};
+    glm::dvec2 radiiMm_{0.0};               // of an outline, half of the sides of the box around it
+    std::optional<InsideOf> outline_;       // nothing: an ellipse
+    std::optional<glm::dvec2> centroidMm_;  // of an outline
     glm::dvec3 centre_{0.0}, right_{0.0}, down_{0.0};  // the same in voxels
     glm::dvec3 normal_{0.0};
     int across_ = 0;              // the voxel axis closest to the plane's normal
@@ -89,7 +83,31 @@ class CutVoxels {
 };
 
 std::optional<CutVoxels> CutVoxels::of(const Ellipse& ellipse, const Volume& volume) {
-    const SlicePlane& plane = ellipse.plane;
+    return of(ellipse.plane, ellipse.radiiMm, volume);
+}
+
+std::optional<CutVoxels> CutVoxels::of(const Outline& outline, const glm::dvec3& normal,
+                                       const Volume& volume) {
+    auto flat = flatOutline(outline, normal);
+    if (!flat) return std::nullopt;
+    glm::dvec2 low = flat->points.front();
+    glm::dvec2 high = low;
+    for (const glm::dvec2& mm : flat->points) {
+        low = glm::min(low, mm);
+        high = glm::max(high, mm);
+    }
+    const glm::dvec2 middle = 0.5 * (low + high);
+    flat->plane.centreMm += middle.x * flat->plane.right + middle.y * flat->plane.down;
+    for (glm::dvec2& mm : flat->points) mm -= middle;
+    auto cut = of(flat->plane, 0.5 * (high - low), volume);
+    if (!cut) return std::nullopt;
+    cut->outline_.emplace(flat->points);
+    cut->centroidMm_ = centroidOf(std::span<const glm::dvec2>(flat->points));
+    return cut;
+}
+
+std::optional<CutVoxels> CutVoxels::of(const SlicePlane& plane, const glm::dvec2& radiiMm,
+                                       const Volume& volume) {
     CutVoxels cut;
     cut.size_ = volume.size();
     cut.worldFromVoxel_ = volume.worldFromVoxel();
@@ -97,7 +115,7 @@ std::optional<CutVoxels> CutVoxels::of(const Ellipse& ellipse, const Volume& vol
     cut.rightMm_ = plane.right / lengthOf(plane.right);
     cut.downMm_ = plane.down - glm::dot(plane.down, cut.rightMm_) * cut.rightMm_;
     cut.downMm_ /= lengthOf(cut.downMm_);
-    cut.radiiMm_ = ellipse.radiiMm;
+    cut.radiiMm_ = radiiMm;
 
     const glm::dmat4 voxelFromWorld = glm::inverse(cut.worldFromVoxel_);
     cut.centre_ = transformPoint(voxelFromWorld, cut.centreMm_);
@@ -106,9 +124,9 @@ std::optional<CutVoxels> CutVoxels::of(const Ellipse& ellipse, const Volume& vol
     cut.normal_ = glm::cross(cut.right_, cut.down_);
     const glm::dvec3 slope = glm::abs(cut.normal_);
     cut.across_ = slope.x >= slope.y && slope.x >= slope.z ? 0 : slope.y >= slope.z ? 1 : 2;
-    const bool isEllipse = ellipse.radiiMm.x > 0.0 && ellipse.radiiMm.y > 0.0 &&
-                           std::isfinite(ellipse.radiiMm.x) && std::isfinite(ellipse.radiiMm.y);
-    if (!isEllipse || !(lengthOf(cut.centreMm_) <= kFarthestMm) || !isFinite(cut.centre_) ||
+    const bool hasExtent =
+        radiiMm.x > 0.0 && radiiMm.y > 0.0 && std::isfinite(radiiMm.x) && std::isfinite(radiiMm.y);
+    if (!hasExtent || !(lengthOf(cut.centreMm_) <= kFarthestMm) || !isFinite(cut.centre_) ||
         !isFinite(cut.right_) || !isFinite(cut.down_) || !isFinite(cut.normal_) ||
         !(slope[cut.across_] > 0.0))
         return std::nullopt;
@@ -131,15 +149,27 @@ CutVoxels::Indices CutVoxels::indices(double low, double high, int axis) const {
     return {inVolume(std::ceil(low - 0.5)), inVolume(std::ceil(high + 0.5))};
 }
 
-CutVoxels::Indices CutVoxels::besideTheEllipse(int axis) const {
-    const double reach = std::hypot(radiiMm_.x * right_[axis], radiiMm_.y * down_[axis]);
+CutVoxels::Indices CutVoxels::besideTheShape(int axis) const {
+    const double alongRight = radiiMm_.x * right_[axis];
+    const double alongDown = radiiMm_.y * down_[axis];
+    const double reach =
+        outline_ ? std::abs(alongRight) + std::abs(alongDown) : std::hypot(alongRight, alongDown);
     return indices(centre_[axis] - reach, centre_[axis] + reach, axis);
 }
 
+// The voxel around a point of the plane; nothing outside the volume.
+std::optional<glm::ivec3> CutVoxels::voxelAt(const glm::dvec2& mm) const {
+    const glm::dvec3 at = centre_ + mm.x * right_ + mm.y * down_;
+    const glm::ivec3 voxel(glm::clamp(glm::floor(at + 0.5), glm::dvec3(-1.0), glm::dvec3(size_)));
+    const bool isInVolume =
+        glm::all(glm::greaterThanEqual(voxel, glm::ivec3(0))) && glm::all(glm::lessThan(voxel, size_));
+    return isInVolume ? std::optional(voxel) : std::nullopt;
+}
+
 void CutVoxels::forEach(const std::function<void(const glm::ivec3&)>& visit) const {
-    const glm::ivec3 middle(glm::clamp(glm::floor(centre_ + 0.5), glm::dvec3(-1.0), glm::dvec3(size_)));
-    if (glm::all(glm::greaterThanEqual(middle, glm::ivec3(0))) && glm::all(glm::lessThan(middle, size_)))
-        visit(middle);
+    const std::optional<glm::ivec3> middle = outline_ ? std::nullopt : voxelAt({0.0, 0.0});
+    if (middle) visit(*middle);
+    bool hasVisited = middle.has_value();
 
     // Over a column of voxels along `across_` the plane rises by at most a voxel in each direction, so it
     // cuts at most three of the column.
@@ -149,8 +179,8 @@ void CutVoxels::forEach(const std::function<void(const glm::ivec3&)>& visit) con
     const double slopeQ = -normal_[q] / normal_[across_];
     const double rise = 0.5 * (std::abs(slopeP) + std::abs(slopeQ));
     const double reach = rise - std::min(kMereTouch, 0.5 * rise);
-    const Indices besideP = besideTheEllipse(p);
-    const Indices besideQ = besideTheEllipse(q);
+    const Indices besideP = besideTheShape(p);
+    const Indices besideQ = besideTheShape(q);
     glm::ivec3 voxel;
     for (voxel[q] = besideQ.first; voxel[q] < besideQ.end; ++voxel[q]) {
         for (voxel[p] = besideP.first; voxel[p] < besideP.end; ++voxel[p]) {
@@ -158,15 +188,21 @@ void CutVoxels::forEach(const std::function<void(const glm::ivec3&)>& visit) con
                 centre_[across_] + slopeP * (voxel[p] - centre_[p]) + slopeQ * (voxel[q] - centre_[q]);
             const Indices column = indices(at - reach, at + reach, across_);
             for (voxel[across_] = column.first; voxel[across_] < column.end; ++voxel[across_])
-                if (voxel != middle && counts(voxel)) visit(voxel);
+                if (voxel != middle && counts(voxel)) {
+                    visit(voxel);
+                    hasVisited = true;
+                }
         }
     }
+    if (hasVisited || !outline_ || !centroidMm_ || !(*outline_)(*centroidMm_)) return;
+    if (const auto around = voxelAt(*centroidMm_)) visit(*around);
 }
 
-// Whether a voxel that the plane cuts counts for the ellipse.
+// Whether a voxel that the plane cuts counts for the shape.
 bool CutVoxels::counts(const glm::ivec3& voxel) const {
     const glm::dvec3 fromCentreMm = transformPoint(worldFromVoxel_, glm::dvec3(voxel)) - centreMm_;
     const glm::dvec2 middleMm(glm::dot(fromCentreMm, rightMm_), glm::dot(fromCentreMm, downMm_));
+    if (outline_) return countsForOutline(voxel, middleMm);
     // Most voxels lie wholly inside the ellipse, or wholly outside: only the others need their cut.
     const double middle = radiiFromCentre(middleMm, radiiMm_);
     const double reach = voxelRadiusMm_ / std::min(radiiMm_.x, radiiMm_.y);
@@ -174,6 +210,13 @@ bool CutVoxels::counts(const glm::ivec3& voxel) const {
     if (middle - reach > 1.0 + kOnTheEllipse) return false;
     const auto centroid = centroidOf(cutOf(voxel, middleMm));
     return centroid && radiiFromCentre(*centroid, radiiMm_) <= 1.0 + kOnTheEllipse;
+}
+
+bool CutVoxels::countsForOutline(const glm::ivec3& voxel, const glm::dvec2& middleMm) const {
+    const glm::dvec2 farthest = radiiMm_ + voxelRadiusMm_;
+    if (std::abs(middleMm.x) > farthest.x || std::abs(middleMm.y) > farthest.y) return false;
+    const auto centroid = centroidOf(cutOf(voxel, middleMm));
+    return centroid && (*outline_)(*centroid);
 }
 
 // The plane's cut through a voxel, in (u, v). `middleMm` is the point of the plane that is nearest to the
@@ -196,6 +239,11 @@ Polygon CutVoxels::cutOf(const glm::ivec3& voxel, const glm::dvec2& middleMm) co
 void forEachCutVoxel(const Ellipse& ellipse, const Volume& volume,
                      const std::function<void(const glm::ivec3&)>& visit) {
     if (const auto cut = CutVoxels::of(ellipse, volume)) cut->forEach(visit);
+}
+
+void forEachCutVoxel(const Outline& outline, const glm::dvec3& normal, const Volume& volume,
+                     const std::function<void(const glm::ivec3&)>& visit) {
+    if (const auto cut = CutVoxels::of(outline, normal, volume)) cut->forEach(visit);
 }
 
 }  // namespace macula::slices

@@ -115,11 +115,12 @@ std::vector<PictureLine> edgesOf(const SliceRange& slices, const Volume& volume,
 
 double interpolatedShare(const Measurement& measurement, const Volume& volume) {
     if (volume.provenance().interpolatedSlices.empty()) return 0.0;
-    if (const auto* ellipse = std::get_if<Ellipse>(&measurement.shape)) {
-        const auto values = valuesIn(*ellipse, volume);
+    if (hasArea(measurement)) {
+        const auto values = valuesIn(measurement, volume);
         return values ? double(values->interpolated) / double(values->voxels) : 0.0;
     }
     const std::vector<glm::dvec3> points = pointsOf(measurement);
+    if (points.empty()) return 0.0;
     const auto within = std::ranges::count_if(points, [&](const glm::dvec3& mm) {
         const auto there = probe(volume, mm);
         return there && there->isInterpolated;

@@ -27,7 +27,7 @@ struct PictureLine {
 std::vector<PictureLine> edgesOf(const SliceRange& slices, const Volume& volume, const SliceFrame& frame);
 
 // The share of a measurement that lies in such slices, 0 to 1: of the voxels that valuesIn measures in an
-// ellipse, else of the points.
+// ellipse or an outline, else of the points.
 double interpolatedShare(const Measurement& measurement, const Volume& volume);
 
 }  // namespace macula::slices

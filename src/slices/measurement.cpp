@@ -1,7 +1,5 @@
 #include "slices/measurement.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,8 @@
 
 #include "slices/cut_voxels.h"
 #include "slices/interpolated.h"
+#include "slices/outline.h"
+#include "slices/overloaded.h"
 
 namespace macula::slices {
 
@@ -17,116 +17,108 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kParallelDeg = 1.0;
 
-template <class... Cases>
-struct Overloaded : Cases... {
-    using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
-
 // Without overflow; NaN if a number is not finite.
 double lengthOf(const glm::dvec3& vector) {
     const double length = std::hypot(vector.x, vector.y, vector.z);
     return std::isfinite(length) ? length : kNaN;
 }
 
+double angleBetweenDeg(const glm::dvec3& first, const glm::dvec3& second) {
+    const glm::dvec3 a = first / lengthOf(first);  // NaN when it has no length
+    const glm::dvec3 b = second / lengthOf(second);
+    // With atan2: an arc cosine would lose half of its digits near 0 and 180 degrees.
+    return glm::degrees(std::atan2(lengthOf(glm::cross(a, b)), glm::dot(a, b)));
+}
+
 // Welford's sums: the mean of large values with a small deviation keeps its digits.
 class Sums {
   public:
-    void add(double value, bool isInterpolated) {
+    void add(const Volume& volume, const glm::ivec3& voxel) {
+        if (volume.isPadding(voxel.x, voxel.y, voxel.z)) return;
+        const double value = volume.value(voxel.x, voxel.y, voxel.z);
+        if (!std::isfinite(value)) return;
         ++values_.voxels;
-        if (isInterpolated) ++values_.interpolated;
+        if (isInterpolated(volume, voxel.z)) ++values_.interpolated;
         const double before = value - values_.mean;
         values_.mean += before / double(values_.voxels);
         squares_ += before * (value - values_.mean);
         values_.low = values_.voxels == 1 ? value : std::min(values_.low, value);
         values_.high = values_.voxels == 1 ? value : std::max(values_.high, value);
     }
-    EllipseValues result() const {
-        EllipseValues values = values_;
+    std::optional<AreaValues> result(double areaMm2) const {
+        if (values_.voxels == 0) return std::nullopt;
+        AreaValues values = values_;
+        values.areaMm2 = areaMm2;
         values.deviation = values.voxels > 1 ? std::sqrt(squares_ / double(values.voxels - 1)) : kNaN;
         return values;
     }
 
   private:
-    EllipseValues values_;
+    AreaValues values_;
     double squares_ = 0.0;
 };
-
-// Decimals so that the largest of the numbers has three significant digits.
-int decimalsFor(double largest) {
-    if (!(std::abs(largest) > 0.0) || !std::isfinite(largest)) return 0;
-    return int(std::clamp(2.0 - std::floor(std::log10(std::abs(largest))), 0.0, 9.0));
-}
-
-constexpr const char* kNotDefined = "–";
-
-// "12.3", or "12.3 mm" with the unit " mm".
-std::string numberText(double value, int decimals, std::string_view unit = {}) {
-    constexpr double kLongest = 1e7;
-    if (!std::isfinite(value)) return kNotDefined;
-    std::string text =
-        std::abs(value) >= kLongest ? fmt::format("{:.4g}", value) : fmt::format("{:.{}f}", value, decimals);
-    const bool isMinusZero = text.front() == '-' && text.find_first_of("123456789") == std::string::npos;
-    if (isMinusZero) text.erase(0, 1);
-    return text.append(unit);
-}
-
-// The text of a length or an area, marked as an estimate unless it is not defined.
-std::string sizeText(double size, int decimals, std::string_view unit, const Volume& volume) {
-    std::string text = numberText(size, decimals, unit);
-    const bool isEstimate = !volume.provenance().isCalibrated && std::isfinite(size);
-    return isEstimate ? "≈ " + text : text;
-}
-
-std::string textOfEllipse(const Ellipse& ellipse, const Volume& volume) {
-    const double area = areaMm2(ellipse);
-    const std::string areaText = sizeText(area, decimalsFor(area), " mm²", volume);
-    const auto values = valuesIn(ellipse, volume);
-    if (!values) return fmt::format("{}, {}", kNotDefined, areaText);
-    const int decimals = volume.unit() == Unit::hounsfield
-                             ? 0
-                             : decimalsFor(std::max(std::abs(values->low), std::abs(values->high)));
-    std::string text = numberText(values->mean, decimals);
-    if (values->voxels > 1) text += " ± " + numberText(values->deviation, decimals);
-    if (const std::string unit = volume.unitName(); !unit.empty()) text += " " + unit;
-    // "min" and "max" are the same in all languages of the window.
-    return fmt::format("{}, min {}, max {}, {}", text, numberText(values->low, decimals),
-                       numberText(values->high, decimals), areaText);
-}
 
 }  // namespace
 
 std::string_view kindOf(const Measurement& measurement) {
     return std::visit(
         Overloaded{[](const Distance&) { return "distance"; }, [](const Angle&) { return "angle"; },
-                   [](const Ellipse&) { return "ellipse"; }},
+                   [](const Ellipse&) { return "ellipse"; },
+                   [](const Bidirectional&) { return "bidirectional"; },
+                   [](const CobbAngle&) { return "cobb angle"; }, [](const Arrow&) { return "arrow"; },
+                   [](const Outline&) { return "outline"; }, [](const OpenLine&) { return "line"; }},
         measurement.shape);
 }
 
 std::vector<glm::dvec3> pointsOf(const Measurement& measurement) {
     using Points = std::vector<glm::dvec3>;
-    return std::visit(Overloaded{[](const Distance& d) { return Points(d.endsMm.begin(), d.endsMm.end()); },
-                                 [](const Angle& a) { return Points(a.pointsMm.begin(), a.pointsMm.end()); },
-                                 [](const Ellipse& e) {
-                                     const glm::dvec3& centre = e.plane.centreMm;
-                                     return Points{centre, centre + e.radiiMm.x * e.plane.right,
-                                                   centre + e.radiiMm.y * e.plane.down};
-                                 }},
-                      measurement.shape);
+    return std::visit(
+        Overloaded{[](const Distance& d) { return Points(d.endsMm.begin(), d.endsMm.end()); },
+                   [](const Angle& a) { return Points(a.pointsMm.begin(), a.pointsMm.end()); },
+                   [](const Ellipse& e) {
+                       const glm::dvec3& centre = e.plane.centreMm;
+                       return Points{centre, centre + e.radiiMm.x * e.plane.right,
+                                     centre + e.radiiMm.y * e.plane.down};
+                   },
+                   [](const Bidirectional& b) {
+                       return Points{b.firstMm[0], b.firstMm[1], b.secondMm[0], b.secondMm[1]};
+                   },
+                   [](const CobbAngle& c) { return Points(c.pointsMm.begin(), c.pointsMm.end()); },
+                   [](const Arrow& a) {
+                       return Points{a.tipMm, a.tailMm};
+                   },
+                   [](const Outline& o) { return o.pointsMm; }, [](const OpenLine& l) { return l.pointsMm; }},
+        measurement.shape);
 }
 
 double lengthMm(const Distance& distance) {
     return lengthOf(distance.endsMm[1] - distance.endsMm[0]);
 }
 
+double lengthMm(const OpenLine& line) {
+    if (line.pointsMm.size() < 2) return kNaN;
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.pointsMm.size(); ++i)
+        length += lengthOf(line.pointsMm[i] - line.pointsMm[i - 1]);
+    return std::isfinite(length) ? length : kNaN;
+}
+
 double angleDeg(const Angle& angle) {
-    const glm::dvec3 toFirst = angle.pointsMm[0] - angle.pointsMm[1];
-    const glm::dvec3 toLast = angle.pointsMm[2] - angle.pointsMm[1];
-    const glm::dvec3 a = toFirst / lengthOf(toFirst);  // NaN when it has no length
-    const glm::dvec3 b = toLast / lengthOf(toLast);
-    // With atan2: an arc cosine would lose half of its digits near 0 and 180 degrees.
-    return glm::degrees(std::atan2(lengthOf(glm::cross(a, b)), glm::dot(a, b)));
+    return angleBetweenDeg(angle.pointsMm[0] - angle.pointsMm[1], angle.pointsMm[2] - angle.pointsMm[1]);
+}
+
+double angleDeg(const CobbAngle& angle) {
+    constexpr double kHalfTurn = 180.0;
+    const double drawn =
+        angleBetweenDeg(angle.pointsMm[1] - angle.pointsMm[0], angle.pointsMm[3] - angle.pointsMm[2]);
+    return drawn > 0.5 * kHalfTurn ? kHalfTurn - drawn : drawn;
+}
+
+Axes axesOf(const Bidirectional& lesion) {
+    const double first = lengthOf(lesion.firstMm[1] - lesion.firstMm[0]);
+    const double second = lengthOf(lesion.secondMm[1] - lesion.secondMm[0]);
+    if (!std::isfinite(first + second)) return {kNaN, kNaN};
+    return {std::max(first, second), std::min(first, second)};
 }
 
 double areaMm2(const Ellipse& ellipse) {
@@ -134,17 +126,30 @@ double areaMm2(const Ellipse& ellipse) {
     return std::isfinite(area) ? area : kNaN;
 }
 
-std::optional<EllipseValues> valuesIn(const Ellipse& ellipse, const Volume& volume) {
+double areaMm2(const Outline& outline) {
+    const auto flat = flatOutline(outline);
+    return flat && !crossesItself(flat->points) ? std::abs(signedArea(flat->points)) : kNaN;
+}
+
+std::optional<AreaValues> valuesIn(const Ellipse& ellipse, const Volume& volume) {
     Sums sums;
-    forEachCutVoxel(ellipse, volume, [&](const glm::ivec3& voxel) {
-        if (volume.isPadding(voxel.x, voxel.y, voxel.z)) return;
-        const double value = volume.value(voxel.x, voxel.y, voxel.z);
-        if (std::isfinite(value)) sums.add(value, isInterpolated(volume, voxel.z));
-    });
-    EllipseValues values = sums.result();
-    if (values.voxels == 0) return std::nullopt;
-    values.areaMm2 = areaMm2(ellipse);
-    return values;
+    forEachCutVoxel(ellipse, volume, [&](const glm::ivec3& voxel) { sums.add(volume, voxel); });
+    return sums.result(areaMm2(ellipse));
+}
+
+std::optional<AreaValues> valuesIn(const Outline& outline, const glm::dvec3& normal, const Volume& volume) {
+    const double area = areaMm2(outline);
+    if (!(area > 0.0)) return std::nullopt;
+    Sums sums;
+    forEachCutVoxel(outline, normal, volume, [&](const glm::ivec3& voxel) { sums.add(volume, voxel); });
+    return sums.result(area);
+}
+
+std::optional<AreaValues> valuesIn(const Measurement& measurement, const Volume& volume) {
+    if (const auto* ellipse = std::get_if<Ellipse>(&measurement.shape)) return valuesIn(*ellipse, volume);
+    if (const auto* outline = std::get_if<Outline>(&measurement.shape))
+        return valuesIn(*outline, measurement.normal, volume);
+    return std::nullopt;
 }
 
 bool liesIn(const Measurement& measurement, const SlicePlane& plane, double toleranceMm) {
@@ -184,14 +189,14 @@ std::optional<int> sliceOf(const Measurement& measurement, const Volume& volume)
 }
 
 bool hasSize(const Measurement& measurement) {
-    return !std::holds_alternative<Angle>(measurement.shape);
+    return !std::holds_alternative<Angle>(measurement.shape) &&
+           !std::holds_alternative<CobbAngle>(measurement.shape) &&
+           !std::holds_alternative<Arrow>(measurement.shape);
 }
 
-std::string textOf(const Measurement& measurement, const Volume& volume) {
-    return std::visit(Overloaded{[&](const Distance& d) { return sizeText(lengthMm(d), 1, " mm", volume); },
-                                 [](const Angle& a) { return numberText(angleDeg(a), 1, "°"); },
-                                 [&](const Ellipse& e) { return textOfEllipse(e, volume); }},
-                      measurement.shape);
+bool hasArea(const Measurement& measurement) {
+    return std::holds_alternative<Ellipse>(measurement.shape) ||
+           std::holds_alternative<Outline>(measurement.shape);
 }
 
 }  // namespace macula::slices

@@ -97,7 +97,13 @@ std::vector<slices::Measurement> measurements() {
              .normal = {1.0, 0.0, 0.0}},
             {.shape = slices::Angle{{glm::dvec3(1.0, 2.0, 3.0), {4.0, 5.0, 6.0}, {-7.0, 8.0, 9.0}}},
              .normal = {0.0, -0.6, 0.8}},
-            {.label = "liver", .shape = ellipse, .normal = plane.normal()}};
+            {.label = "liver", .shape = ellipse, .normal = plane.normal()},
+            {.label = "node",
+             .shape = slices::Bidirectional{.firstMm = {{{0.0, 0.0, 0.0}, {9.0, 0.0, 0.0}}},
+                                            .secondMm = {{{4.0, -2.0, 0.0}, {4.0, 2.0, 0.0}}},
+                                            .isNode = true}},
+            {.shape = slices::Distance{{glm::dvec3(1.0), {2.0, 2.0, 2.0}}}},
+            {.shape = slices::Outline{{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {4.0, 4.0, 0.0}}}}};
 }
 
 const std::string kClip =

@@ -97,7 +97,8 @@ TEST(MeasurementsCsv, HasALineForEachWithAllNumbers) {
     EXPECT_TRUE(
         csv.starts_with("kind,label,length_mm,angle_deg,area_mm2,voxels,mean,deviation,low,high,unit,"
                         "x1_mm,y1_mm,z1_mm,x2_mm,y2_mm,z2_mm,x3_mm,y3_mm,z3_mm,"
-                        "normal_x,normal_y,normal_z,calibrated,slice,image,interpolated_voxels\r\n"));
+                        "normal_x,normal_y,normal_z,calibrated,slice,image,interpolated_voxels,short_mm,"
+                        "node,x4_mm,y4_mm,z4_mm\r\n"));
     std::vector<Row> rows = rowsOf(csv);
     ASSERT_EQ(rows.size(), 3u);
     Row& distance = rows[0];

@@ -101,6 +101,51 @@ TEST_F(MeasurementsOfReportTest, WhatIsWrittenComesBack) {
     EXPECT_TRUE(liesIn(taken->taken[2], plane, 0.1));
 }
 
+// In the plane of an image, and between two images.
+TEST_F(MeasurementsOfReportTest, DrawnShapesThatAreWrittenComeBack) {
+    const Slice& one = slices_[3];
+    const Slice& other = slices_[8];
+    const auto lesionFrom = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                               const glm::dvec3& d) {
+        return slices::Bidirectional{.firstMm = {a, b}, .secondMm = {c, d}};
+    };
+    const std::vector<Measurement> measured{
+        {.label = "Target 1",
+         .shape =
+             lesionFrom(middleOf(one, 3, 1), middleOf(one, 3, 2), middleOf(one, 1, 1), middleOf(one, 5, 1))},
+        {.label = "Leaning",
+         .shape = lesionFrom(middleOf(one, 1, 1), middleOf(other, 1, 1), middleOf(one, 1, 2),
+                             middleOf(one, 2, 2))},
+        {.label = "Cobb",
+         .shape = slices::CobbAngle{{middleOf(one, 1, 1), middleOf(one, 4, 1), middleOf(one, 1, 3),
+                                     middleOf(one, 4, 5)}}},
+        {.label = "Outline",
+         .shape = slices::Outline{{middleOf(one, 1, 1), middleOf(one, 5, 1), middleOf(one, 5, 4),
+                                   middleOf(one, 2, 5)}}},
+        {.label = "Outline in space",
+         .shape = slices::Outline{{middleOf(one, 1, 1), middleOf(one, 5, 1), middleOf(other, 5, 4)}}},
+        {.label = "Line",
+         .shape = slices::OpenLine{{middleOf(one, 1, 1), middleOf(one, 3, 2), middleOf(one, 5, 1)}}}};
+    write(measured);
+    const auto taken = take();
+    ASSERT_TRUE(taken) << taken.error().message.english();
+    EXPECT_TRUE(taken->leftOut.empty()) << taken->leftOut.front().english();
+    ASSERT_EQ(taken->taken.size(), measured.size());
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+        EXPECT_EQ(kindOf(taken->taken[i]), kindOf(measured[i]));
+        EXPECT_EQ(taken->taken[i].label, measured[i].label);
+        const bool isBackFirst = i == 0;  // the long axis comes first in a report
+        auto before = pointsOf(measured[i]);
+        const auto after = pointsOf(taken->taken[i]);
+        if (isBackFirst) before = {before[2], before[3], before[0], before[1]};
+        ASSERT_EQ(before.size(), after.size());
+        for (std::size_t p = 0; p < before.size(); ++p)
+            EXPECT_LT(glm::length(before[p] - after[p]), kSameMm) << i;
+    }
+    const auto again = take(measured);
+    ASSERT_FALSE(again) << "all are there already";
+}
+
 TEST_F(MeasurementsOfReportTest, WhatIsThereIsNotTakenAgain) {
     const std::vector<Measurement> measured{
         {.shape = Distance{{middleOf(slices_[3], 1, 2), middleOf(slices_[3], 4, 2)}}},
@@ -152,6 +197,7 @@ TEST_F(MeasurementsOfReportTest, ShapesOfOthersAreTakenOrSaid) {
         put(group, DCM_ValueType, "CONTAINER");
         draw(group, "CIRCLE", {3.5, 3.5, 3.5, 5.5}, uid);
         draw(group, "POLYLINE", {1, 1, 2, 1, 2, 2, 1, 1}, uid);
+        draw(group, "MULTIPOINT", {1, 1, 2, 1, 2, 2}, uid);
         draw(group, "POLYLINE", {1, 1, 4, 1}, "2.25.404");
         draw(group, "ELLIPSE", {1, 1, 4, 1, 2, 0, 5, 1}, uid);
         draw(group, "POLYLINE", {2, 2, 2, 2}, uid);
@@ -165,7 +211,8 @@ TEST_F(MeasurementsOfReportTest, ShapesOfOthersAreTakenOrSaid) {
     });
     const auto taken = take();
     ASSERT_TRUE(taken) << taken.error().message.english();
-    ASSERT_EQ(taken->taken.size(), 2u);
+    ASSERT_EQ(taken->taken.size(), 3u);
+    EXPECT_EQ(std::get<slices::Outline>(taken->taken[2].shape).pointsMm.size(), 3u);
     const auto& circle = std::get<Ellipse>(taken->taken[1].shape);
     EXPECT_LT(glm::length(circle.plane.centreMm - middleOf(slices_[5], 3, 3)), kSameMm);
     EXPECT_NEAR(circle.radiiMm.x, 2.0 * slices_[5].rowSpacingMm, kSameMm);
@@ -175,7 +222,7 @@ TEST_F(MeasurementsOfReportTest, ShapesOfOthersAreTakenOrSaid) {
             taken->leftOut, [&](const Text& each) { return each.english().find(part) != std::string::npos; });
     };
     EXPECT_TRUE(says("images that are not open"));
-    EXPECT_TRUE(says("no distance, angle or ellipse"));
+    EXPECT_TRUE(says("does not measure, and that were left out: 1"));
     EXPECT_TRUE(says("cannot be right, and that were left out: 2"));
     EXPECT_TRUE(says("another value")) << "the area is another one";
 }

@@ -80,6 +80,35 @@ class ReportedMeasurementsTest : public testing::Test {
     std::shared_ptr<const Volume> volume_;
 };
 
+TEST_F(ReportedMeasurementsTest, ALesionHasBothAxesWithALineEach) {
+    openSeries();
+    const Slice& one = slices_[3];
+    const slices::Bidirectional lesion{.firstMm = {middleOf(one, 3, 1), middleOf(one, 3, 2)},
+                                       .secondMm = {middleOf(one, 1, 1), middleOf(one, 5, 1)}};
+    const auto said =
+        say({{.shape = lesion}, {.label = "seen", .shape = slices::Arrow{middleOf(one, 1, 1), {}}}});
+    ASSERT_TRUE(said) << said.error().message.english();
+    ASSERT_EQ(said->report.measurements.size(), 1u);
+    const dicom::ReportedMeasurement& each = said->report.measurements[0];
+    EXPECT_EQ(each.label, "Bidirectional 1");
+    expectPixels(each, {{1.5, 1.5}, {5.5, 1.5}});
+    ASSERT_TRUE(each.second);
+    const auto* other = std::get_if<PointsOnImage>(&*each.second);
+    ASSERT_NE(other, nullptr);
+    EXPECT_LT(glm::length(other->pointsPx[0] - glm::dvec2(3.5, 1.5)), 1e-4);
+    ASSERT_EQ(each.numbers.size(), 2u);
+    EXPECT_EQ(each.numbers[0].name, (CodedName{"103339001", "SCT", "Long Axis"}));
+    EXPECT_NEAR(each.numbers[0].value, 4.0 * one.columnSpacingMm, 1e-9);
+    EXPECT_EQ(each.numbers[1].name, (CodedName{"103340004", "SCT", "Short Axis"}));
+    EXPECT_NEAR(each.numbers[1].value, one.rowSpacingMm, 1e-9);
+    EXPECT_TRUE(each.numbers[1].isOfSecond);
+    ASSERT_EQ(said->leftOut.size(), 1u);
+    EXPECT_NE(said->leftOut[0].english().find("arrows"), std::string::npos);
+    const auto none = say({{.shape = slices::Outline{}}, {.shape = slices::OpenLine{}}});
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::usage);
+}
+
 TEST_F(ReportedMeasurementsTest, InThePlaneOfAnImageTheyAreInItsPixels) {
     openSeries();
     const Slice& one = slices_[3];

@@ -115,5 +115,18 @@ TEST(MergedState, MoreThanAStateMayHoldIsNoState) {
     EXPECT_FALSE(mergedState(toJson(StudyState{}), toJson(with(mine)), toJson(with(theirs))));
 }
 
+TEST(MergedState, HasTheOutlinesAndLesionsOfBoth) {
+    const auto outline = [](double size) {
+        return slices::Measurement{.shape = slices::Outline{{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}}};
+    };
+    const StudyState base = with({outline(1.0), distance(10.0)});
+    const StudyState mine = with({outline(1.0), distance(10.0), outline(2.0)});
+    const StudyState theirs = with({outline(3.0), outline(1.0), distance(10.0)});
+    const StudyState both = merged(base, mine, theirs, true);
+    EXPECT_EQ(both.measurements.size(), 4u);
+    for (const double size : {1.0, 2.0, 3.0})
+        EXPECT_EQ(std::ranges::count(both.measurements, outline(size)), 1) << size;
+}
+
 }  // namespace
 }  // namespace macula::scene

@@ -10,6 +10,7 @@
 #include "base/phantom.h"
 #include "scene/choice/catalogue.h"
 #include "scene/drawing/drawing_of.h"
+#include "scene/state/measurements_json.h"
 #include "scene/state/slices_json.h"
 #include "scene/transfer/own_copy.h"
 #include "scene/transfer/same_transfer.h"
@@ -34,7 +35,12 @@ std::vector<slices::Measurement> oneOfEachKind() {
              .normal = {0.0, -0.6, 0.8}},
             {.label = "liver",
              .shape = slices::Ellipse{.plane = oblique, .radiiMm = {12.5, 1.0 / 7.0}},
-             .normal = oblique.normal()}};
+             .normal = oblique.normal()},
+            {.label = "node",
+             .shape = slices::Bidirectional{.firstMm = {{{1.0 / 3.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}},
+                                            .secondMm = {{{7.0, 8.0, 9.0}, {-1.0, -2.0, -3.0}}},
+                                            .isNode = true}},
+            {.shape = slices::Distance{{glm::dvec3(0.0), {1.0, 1.0, 1.0}}}}};
 }
 
 // Every field is another than by default.

@@ -51,17 +51,17 @@ SlicePlane turned(const SlicePlane& plane, double angleDeg, const glm::dvec3& ax
 }
 
 TEST(Measurement, LengthIsThatOfTheLine) {
-    EXPECT_DOUBLE_EQ(lengthMm({{glm::dvec3(1, 2, 3), glm::dvec3(4, -2, 15)}}), 13.0);
+    EXPECT_DOUBLE_EQ(lengthMm(Distance{{glm::dvec3(1, 2, 3), glm::dvec3(4, -2, 15)}}), 13.0);
     EXPECT_EQ(lengthMm(Distance{}), 0.0);
-    EXPECT_DOUBLE_EQ(lengthMm({{glm::dvec3(0.0), glm::dvec3(3e300, 4e300, 0)}}), 5e300);
-    EXPECT_DOUBLE_EQ(lengthMm({{glm::dvec3(0.0), glm::dvec3(3e-300, 4e-300, 0)}}), 5e-300);
-    EXPECT_TRUE(std::isnan(lengthMm({{glm::dvec3(0.0), glm::dvec3(kNaN, 0, 0)}})));
-    EXPECT_TRUE(std::isnan(lengthMm({{glm::dvec3(0.0), glm::dvec3(kInfinity, 0, 0)}})));
+    EXPECT_DOUBLE_EQ(lengthMm(Distance{{glm::dvec3(0.0), glm::dvec3(3e300, 4e300, 0)}}), 5e300);
+    EXPECT_DOUBLE_EQ(lengthMm(Distance{{glm::dvec3(0.0), glm::dvec3(3e-300, 4e-300, 0)}}), 5e-300);
+    EXPECT_TRUE(std::isnan(lengthMm(Distance{{glm::dvec3(0.0), glm::dvec3(kNaN, 0, 0)}})));
+    EXPECT_TRUE(std::isnan(lengthMm(Distance{{glm::dvec3(0.0), glm::dvec3(kInfinity, 0, 0)}})));
 }
 
 TEST(Measurement, AngleIsThatAtTheSecondPoint) {
     const auto angle = [](const glm::dvec3& a, const glm::dvec3& vertex, const glm::dvec3& b) {
-        return angleDeg({{a, vertex, b}});
+        return angleDeg(Angle{{a, vertex, b}});
     };
     EXPECT_DOUBLE_EQ(angle({5, 1, 1}, {1, 1, 1}, {1, 9, 1}), 90.0);
     EXPECT_DOUBLE_EQ(angle({5, 1, 1}, {1, 1, 1}, {9, 9, 1}), 45.0);
@@ -99,11 +99,11 @@ TEST(Measurement, DistancesOfThePhantomAreRightToATenthOfAVoxel) {
         const glm::dvec3 a = clicked(corner(-1, -1));
         const glm::dvec3 b = clicked(corner(1, -1));
         const glm::dvec3 c = clicked(corner(1, 1));
-        EXPECT_NEAR(lengthMm({{a, b}}), 2.0 * half, 0.1 * kVoxelMm);
-        EXPECT_NEAR(lengthMm({{b, c}}), 2.0 * half, 0.1 * kVoxelMm);
-        EXPECT_NEAR(lengthMm({{a, c}}), std::sqrt(8.0) * half, 0.1 * kVoxelMm);
-        EXPECT_NEAR(angleDeg({{a, b, c}}), 90.0, 0.5);
-        EXPECT_NEAR(angleDeg({{b, a, c}}), 45.0, 0.5);
+        EXPECT_NEAR(lengthMm(Distance{{a, b}}), 2.0 * half, 0.1 * kVoxelMm);
+        EXPECT_NEAR(lengthMm(Distance{{b, c}}), 2.0 * half, 0.1 * kVoxelMm);
+        EXPECT_NEAR(lengthMm(Distance{{a, c}}), std::sqrt(8.0) * half, 0.1 * kVoxelMm);
+        EXPECT_NEAR(angleDeg(Angle{{a, b, c}}), 90.0, 0.5);
+        EXPECT_NEAR(angleDeg(Angle{{b, a, c}}), 45.0, 0.5);
     }
 }
 

@@ -57,7 +57,7 @@ TEST_F(ToolBoxTest, KeysOfToolsAreLettersThatNothingElseHas) {
     for (const KeyRow& row : kKeys) keys.insert(keyOf(row.action).toString());
     for (const SliceToolRow& row : kSliceTools) {
         const QString key = keyOf(row).toString();
-        EXPECT_EQ(key.size(), 1) << row.name;
+        EXPECT_EQ(key.section(QLatin1Char('+'), -1).size(), 1) << row.name;
         EXPECT_TRUE(keys.insert(key).second) << row.name << ": " << row.key;
         const QAction& tool = action((std::string("slice-tool-") + row.name).c_str());
         EXPECT_EQ(tool.shortcut(), keyOf(row));

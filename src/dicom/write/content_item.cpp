@@ -31,10 +31,13 @@ const char* nameOf(Relation relation) {
     std::abort();
 }
 
-const char* nameOf(ReportedShape shape) {
+// An outline is a closed polyline on an image (PS3.3 C.18.6.1.2), and a polygon in space (C.18.9.1.2).
+const char* nameOf(ReportedShape shape, bool isInSpace) {
     switch (shape) {
         case ReportedShape::polyline:
             return "POLYLINE";
+        case ReportedShape::outline:
+            return isInSpace ? "POLYGON" : "POLYLINE";
         case ReportedShape::ellipse:
             return "ELLIPSE";
     }
@@ -117,8 +120,9 @@ void ContentItem::points(Relation relation, const CodedName& name, ReportedShape
     ItemWriter made = child(nameOf(relation), "SCOORD", &name);
     std::vector<float> numbers;
     for (const glm::dvec2& px : points.pointsPx) numbers.insert(numbers.end(), {float(px.x), float(px.y)});
+    if (shape == ReportedShape::outline) numbers.insert(numbers.end(), {numbers[0], numbers[1]});
     made.floats(DCM_GraphicData, numbers);
-    made.text(DCM_GraphicType, nameOf(shape));
+    made.text(DCM_GraphicType, nameOf(shape, false));
     ContentItem on(made);
     writeReference(on.child("SELECTED FROM", "IMAGE", nullptr).item(DCM_ReferencedSOPSequence, 0), image);
 }
@@ -129,8 +133,9 @@ void ContentItem::points(Relation relation, const CodedName& name, ReportedShape
     std::vector<float> numbers;
     for (const glm::dvec3& mm : points.pointsMm)
         numbers.insert(numbers.end(), {float(mm.x), float(mm.y), float(mm.z)});
+    if (shape == ReportedShape::outline) numbers.insert(numbers.end(), {numbers[0], numbers[1], numbers[2]});
     made.floats(DCM_GraphicData, numbers);
-    made.text(DCM_GraphicType, nameOf(shape));
+    made.text(DCM_GraphicType, nameOf(shape, true));
     made.text(DCM_ReferencedFrameOfReferenceUID, frameOfReferenceUid);
 }
 

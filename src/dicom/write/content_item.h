@@ -32,7 +32,7 @@ class ContentItem {
     void uid(Relation relation, const CodedName& name, const std::string& value);
     ContentItem number(const ReportedNumber& number);
     void image(const ReferencedImage& image);
-    // Points on an image, in its pixels (SCOORD), or in space (SCOORD3D).
+    // Points on an image, in its pixels (SCOORD), or in space (SCOORD3D). At least one.
     void points(Relation relation, const CodedName& name, ReportedShape shape, const PointsOnImage& points,
                 const ReferencedImage& image);
     void points(Relation relation, const CodedName& name, ReportedShape shape, const PointsInSpace& points,

@@ -34,25 +34,36 @@ bool isInFloats(double number) {
     return std::abs(number) <= double(std::numeric_limits<float>::max());
 }
 
+std::size_t fewestPointsOf(ReportedShape shape) {
+    switch (shape) {
+        case ReportedShape::polyline:
+            return 2;
+        case ReportedShape::ellipse:
+            return 4;
+        case ReportedShape::outline:
+            return 3;
+    }
+    return 0;
+}
+
+bool isPlaced(const ReportedPoints& reported, std::size_t fewest, const MeasurementReport& report) {
+    if (const auto* on = std::get_if<PointsOnImage>(&reported))
+        return on->image < report.series.images.size() && on->pointsPx.size() >= fewest &&
+               std::ranges::all_of(on->pointsPx,
+                                   [](const glm::dvec2& px) { return isInFloats(px.x) && isInFloats(px.y); });
+    const auto& in = std::get<PointsInSpace>(reported);
+    return isUid(report.series.frameOfReferenceUid) && in.pointsMm.size() >= fewest &&
+           std::ranges::all_of(in.pointsMm, [](const glm::dvec3& mm) {
+               return isInFloats(mm.x) && isInFloats(mm.y) && isInFloats(mm.z);
+           });
+}
+
 bool isWhole(const ReportedMeasurement& m, const MeasurementReport& report) {
-    const std::size_t fewest = m.shape == ReportedShape::ellipse ? 4 : 2;
-    const bool isPlaced = std::visit(
-        [&](const auto& points) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(points)>, PointsOnImage>) {
-                return points.image < report.series.images.size() && points.pointsPx.size() >= fewest &&
-                       std::ranges::all_of(points.pointsPx, [](const glm::dvec2& px) {
-                           return isInFloats(px.x) && isInFloats(px.y);
-                       });
-            } else {
-                return isUid(report.series.frameOfReferenceUid) && points.pointsMm.size() >= fewest &&
-                       std::ranges::all_of(points.pointsMm, [](const glm::dvec3& mm) {
-                           return isInFloats(mm.x) && isInFloats(mm.y) && isInFloats(mm.z);
-                       });
-            }
-        },
-        m.points);
-    return isPlaced && !m.label.empty() && isUid(m.trackingUid) && !m.numbers.empty() &&
-           std::ranges::all_of(m.numbers, [](const ReportedNumber& n) { return std::isfinite(n.value); });
+    return isPlaced(m.points, fewestPointsOf(m.shape), report) &&
+           (!m.second || isPlaced(*m.second, 2, report)) && !m.label.empty() && isUid(m.trackingUid) &&
+           !m.numbers.empty() && std::ranges::all_of(m.numbers, [&](const ReportedNumber& n) {
+               return std::isfinite(n.value) && (m.second || !n.isOfSecond);
+           });
 }
 
 Result<void> check(const MeasurementReport& report, const NewObject& object) {
@@ -127,15 +138,15 @@ void writeImageLibrary(ContentItem& root, const MeasurementReport& report) {
         group.image({image.sopClassUid, image.sopInstanceUid, {}});
 }
 
-void writePoints(ContentItem& below, Relation relation, const CodedName& name, const ReportedMeasurement& m,
-                 const PresentedSeries& series) {
-    if (const auto* on = std::get_if<PointsOnImage>(&m.points)) {
+void writePoints(ContentItem& below, Relation relation, const CodedName& name, ReportedShape shape,
+                 const ReportedPoints& points, const PresentedSeries& series) {
+    if (const auto* on = std::get_if<PointsOnImage>(&points)) {
         ReferencedImage image = series.images[on->image];
         image.frames.clear();
         if (on->frame > 0) image.frames.push_back(on->frame);
-        below.points(relation, name, m.shape, *on, image);
+        below.points(relation, name, shape, *on, image);
     } else {
-        below.points(relation, name, m.shape, std::get<PointsInSpace>(m.points), series.frameOfReferenceUid);
+        below.points(relation, name, shape, std::get<PointsInSpace>(points), series.frameOfReferenceUid);
     }
 }
 
@@ -145,18 +156,20 @@ std::string validated(const std::string& text) {
 }
 
 void writeMeasurement(ContentItem& all, const ReportedMeasurement& m, const PresentedSeries& series) {
-    const bool isRegion = m.shape == ReportedShape::ellipse;
+    const bool isRegion = m.shape != ReportedShape::polyline;
     ContentItem group =
         all.container(dcm("125007", "Measurement Group"), isRegion ? kRegionTemplate : kGroupTemplate);
     group.text(Relation::hasObservationContext, dcm("112039", "Tracking Identifier"), validated(m.label));
     group.uid(Relation::hasObservationContext, dcm("112040", "Tracking Unique Identifier"), m.trackingUid);
-    if (isRegion) writePoints(group, Relation::contains, dcm("111030", "Image Region"), m, series);
+    if (isRegion)
+        writePoints(group, Relation::contains, dcm("111030", "Image Region"), m.shape, m.points, series);
     for (const ReportedNumber& each : m.numbers) {
         ReportedNumber written = each;
         written.unit.meaning = validated(each.unit.meaning);
         ContentItem number = group.number(written);
         if (!isRegion)
-            writePoints(number, Relation::inferredFrom, dcm("121112", "Source of Measurement"), m, series);
+            writePoints(number, Relation::inferredFrom, dcm("121112", "Source of Measurement"), m.shape,
+                        each.isOfSecond ? *m.second : m.points, series);
     }
     if (!m.comment.empty()) group.text(Relation::contains, dcm("121106", "Comment"), m.comment);
 }

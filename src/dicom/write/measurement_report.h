@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -20,6 +21,7 @@ struct ReportedNumber {
     CodedName name;  // what it is
     CodedName unit;  // by UCUM where that has one
     double value = 0.0;
+    bool isOfSecond = false;  // comes from ReportedMeasurement::second; otherwise from its points
 };
 
 // In pixels of one image, (column, row), as in PS3.3 C.18.6.1.2: (0, 0) is the outer corner of the first
@@ -35,9 +37,12 @@ struct PointsInSpace {
     std::vector<glm::dvec3> pointsMm;
 };
 
+using ReportedPoints = std::variant<PointsOnImage, PointsInSpace>;
+
 enum class ReportedShape {
     polyline,  // through its points; the numbers come from it (TID 1501)
     ellipse,   // both ends of the longer axis, then of the shorter one; a region (TID 1410)
+    outline,   // through its points, and back to the first, which is not repeated; a region
 };
 
 struct ReportedMeasurement {
@@ -45,8 +50,9 @@ struct ReportedMeasurement {
     std::string trackingUid;  // the same for the same measurement in several reports
     std::string comment;      // a sentence for whoever reads the numbers, in English; may be empty
     ReportedShape shape = ReportedShape::polyline;
-    std::variant<PointsOnImage, PointsInSpace> points;
-    std::vector<ReportedNumber> numbers;  // at least one
+    ReportedPoints points;
+    std::optional<ReportedPoints> second = {};  // another polyline, such as the short axis of a lesion
+    std::vector<ReportedNumber> numbers;        // at least one
 };
 
 struct MeasurementReport {

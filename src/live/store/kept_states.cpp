@@ -14,13 +14,12 @@ namespace macula::live {
 
 namespace {
 
-constexpr const char* kStateName = "as it was left";
 constexpr std::int64_t kStateVersion = 1;
 
 session::DocumentId stateIdOf(const Volume& volume, const std::string& digest) {
     return {.kind = session::DocumentKind::studyState,
             .study = openedVolume(volume, digest).study,
-            .name = digest + " " + kStateName};
+            .name = digest + " " + kKeptStateName};
 }
 
 // Moves the stored state to a name of its own if it cannot be merged into the new one: because it is

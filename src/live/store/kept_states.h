@@ -14,6 +14,9 @@
 
 namespace macula::live {
 
+// What the name of a document with the state of a volume ends with, after the volume's digest and a blank.
+inline constexpr const char* kKeptStateName = "as it was left";
+
 // Any thread may call both methods; what they post runs on the keeper's thread.
 class KeptStates {
   public:

@@ -13,7 +13,7 @@
 #include "base/csv.h"
 #include "base/parsing.h"
 #include "pipeline/volume/json_writer.h"
-#include "scene/state/slices_json.h"
+#include "scene/state/measurements_json.h"
 
 namespace macula::scene {
 
@@ -24,11 +24,33 @@ using slices::Measurement;
 
 // The results of a measurement.
 struct Said {
-    std::optional<double> lengthMm, angleDeg, areaMm2;
-    std::optional<slices::EllipseValues> values;
+    std::optional<double> lengthMm, shortMm, angleDeg, areaMm2;
+    std::optional<bool> isNode;
+    std::optional<slices::AreaValues> values;
     std::optional<int> slice;  // from 0
     std::optional<int> imageNumber;
 };
+
+void sayShape(Said& said, const Measurement& measurement) {
+    if (const auto* distance = std::get_if<slices::Distance>(&measurement.shape))
+        said.lengthMm = slices::lengthMm(*distance);
+    if (const auto* line = std::get_if<slices::OpenLine>(&measurement.shape))
+        said.lengthMm = slices::lengthMm(*line);
+    if (const auto* lesion = std::get_if<slices::Bidirectional>(&measurement.shape)) {
+        const slices::Axes axes = slices::axesOf(*lesion);
+        said.lengthMm = axes.longMm;
+        said.shortMm = axes.shortMm;
+        said.isNode = lesion->isNode;
+    }
+    if (const auto* angle = std::get_if<slices::Angle>(&measurement.shape))
+        said.angleDeg = slices::angleDeg(*angle);
+    if (const auto* cobb = std::get_if<slices::CobbAngle>(&measurement.shape))
+        said.angleDeg = slices::angleDeg(*cobb);
+    if (const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape))
+        said.areaMm2 = slices::areaMm2(*ellipse);
+    if (const auto* outline = std::get_if<slices::Outline>(&measurement.shape))
+        said.areaMm2 = slices::areaMm2(*outline);
+}
 
 Said saidBy(const Measurement& measurement, const Measured& of) {
     Said said;
@@ -37,14 +59,8 @@ Said saidBy(const Measurement& measurement, const Measured& of) {
         const int number = of.imageNumbers[std::size_t(*said.slice)];
         if (number > 0) said.imageNumber = number;
     }
-    if (const auto* distance = std::get_if<slices::Distance>(&measurement.shape))
-        said.lengthMm = slices::lengthMm(*distance);
-    if (const auto* angle = std::get_if<slices::Angle>(&measurement.shape))
-        said.angleDeg = slices::angleDeg(*angle);
-    if (const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape)) {
-        said.areaMm2 = slices::areaMm2(*ellipse);
-        said.values = slices::valuesIn(*ellipse, of.volume);
-    }
+    sayShape(said, measurement);
+    said.values = slices::valuesIn(measurement, of.volume);
     return said;
 }
 
@@ -56,8 +72,11 @@ constexpr std::array kColumns{"kind",      "label",     "length_mm",
                               "y2_mm",     "z2_mm",     "x3_mm",
                               "y3_mm",     "z3_mm",     "normal_x",
                               "normal_y",  "normal_z",  "calibrated",
-                              "slice",     "image",     "interpolated_voxels"};
-constexpr std::size_t kMostPoints = 3;
+                              "slice",     "image",     "interpolated_voxels",
+                              "short_mm",  "node",      "x4_mm",
+                              "y4_mm",     "z4_mm"};
+constexpr std::size_t kFirstPoints = 3;  // in the columns before the normal
+constexpr std::size_t kMostPoints = 4;   // with those at the end
 
 // Nine significant digits, because values may be small, as those of a diffusion map in mm²/s.
 std::string valueText(double value) {
@@ -87,16 +106,21 @@ std::string lineOf(const Measurement& measurement, const Measured& of) {
     } else {
         fields.resize(fields.size() + 6);
     }
-    const std::vector<glm::dvec3> points = slices::pointsOf(measurement);
-    for (std::size_t i = 0; i < kMostPoints; ++i) {
+    std::vector<glm::dvec3> points = slices::pointsOf(measurement);
+    if (points.size() > kMostPoints) points.clear();
+    const auto addPoint = [&](std::size_t i) {
         for (int axis = 0; axis < 3; ++axis)
             fields.push_back(i < points.size() ? number(points[i][axis]) : std::string());
-    }
+    };
+    for (std::size_t i = 0; i < kFirstPoints; ++i) addPoint(i);
     for (int axis = 0; axis < 3; ++axis) fields.push_back(number(measurement.normal[axis]));
     fields.emplace_back(volume.provenance().isCalibrated ? "yes" : "no");
     fields.push_back(said.slice ? std::to_string(*said.slice + 1) : std::string());
     fields.push_back(said.imageNumber ? std::to_string(*said.imageNumber) : std::string());
     fields.push_back(said.values ? std::to_string(said.values->interpolated) : std::string());
+    fields.push_back(number(said.shortMm));
+    fields.emplace_back(!said.isNode ? "" : *said.isNode ? "yes" : "no");
+    addPoint(kFirstPoints);
     MACULA_CHECK_EQ(fields.size(), kColumns.size());
     return line(fields);
 }
@@ -113,6 +137,7 @@ Json jsonOf(const Measurement& measurement, const Measured& of) {
     const Said said = saidBy(measurement, of);
     Json json = toJson(measurement);
     if (said.lengthMm) json["lengthMm"] = *said.lengthMm;
+    if (said.shortMm) json["shortMm"] = *said.shortMm;
     if (said.angleDeg) json["angleDeg"] = *said.angleDeg;
     if (said.areaMm2) json["areaMm2"] = *said.areaMm2;
     if (const auto& values = said.values) {

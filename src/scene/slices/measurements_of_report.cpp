@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "base/is_finite.h"
 #include "base/utf8.h"
 #include "dicom/read/dataset.h"
 #include "dicom/read/patient.h"
+#include "scene/slices/shapes_of_report.h"
 #include "study/open/found_volumes.h"
 
 namespace macula::scene {
@@ -23,8 +23,6 @@ using slices::Measurement;
 
 constexpr std::size_t kMostMeasurements = 1000;
 constexpr std::size_t kLongestLabel = 64;
-constexpr double kFarthestMm = 1e6;
-constexpr double kSameMm = 1e-3;
 constexpr double kOther = 0.02;  // of a number
 constexpr std::size_t kNone = DocumentEntry::kNone;
 
@@ -38,6 +36,25 @@ bool isNamed(const DocumentEntry& entry, std::string_view code) {
 
 bool isAngle(const DocumentEntry& entry) {
     return entry.number && (entry.code.value == "deg" || entry.code.meaning == "degree");
+}
+
+// By SNOMED CT, or by the codes that older reports have (PS3.16 Annex D of 2018 and before).
+bool isNamed(const DocumentEntry& entry, std::string_view sct, std::string_view srt) {
+    const CodedName& name = entry.name;
+    const bool isOld = name.scheme == "SRT" || name.scheme == "SNM3" || name.scheme == "99SDM";
+    return (name.scheme == "SCT" && name.value == sct) || (isOld && (name.value == srt || name.value == sct));
+}
+
+bool isLongAxis(const DocumentEntry& entry) {
+    return isNamed(entry, "103339001", "G-A185");
+}
+
+bool isShortAxis(const DocumentEntry& entry) {
+    return isNamed(entry, "103340004", "G-A186");
+}
+
+bool isCobbAngle(const DocumentEntry& entry) {
+    return isAngle(entry) && isNamed(entry, "285285000", "F-00E5C");
 }
 
 // A number in mm, mm² or degrees; nothing for other units.
@@ -59,8 +76,11 @@ std::optional<double> inUsualUnit(const DocumentEntry& entry, std::string_view u
     return {};
 }
 
-// Why a shape is left out.
-enum class Why { elsewhere, notPlaced, notRead, otherShape };
+bool isLength(const DocumentEntry& entry) {
+    return inUsualUnit(entry, "mm").has_value();
+}
+
+using Why = WhyLeftOut;
 
 // Points in patient space, and the normal of the image that they lie on, if they lie on one.
 struct Placed {
@@ -76,6 +96,7 @@ class Taker {
     void take(std::span<const Measurement> there) {
         for (std::size_t i = 0; i < report_.entries.size(); ++i) {
             if (!report_.entries[i].points) continue;
+            if (otherAxisOf(i, isShortAxis, isLongAxis)) continue;  // comes with the long axis
             const auto made = measurementOf(i);
             if (const auto* why = std::get_if<Why>(&made)) {
                 ++leftOut_[std::size_t(*why)];
@@ -113,8 +134,7 @@ class Taker {
             Text("Shapes on images that do not say where they lie, and that were left out: {}.",
                  of(Why::notPlaced)));
         say(of(Why::otherShape),
-            Text("Shapes that are no distance, angle or ellipse, and that were left out: {}.",
-                 of(Why::otherShape)));
+            Text("Shapes that Macula does not measure, and that were left out: {}.", of(Why::otherShape)));
         say(of(Why::notRead),
             Text("Shapes whose points cannot be right, and that were left out: {}.", of(Why::notRead)));
         say(repeated_,
@@ -206,121 +226,66 @@ class Taker {
         return placed;
     }
 
+    // The points of the other axis of a lesion, where this shape is the one of an axis with that name.
+    std::optional<std::size_t> otherAxisOf(std::size_t shape, bool (*isMine)(const DocumentEntry&),
+                                           bool (*isOthers)(const DocumentEntry&)) const {
+        const std::size_t parent = at(shape).parent;
+        const std::size_t group = groupOf(shape);
+        if (parent == kNone || group == kNone || !at(parent).number || !isMine(at(parent))) return {};
+        for (std::size_t i = group + 1; i < report_.entries.size() && at(i).depth > at(group).depth; ++i) {
+            const std::size_t above = at(i).parent;
+            if (at(i).points && above != kNone && at(above).number && isOthers(at(above))) return i;
+        }
+        return {};
+    }
+
     std::variant<Measurement, Why> measurementOf(std::size_t shape) const {
         auto placed = place(shape);
         if (const auto* why = std::get_if<Why>(&placed)) return *why;
         const auto& [mm, normal] = std::get<Placed>(placed);
-        for (const glm::dvec3& each : mm) {
-            if (!isFinite(each) || std::abs(each.x) > kFarthestMm || std::abs(each.y) > kFarthestMm ||
-                std::abs(each.z) > kFarthestMm)
-                return Why::notRead;
+        DrawnShape drawn{.type = at(shape).points->type,
+                         .pointsMm = mm,
+                         .shortAxisMm = {},
+                         .normal = normal,
+                         .hasAngle = hasNumber(shape, isAngle),
+                         .isCobb = hasNumber(shape, isCobbAngle),
+                         .hasLength = hasNumber(shape, isLength),
+                         .usualNormals = usualNormals()};
+        if (const auto other = otherAxisOf(shape, isLongAxis, isShortAxis)) {
+            auto beside = place(*other);
+            if (const auto* why = std::get_if<Why>(&beside)) return *why;
+            drawn.shortAxisMm = std::get<Placed>(beside).pointsMm;
         }
-        Measurement made{.label = labelOf(shape), .shape = slices::Distance{}};
-        const std::string& type = at(shape).points->type;
-        if (type == "POLYLINE" && mm.size() == 2) {
-            if (glm::length(mm[1] - mm[0]) < kSameMm) return Why::notRead;
-            made.shape = slices::Distance{{mm[0], mm[1]}};
-            made.normal = normal ? *normal : normalBeside(mm[1] - mm[0]);
-            return made;
-        }
-        if (type == "POLYLINE" && mm.size() == 3 && hasAngle(shape)) {
-            const glm::dvec3 across = glm::cross(mm[0] - mm[1], mm[2] - mm[1]);
-            if (!(glm::length(mm[0] - mm[1]) > kSameMm && glm::length(mm[2] - mm[1]) > kSameMm))
-                return Why::notRead;
-            made.shape = slices::Angle{{mm[0], mm[1], mm[2]}};
-            made.normal = normal                          ? *normal
-                          : glm::length(across) > kSameMm ? glm::normalize(across)
-                                                          : normalBeside(mm[0] - mm[1]);
-            return made;
-        }
-        if (type == "CIRCLE" && mm.size() == 2 && normal) return circle(std::move(made), mm, *normal);
-        if (type == "ELLIPSE" && mm.size() == 4) return ellipse(std::move(made), mm, normal);
-        return Why::otherShape;
-    }
-
-    bool hasAngle(std::size_t shape) const {
-        return std::ranges::any_of(numbersOf(shape), [&](std::size_t i) { return isAngle(at(i)); });
-    }
-
-    static std::variant<Measurement, Why> circle(Measurement made, const std::vector<glm::dvec3>& mm,
-                                                 const glm::dvec3& normal) {
-        const double radiusMm = glm::length(mm[1] - mm[0]);
-        if (!(radiusMm > kSameMm)) return Why::notRead;
-        const glm::dvec3 right = (mm[1] - mm[0]) / radiusMm;
-        made.shape = slices::Ellipse{.plane = {mm[0], right, glm::normalize(glm::cross(normal, right))},
-                                     .radiiMm = glm::dvec2(radiusMm)};
-        made.normal = normal;
+        auto made = scene::measurementOf(drawn);
+        if (auto* measurement = std::get_if<Measurement>(&made)) measurement->label = labelOf(shape);
         return made;
     }
 
-    // Both ends of one axis, then of the other (PS3.3 C.18.6.1.2).
-    static std::variant<Measurement, Why> ellipse(Measurement made, const std::vector<glm::dvec3>& mm,
-                                                  const std::optional<glm::dvec3>& normal) {
-        const glm::dvec3 first = 0.5 * (mm[1] - mm[0]);
-        const glm::dvec3 second = 0.5 * (mm[3] - mm[2]);
-        const glm::dvec2 radiiMm{glm::length(first), glm::length(second)};
-        if (!(radiiMm.x > kSameMm && radiiMm.y > kSameMm)) return Why::notRead;
-        const glm::dvec3 centre = 0.5 * (mm[0] + mm[1]);
-        constexpr double kSquare = 0.02;
-        const double apartMm = glm::length(centre - 0.5 * (mm[2] + mm[3]));
-        const glm::dvec3 right = first / radiiMm.x;
-        if (apartMm > kSquare * std::max(radiiMm.x, radiiMm.y) ||
-            std::abs(glm::dot(right, second / radiiMm.y)) > kSquare)
-            return Why::notRead;
-        glm::dvec3 down = glm::normalize(second - glm::dot(second, right) * right);
-        if (normal && glm::dot(glm::cross(right, down), *normal) < 0.0) down = -down;
-        made.shape = slices::Ellipse{.plane = {centre, right, down}, .radiiMm = radiiMm};
-        made.normal = glm::cross(right, down);
-        return made;
-    }
-
-    // Of the plane with a line in space that is nearest to one that people look at: that of the images, or
-    // one of the patient.
-    glm::dvec3 normalBeside(const glm::dvec3& line) const {
+    // That of the images, and those of the patient.
+    std::vector<glm::dvec3> usualNormals() const {
         std::vector<glm::dvec3> normals{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
         if (!of_.stack.frames.empty() && of_.stack.frames.front().plane)
             normals.insert(normals.begin(), of_.stack.frames.front().plane->normal());
-        const glm::dvec3 along = glm::normalize(line);
-        const auto nearest = std::ranges::min_element(
-            normals, {}, [&](const glm::dvec3& normal) { return std::abs(glm::dot(normal, along)); });
-        return glm::normalize(*nearest - glm::dot(*nearest, along) * along);
+        return normals;
     }
 
-    static bool isSame(const Measurement& a, const Measurement& b) {
-        const std::vector<glm::dvec3> mine = slices::pointsOf(a);
-        const std::vector<glm::dvec3> others = slices::pointsOf(b);
-        if (a.shape.index() != b.shape.index() || mine.size() != others.size()) return false;
-        if (const auto* ellipse = std::get_if<slices::Ellipse>(&a.shape))
-            return isSame(*ellipse, std::get<slices::Ellipse>(b.shape));
-        for (std::size_t i = 0; i < mine.size(); ++i)
-            if (!(glm::length(mine[i] - others[i]) <= kSameMm)) return false;
-        return true;
-    }
-
-    // Whichever of its axes is called right.
-    static bool isSame(const slices::Ellipse& a, const slices::Ellipse& b) {
-        const auto along = [](const glm::dvec3& p, const glm::dvec3& q) {
-            return glm::length(p - q) <= kSameMm || glm::length(p + q) <= kSameMm;
-        };
-        const glm::dvec3 a0 = a.radiiMm.x * a.plane.right, a1 = a.radiiMm.y * a.plane.down;
-        const glm::dvec3 b0 = b.radiiMm.x * b.plane.right, b1 = b.radiiMm.y * b.plane.down;
-        return glm::length(a.plane.centreMm - b.plane.centreMm) <= kSameMm &&
-               ((along(a0, b0) && along(a1, b1)) || (along(a0, b1) && along(a1, b0)));
+    bool hasNumber(std::size_t shape, bool (*isIt)(const DocumentEntry&)) const {
+        return std::ranges::any_of(numbersOf(shape), [&](std::size_t i) { return isIt(at(i)); });
     }
 
     // Whether the report has numbers for the shape in its unit, and none of them is what is measured.
     bool saysOtherwise(std::size_t shape, const Measurement& measurement) const {
-        double measured = 0.0;
-        std::string_view unit = "mm";
-        if (const auto* distance = std::get_if<slices::Distance>(&measurement.shape)) {
-            measured = slices::lengthMm(*distance);
-        } else if (const auto* angle = std::get_if<slices::Angle>(&measurement.shape)) {
-            measured = slices::angleDeg(*angle);
-            unit = "deg";
-        } else {
-            measured = slices::areaMm2(std::get<slices::Ellipse>(measurement.shape));
-            unit = "mm2";
+        if (const auto* lesion = std::get_if<slices::Bidirectional>(&measurement.shape)) {
+            const slices::Axes axes = slices::axesOf(*lesion);
+            const auto other = otherAxisOf(shape, isLongAxis, isShortAxis);
+            return saysOtherwise(shape, axes.longMm, "mm") ||
+                   (other && saysOtherwise(*other, axes.shortMm, "mm"));
         }
+        const auto [measured, unit] = measuredOf(measurement);
+        return saysOtherwise(shape, measured, unit);
+    }
+
+    bool saysOtherwise(std::size_t shape, double measured, std::string_view unit) const {
         bool hasOne = false;
         for (const std::size_t i : numbersOf(shape)) {
             const std::optional<double> number = inUsualUnit(at(i), unit);
@@ -329,6 +294,20 @@ class Taker {
             if (std::abs(*number - measured) <= kOther * std::max(std::abs(*number), measured)) return false;
         }
         return hasOne;
+    }
+
+    // Of shapes with one number.
+    static std::pair<double, std::string_view> measuredOf(const Measurement& measurement) {
+        const auto& shape = measurement.shape;
+        if (const auto* distance = std::get_if<slices::Distance>(&shape))
+            return {slices::lengthMm(*distance), "mm"};
+        if (const auto* line = std::get_if<slices::OpenLine>(&shape)) return {slices::lengthMm(*line), "mm"};
+        if (const auto* angle = std::get_if<slices::Angle>(&shape)) return {slices::angleDeg(*angle), "deg"};
+        if (const auto* cobb = std::get_if<slices::CobbAngle>(&shape))
+            return {slices::angleDeg(*cobb), "deg"};
+        if (const auto* outline = std::get_if<slices::Outline>(&shape))
+            return {slices::areaMm2(*outline), "mm2"};
+        return {slices::areaMm2(std::get<slices::Ellipse>(shape)), "mm2"};
     }
 
     const dicom::StudyDocument& report_;
@@ -363,9 +342,8 @@ Result<MeasurementsOfReport> measurementsOf(const dicom::StudyDocument& report, 
     taker.take(there);
     MeasurementsOfReport measurements{std::move(taker.taken()), taker.sentences()};
     if (measurements.taken.empty())
-        return notUsable(measurements.leftOut.empty()
-                             ? Text("The report draws no distance, angle or ellipse.")
-                             : measurements.leftOut.front(),
+        return notUsable(measurements.leftOut.empty() ? Text("The report draws nothing that Macula measures.")
+                                                      : measurements.leftOut.front(),
                          Text("Open the series that it was measured on."));
     return measurements;
 }

@@ -65,8 +65,18 @@ NamesOfValues namesOfValues(const CodedName& unit) {
             {"56851009", "SCT", "Maximum"}};
 }
 
-// The points as a report has them: of an ellipse both ends of its longer axis, then of the shorter one.
+bool isFirstLonger(const slices::Bidirectional& lesion) {
+    return slices::lengthMm(slices::Distance{lesion.firstMm}) >=
+           slices::lengthMm(slices::Distance{lesion.secondMm});
+}
+
+// The points as a report has them: of an ellipse both ends of its longer axis, then of the shorter one; of a
+// lesion with two axes those of its long axis.
 std::vector<glm::dvec3> reportedPoints(const Measurement& measurement) {
+    if (const auto* lesion = std::get_if<slices::Bidirectional>(&measurement.shape)) {
+        const auto& axis = isFirstLonger(*lesion) ? lesion->firstMm : lesion->secondMm;
+        return {axis.begin(), axis.end()};
+    }
     const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape);
     if (ellipse == nullptr) return slices::pointsOf(measurement);
     const glm::dvec3& centre = ellipse->plane.centreMm;
@@ -74,6 +84,14 @@ std::vector<glm::dvec3> reportedPoints(const Measurement& measurement) {
     glm::dvec3 shorter = ellipse->radiiMm.y * ellipse->plane.down;
     if (ellipse->radiiMm.y > ellipse->radiiMm.x) std::swap(longer, shorter);
     return {centre - longer, centre + longer, centre - shorter, centre + shorter};
+}
+
+// The points of the short axis; none: it has only one line.
+std::vector<glm::dvec3> secondPoints(const Measurement& measurement) {
+    const auto* lesion = std::get_if<slices::Bidirectional>(&measurement.shape);
+    if (lesion == nullptr) return {};
+    const auto& axis = isFirstLonger(*lesion) ? lesion->secondMm : lesion->firstMm;
+    return {axis.begin(), axis.end()};
 }
 
 bool canBeSaid(const ReportedMeasurement& said, std::span<const glm::dvec3> pointsMm) {
@@ -86,20 +104,43 @@ bool canBeSaid(const ReportedMeasurement& said, std::span<const glm::dvec3> poin
     });
 }
 
+// Of shapes without an area.
+std::vector<dicom::ReportedNumber> numbersOf(const Measurement& measurement) {
+    const CodedName length{"410668003", "SCT", "Length"};
+    if (const auto* distance = std::get_if<slices::Distance>(&measurement.shape))
+        return {{length, kMm, slices::lengthMm(*distance)}};
+    if (const auto* line = std::get_if<slices::OpenLine>(&measurement.shape))
+        return {{length, kMm, slices::lengthMm(*line)}};
+    if (const auto* angle = std::get_if<slices::Angle>(&measurement.shape))
+        return {{{"110859", "DCM", "Angle"}, kDegree, slices::angleDeg(*angle)}};
+    if (const auto* cobb = std::get_if<slices::CobbAngle>(&measurement.shape))
+        return {{{"285285000", "SCT", "Cobb angle"}, kDegree, slices::angleDeg(*cobb)}};
+    if (const auto* lesion = std::get_if<slices::Bidirectional>(&measurement.shape)) {
+        const slices::Axes axes = slices::axesOf(*lesion);
+        return {{{"103339001", "SCT", "Long Axis"}, kMm, axes.longMm},
+                {{"103340004", "SCT", "Short Axis"}, kMm, axes.shortMm, true}};
+    }
+    return {};
+}
+
 // Fills in shape, numbers and comment.
 void sayNumbers(ReportedMeasurement& said, const Measurement& measurement, const Volume& volume,
                 bool isDeidentified) {
-    if (const auto* distance = std::get_if<slices::Distance>(&measurement.shape))
-        said.numbers = {{{"410668003", "SCT", "Length"}, kMm, slices::lengthMm(*distance)}};
-    if (const auto* angle = std::get_if<slices::Angle>(&measurement.shape))
-        said.numbers = {{{"110859", "DCM", "Angle"}, kDegree, slices::angleDeg(*angle)}};
+    said.numbers = numbersOf(measurement);
     if (!volume.provenance().isCalibrated && slices::hasSize(measurement))
         said.comment = "The size of the pixels is not calibrated: lengths and areas are estimates.";
-    const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape);
-    if (ellipse == nullptr) return;
-    said.shape = dicom::ReportedShape::ellipse;
-    said.numbers = {{{"42798000", "SCT", "Area"}, kMm2, slices::areaMm2(*ellipse)}};
-    const auto values = slices::valuesIn(*ellipse, volume);
+    double area = 0.0;
+    if (const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape)) {
+        said.shape = dicom::ReportedShape::ellipse;
+        area = slices::areaMm2(*ellipse);
+    } else if (const auto* outline = std::get_if<slices::Outline>(&measurement.shape)) {
+        said.shape = dicom::ReportedShape::outline;
+        area = slices::areaMm2(*outline);
+    } else {
+        return;
+    }
+    said.numbers = {{{"42798000", "SCT", "Area"}, kMm2, area}};
+    const auto values = slices::valuesIn(measurement, volume);
     if (!values) return;
     const CodedName unit = unitOf(volume, isDeidentified);
     const NamesOfValues names = namesOfValues(unit);
@@ -126,8 +167,7 @@ class Places {
     const dicom::Instance* first() const { return first_; }
 
     // Nothing where the report could not say where the points are.
-    std::optional<std::variant<dicom::PointsOnImage, dicom::PointsInSpace>> placeOf(
-        std::span<const glm::dvec3> pointsMm) {
+    std::optional<dicom::ReportedPoints> placeOf(std::span<const glm::dvec3> pointsMm) {
         if (const dicom::Frame* frame = frameHolding(pointsMm)) {
             dicom::PointsOnImage on;
             for (const glm::dvec3& mm : pointsMm) on.pointsPx.push_back(pixelOf(*frame->plane, mm));
@@ -220,22 +260,43 @@ std::string trackingUidOf(const Measurement& measurement, const std::string& ser
     return dicom::uidFrom(text);
 }
 
-std::vector<Text> sentencesOn(std::size_t undefined, std::size_t nowhere, bool leavesLabelsOut,
-                              std::size_t count) {
+// How many measurements a report leaves out, and why.
+struct LeftOut {
+    std::size_t arrows = 0, undefined = 0, nowhere = 0;
+    bool labels = false;
+};
+
+std::vector<Text> sentencesOn(const LeftOut& leftOut, std::size_t count) {
     std::vector<Text> sentences;
-    if (undefined > 0)
+    if (leftOut.arrows > 0)
+        sentences.push_back(
+            Text("A report of measurements has no place for arrows and their words: of {} measurements, it "
+                 "leaves out {}.",
+                 count, leftOut.arrows));
+    if (leftOut.undefined > 0)
         sentences.push_back(Text(
             "A report holds no measurement whose value is not defined, or whose points are too far away: "
             "of {} measurements, it leaves out {}.",
-            count, undefined));
-    if (nowhere > 0)
+            count, leftOut.undefined));
+    if (leftOut.nowhere > 0)
         sentences.push_back(
             Text("These images name no frame of reference, so a report cannot say where a measurement lies "
                  "that is in no plane of theirs: of {} measurements, it leaves out {}.",
-                 count, nowhere));
-    if (leavesLabelsOut)
+                 count, leftOut.nowhere));
+    if (leftOut.labels)
         sentences.push_back(Text("Without patient and study, the report leaves out the labels."));
     return sentences;
+}
+
+// Where the measurement lies; false where the report could not say it.
+bool sayPlaces(ReportedMeasurement& said, Places& places, const Measurement& measurement) {
+    auto place = places.placeOf(reportedPoints(measurement));
+    if (!place) return false;
+    said.points = std::move(*place);
+    const std::vector<glm::dvec3> second = secondPoints(measurement);
+    if (second.empty()) return true;
+    said.second = places.placeOf(second);
+    return said.second.has_value();
 }
 
 }  // namespace
@@ -246,31 +307,32 @@ Result<SaidMeasurements> saidMeasurements(std::span<const Measurement> measureme
     Places places(of);
     SaidMeasurements said;
     std::map<std::string, int> counts;
-    std::size_t undefined = 0;
-    std::size_t nowhere = 0;
+    LeftOut leftOut;
     bool hasLabels = false;
     for (const Measurement& measurement : measurements) {
+        if (std::holds_alternative<slices::Arrow>(measurement.shape)) {
+            ++leftOut.arrows;
+            continue;
+        }
         ReportedMeasurement each;
         each.label = usualLabel(measurement, counts);
         sayNumbers(each, measurement, of.volume, isDeidentified);
-        const std::vector<glm::dvec3> pointsMm = reportedPoints(measurement);
-        if (!canBeSaid(each, pointsMm)) {
-            ++undefined;
+        if (!canBeSaid(each, slices::pointsOf(measurement))) {
+            ++leftOut.undefined;
             continue;
         }
-        auto place = places.placeOf(pointsMm);
-        if (!place) {
-            ++nowhere;
+        if (!sayPlaces(each, places, measurement)) {
+            ++leftOut.nowhere;
             continue;
         }
-        each.points = std::move(*place);
         hasLabels = hasLabels || !measurement.label.empty();
         if (!measurement.label.empty() && !isDeidentified) each.label = measurement.label;
         each.trackingUid =
             isDeidentified ? dicom::newUid() : trackingUidOf(measurement, of.series.seriesInstanceUid);
         said.report.measurements.push_back(std::move(each));
     }
-    said.leftOut = sentencesOn(undefined, nowhere, hasLabels && isDeidentified, measurements.size());
+    leftOut.labels = hasLabels && isDeidentified;
+    said.leftOut = sentencesOn(leftOut, measurements.size());
     if (said.report.measurements.empty() || places.first() == nullptr)
         return Error{ErrorCode::usage,
                      said.leftOut.empty() ? Text("There are no measurements to write.") : said.leftOut[0],

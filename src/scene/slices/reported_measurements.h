@@ -32,12 +32,13 @@ struct MeasuredImages {
 };
 
 // A measurement in the plane of an image is said in the pixels of that image; any other one, in a turned
-// plane or between two images, in space, and the report names the images that it lies between. A distance has
-// "Length", an angle has "Angle"; an ellipse has "Area", and the mean, standard deviation, minimum and
-// maximum of the values in it, in the unit of the volume. One without a label is called by its kind and
-// number. Left out are those whose value is not defined, and those in space where the images share no frame
-// of reference. `isDeidentified` also leaves out what a person typed. Error: usage if nothing is left, or if
-// an image has no UID.
+// plane or between two images, in space, and the report names the images that it lies between. A distance or
+// a line has "Length", an angle "Angle", a Cobb angle "Cobb angle", and a lesion with two axes "Long Axis"
+// and "Short Axis", each from a line of its own; an ellipse or an outline has "Area", and the mean, standard
+// deviation, minimum and maximum of the values in it, in the unit of the volume. One without a label is
+// called by its kind and number. Left out are arrows, those whose value is not defined, and those in space
+// where the images share no frame of reference. `isDeidentified` also leaves out what a person typed. Error:
+// usage if nothing is left, or if an image has no UID.
 Result<SaidMeasurements> saidMeasurements(std::span<const slices::Measurement> measurements,
                                           const MeasuredImages& of, bool isDeidentified = false);
 

@@ -23,19 +23,21 @@ Result<TimeCurves> timeCurves(std::span<const slices::Measurement> measurements,
                          {},
                          Text("Measure each phase by itself.")};
     for (std::size_t i = 0; i < measurements.size(); ++i) {
-        const auto* ellipse = std::get_if<slices::Ellipse>(&measurements[i].shape);
-        if (ellipse == nullptr) continue;
-        TimeCurve curve{.label = measurements[i].label, .number = i + 1, .values = {}};
+        if (!slices::hasArea(measurements[i])) continue;
+        TimeCurve curve{.label = measurements[i].label,
+                        .kind = std::string(slices::kindOf(measurements[i])),
+                        .number = i + 1,
+                        .values = {}};
         for (const auto& study : studies) {
             if (token.cancelled())
                 return Error{ErrorCode::cancelled, Text("The curve was cancelled."), {}, {}};
-            curve.values.push_back(slices::valuesIn(*ellipse, *study->measured()));
+            curve.values.push_back(slices::valuesIn(measurements[i], *study->measured()));
         }
         all.curves.push_back(std::move(curve));
     }
     if (all.curves.empty())
         return Error{ErrorCode::usage,
-                     Text("No ellipse is drawn."),
+                     Text("No ellipse or outline is drawn."),
                      {},
                      Text("Draw an ellipse (E) on a slice: the curve has the mean of the values in it.")};
     return all;
@@ -44,7 +46,8 @@ Result<TimeCurves> timeCurves(std::span<const slices::Measurement> measurements,
 std::string toCsv(const TimeCurves& curves) {
     std::string csv = "phase,label,ms";
     for (const TimeCurve& curve : curves.curves) {
-        const std::string label = curve.label.empty() ? fmt::format("ellipse {}", curve.number) : curve.label;
+        const std::string label =
+            curve.label.empty() ? fmt::format("{} {}", curve.kind, curve.number) : curve.label;
         csv += fmt::format(",{},{}", csvWords(label + " mean " + curves.unit),
                            csvWords(label + " deviation " + curves.unit));
     }

@@ -1,4 +1,4 @@
-// The mean of values within ellipses in each phase of a study.
+// The mean of values within ellipses and outlines in each phase of a study.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,10 @@
 namespace macula::scene {
 
 struct TimeCurve {
-    std::string label;                                         // the measurement's; may be empty
-    std::size_t number = 0;                                    // of the measurement, from 1
-    std::vector<std::optional<slices::EllipseValues>> values;  // of each phase; nothing: no voxel
+    std::string label;                                      // the measurement's; may be empty
+    std::string kind = {};                                  // slices::kindOf it
+    std::size_t number = 0;                                 // of the measurement, from 1
+    std::vector<std::optional<slices::AreaValues>> values;  // of each phase; nothing: no voxel
 };
 
 struct TimeCurves {
@@ -28,8 +29,8 @@ struct TimeCurves {
     std::vector<TimeCurve> curves;
 };
 
-// `studies` has the volume of each phase. Measurements that are no ellipse have no curve. Errors: usage
-// without an ellipse, or if the phases have different units; cancelled.
+// `studies` has the volume of each phase. Measurements without an area have no curve. Errors: usage
+// without one that has, or if the phases have different units; cancelled.
 Result<TimeCurves> timeCurves(std::span<const slices::Measurement> measurements,
                               std::vector<study::Phase> phases,
                               const std::vector<std::shared_ptr<const study::OpenedStudy>>& studies,

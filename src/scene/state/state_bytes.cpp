@@ -22,7 +22,13 @@ std::size_t ownBytesOf(const StudyState& state) {
     std::size_t bytes = sizeof state + state.otherKeys.size() + bytesOf(state.measurements) +
                         bytesOf(state.cuts.scissors) + bytesOf(state.namedClips) +
                         bytesOf(state.segmentations);
-    for (const slices::Measurement& measurement : state.measurements) bytes += measurement.label.size();
+    for (const slices::Measurement& measurement : state.measurements) {
+        bytes += measurement.label.size();
+        if (const auto* outline = std::get_if<slices::Outline>(&measurement.shape))
+            bytes += bytesOf(outline->pointsMm);
+        if (const auto* line = std::get_if<slices::OpenLine>(&measurement.shape))
+            bytes += bytesOf(line->pointsMm);
+    }
     for (const NamedClip& clip : state.namedClips) bytes += clip.name.size() + bytesOf(clip.cuts.scissors);
     for (const SegmentationSettings& choice : state.segmentations) bytes += bytesOf(choice.segments);
     if (const auto& beside = state.secondVolume)

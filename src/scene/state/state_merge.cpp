@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::json;
 
 // Lists that are merged item by item.
-constexpr std::array<std::string_view, 2> kLists{"measurements", "namedClips"};
+constexpr std::array<std::string_view, 3> kLists{"measurements", "furtherMeasurements", "namedClips"};
 
 Json objectOf(std::string_view text) {
     Json json = Json::parse(text, nullptr, false);

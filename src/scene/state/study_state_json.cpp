@@ -6,7 +6,7 @@
 //     "preset": {as presets/transfer}, "clip": {as presets/clip}, "leavesTableOut": true,
 //     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
 //     "camera": {as camera_file.h}, "cubeAndScale": false, "background": "#rrggbb", "layout": "axial",
-//     "slices": {as slices_json.h}, "measurements": [as slices_json.h], "cuts": {as cuts_json.h},
+//     "slices": {as slices_json.h}, <keys of measurements_json.h>, "cuts": {as cuts_json.h},
 //     "namedClips": [likewise], "segmentations": [as segments_json.h], "beside": {as second_volume_json.h} }
 // Everything but the version may be left out.
 #include <cmath>
@@ -20,6 +20,7 @@
 #include "scene/camera/camera_file.h"
 #include "scene/state/cuts_json.h"
 #include "scene/state/json_names.h"
+#include "scene/state/measurements_json.h"
 #include "scene/state/second_volume_json.h"
 #include "scene/state/segments_json.h"
 #include "scene/state/slices_json.h"
@@ -96,11 +97,12 @@ Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& 
 }  // namespace
 
 std::vector<std::string> stateKeys() {
-    std::vector<std::string> keys{"version",      "series",       "grid",   "look",       "shading",
-                                  "filter",       "denoising",    "preset", "clip",       "leavesTableOut",
-                                  "lights",       "windows",      "camera", "layout",     "slices",
-                                  "measurements", "cubeAndScale", "cuts",   "namedClips", "segmentations",
-                                  "beside",       "background",   "toneMap"};
+    std::vector<std::string> keys{
+        "version",         "series",        "grid",   "look",           "shading",      "filter",
+        "denoising",       "preset",        "clip",   "leavesTableOut", "lights",       "windows",
+        "camera",          "layout",        "slices", "measurements",   "cubeAndScale", "cuts",
+        "namedClips",      "segmentations", "beside", "background",     "toneMap",      "furtherMeasurements",
+        "measurementOrder"};
     for (const Parameter& parameter : parameters()) keys.emplace_back(parameter.id);
     return keys;
 }
@@ -128,7 +130,7 @@ std::string toJson(const StudyState& state) {
     if (state.background) json["background"] = hexOf(*state.background);
     if (state.layout != StudyState{}.layout) json["layout"] = nameOf(state.layout);
     if (Json slices = toJson(state.slices); !slices.empty()) json["slices"] = std::move(slices);
-    if (Json all = measurementsJson(state.measurements); !all.empty()) json["measurements"] = std::move(all);
+    addMeasurements(state.measurements, json);
     if (Json cuts = toJson(state.cuts); !cuts.empty()) json["cuts"] = std::move(cuts);
     if (Json named = namedClipsJson(state.namedClips); !named.empty()) json["namedClips"] = std::move(named);
     if (Json all = segmentationsJson(state.segmentations); !all.empty())
@@ -174,7 +176,7 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     }
     readName(root, "layout", kLayouts, state.layout);
     if (const auto node = root.find("slices")) state.slices = sliceStateFrom(*node);
-    if (const auto node = root.find("measurements")) state.measurements = measurementsFrom(*node);
+    state.measurements = measurementsFrom(root);
     if (const auto node = root.find("cuts")) state.cuts = cutsFrom(*node);
     if (const auto node = root.find("segmentations")) state.segmentations = segmentationsFrom(*node);
     if (const auto node = root.find("beside")) state.secondVolume = secondVolumeStateFrom(*node);

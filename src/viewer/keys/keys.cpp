@@ -118,7 +118,8 @@ bool isForList(const QKeyEvent& key) {
     const QWidget* focus = QApplication::focusWidget();
     const bool isList = qobject_cast<const QComboBox*>(focus) != nullptr ||
                         qobject_cast<const QAbstractItemView*>(focus) != nullptr;
-    return isList && key.modifiers() == Qt::NoModifier && key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z;
+    return isList && (key.modifiers() & ~Qt::ShiftModifier) == Qt::NoModifier && key.key() >= Qt::Key_A &&
+           key.key() <= Qt::Key_Z;
 }
 
 }  // namespace macula::viewer

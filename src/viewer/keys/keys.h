@@ -164,9 +164,9 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::sliceFit, "F, double right click on slices", "",
            "The whole slice, in the middle of its pane"},
     KeyRow{KeyAction::focus, "Tab, Shift + Tab", "", "To the next pane or control, or back"},
-    KeyRow{KeyAction::sliceTool, "C, W, Z, M, D, G, E, V, U, Y", "",
-           "Left button on slices: cross-hair, window, zoom, move, distance, angle, ellipse, probe, segment, "
-           "curve"},
+    KeyRow{KeyAction::sliceTool, "C, W, Z, M, D, Shift+D, G, Shift+G, E, Shift+E, Shift+Y, H, V, U, Y", "",
+           "Left button on slices: cross-hair, window, zoom, move, distance, lesion, angle, Cobb angle, "
+           "ellipse, outline, line, arrow, probe, segment, curve"},
     KeyRow{KeyAction::turnPlanes, "Drag a ring on the cross-hair, Ctrl + Left and Right on slices", "",
            "Turn the planes about the cross-hair; with Shift, in steps of 15 degrees"},
     KeyRow{KeyAction::straightPlanes, "", "Ctrl+Shift+R", "Planes that were turned are straight again"},

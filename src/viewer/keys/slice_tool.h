@@ -3,10 +3,26 @@
 
 namespace macula::viewer {
 
-enum class SliceTool { crosshair, window, zoom, pan, distance, angle, ellipse, probe, segment, curve };
+enum class SliceTool {
+    crosshair,
+    window,
+    zoom,
+    pan,
+    distance,
+    bidirectional,
+    angle,
+    cobb,
+    ellipse,
+    outline,
+    line,
+    arrow,
+    probe,
+    segment,
+    curve,
+};
 
 constexpr bool measures(SliceTool tool) {
-    return tool == SliceTool::distance || tool == SliceTool::angle || tool == SliceTool::ellipse;
+    return tool >= SliceTool::distance && tool <= SliceTool::arrow;
 }
 
 }  // namespace macula::viewer

@@ -15,7 +15,7 @@ struct SliceToolRow {
     Glyph glyph;
     const char* name;  // the action's object name is "slice-tool-" with this name
     const char* title;
-    const char* key;  // a letter that viewer/keys/keys.h does not use
+    const char* key;  // a letter that viewer/keys/keys.h does not use, or one of this table with Shift
     const char* does;
 };
 
@@ -34,10 +34,28 @@ inline constexpr std::array kSliceTools{
                  QT_TRANSLATE_NOOP("SliceTool", "Drag the picture sideways")},
     SliceToolRow{SliceTool::distance, Glyph::distance, "distance", QT_TRANSLATE_NOOP("SliceTool", "Distance"),
                  "D", QT_TRANSLATE_NOOP("SliceTool", "Measure from point to point, in mm")},
+    SliceToolRow{
+        SliceTool::bidirectional, Glyph::bidirectional, "bidirectional",
+        QT_TRANSLATE_NOOP("SliceTool", "Lesion"), "Shift+D",
+        QT_TRANSLATE_NOOP("SliceTool",
+                          "Measure both axes of a lesion, in mm: the long one, then half of the short")},
     SliceToolRow{SliceTool::angle, Glyph::angle, "angle", QT_TRANSLATE_NOOP("SliceTool", "Angle"), "G",
                  QT_TRANSLATE_NOOP("SliceTool", "Measure between two legs, in degrees")},
+    SliceToolRow{SliceTool::cobb, Glyph::cobb, "cobb", QT_TRANSLATE_NOOP("SliceTool", "Cobb Angle"),
+                 "Shift+G", QT_TRANSLATE_NOOP("SliceTool", "Measure between two lines, in degrees")},
     SliceToolRow{SliceTool::ellipse, Glyph::ellipse, "ellipse", QT_TRANSLATE_NOOP("SliceTool", "Ellipse"),
                  "E", QT_TRANSLATE_NOOP("SliceTool", "Measure area, in mm², and values within it")},
+    SliceToolRow{SliceTool::outline, Glyph::outline, "outline", QT_TRANSLATE_NOOP("SliceTool", "Outline"),
+                 "Shift+E",
+                 QT_TRANSLATE_NOOP("SliceTool",
+                                   "Draw around something by hand, or click its corners and double-click the "
+                                   "last: its area, and values within it")},
+    SliceToolRow{SliceTool::line, Glyph::line, "line", QT_TRANSLATE_NOOP("SliceTool", "Line"), "Shift+Y",
+                 QT_TRANSLATE_NOOP("SliceTool",
+                                   "Draw along something by hand, or click its points and double-click the "
+                                   "last: its length, in mm")},
+    SliceToolRow{SliceTool::arrow, Glyph::arrow, "arrow", QT_TRANSLATE_NOOP("SliceTool", "Arrow"), "H",
+                 QT_TRANSLATE_NOOP("SliceTool", "Point at something, drag away, and type words")},
     SliceToolRow{
         SliceTool::probe, Glyph::probe, "probe", QT_TRANSLATE_NOOP("SliceTool", "Probe"), "V",
         QT_TRANSLATE_NOOP("SliceTool", "Read the value of the voxel that is pointed at, in its unit")},

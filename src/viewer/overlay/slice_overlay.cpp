@@ -27,6 +27,17 @@ QColor inkOf(const ShownMeasurement& shown) {
     return shown.isSelected ? kSelectedInk : kMeasureInk;
 }
 
+void addHead(QPainterPath& path, const QPointF& tip, const QPointF& tail) {
+    constexpr double kLengthPx = 11.0;
+    constexpr double kOpening = 0.42;  // radians to each side
+    const QPointF along = tail - tip;
+    const double turn = std::atan2(along.y(), along.x());
+    for (const double side : {-kOpening, kOpening}) {
+        path.moveTo(tip);
+        path.lineTo(tip + kLengthPx * QPointF(std::cos(turn + side), std::sin(turn + side)));
+    }
+}
+
 // Paints one overlay. Places texts first and paints them last: the cross-hair leaves gaps for them, because
 // an I on its line would look like a part of it.
 class OverlayPainter {
@@ -123,20 +134,20 @@ void OverlayPainter::interpolatedEdges() const {
 
 QPainterPath OverlayPainter::pathOf(const ShownMeasurement& shown) const {
     QPainterPath path;
-    for (const glm::dvec3& mm : outlineOf(shown.measurement)) {
-        const QPointF at = placeOf(mm);
-        if (path.elementCount() == 0) {
-            path.moveTo(at);
-        } else {
-            path.lineTo(at);
-        }
+    for (const std::vector<glm::dvec3>& line : linesOf(shown.measurement)) {
+        if (line.empty()) continue;
+        path.moveTo(placeOf(line.front()));
+        for (const glm::dvec3& mm : line) path.lineTo(placeOf(mm));
     }
+    if (const auto* arrow = std::get_if<slices::Arrow>(&shown.measurement.shape))
+        addHead(path, placeOf(arrow->tipMm), placeOf(arrow->tailMm));
     return path;
 }
 
 void OverlayPainter::measurements() const {
     for (const ShownMeasurement& shown : overlay_.measurements) {
         drawHaloed(painter_, pathOf(shown), inkOf(shown), 1.5);
+        if (!shown.hasHandles) continue;
         for (const glm::dvec3& mm : handlesOf(shown.measurement)) {
             QPainterPath handle;
             handle.addEllipse(placeOf(mm), kHandlePx, kHandlePx);
@@ -151,6 +162,7 @@ void OverlayPainter::placeMeasurementTexts() {
     const double lineHeight = metrics.height();
     std::vector<PlacedText> others = layout_.texts;
     for (const ShownMeasurement& shown : overlay_.measurements) {
+        if (shown.text.isEmpty()) continue;
         const QRectF around = pathOf(shown).boundingRect();
         const QStringList lines =
             wrapped({shown.text}, font_, std::max(size_.width() - 2.0 * kMarginPx, 0.0));
@@ -159,8 +171,15 @@ void OverlayPainter::placeMeasurementTexts() {
             block.setWidth(std::max(block.width(), metrics.horizontalAdvance(text)));
         const double rightmost = std::max(size_.width() - kMarginPx - block.width(), kMarginPx);
         const double lowest = std::max(size_.height() - kMarginPx - block.height(), 0.0);
-        block.moveTo(std::clamp(around.right() + kMarginPx, kMarginPx, rightmost),
-                     std::clamp(around.bottom(), 0.0, lowest));
+        QPointF beside(around.right() + kMarginPx, around.bottom());
+        if (const auto* arrow = std::get_if<slices::Arrow>(&shown.measurement.shape)) {
+            // Its words are at its tail, on the far side of the tip.
+            const QPointF tail = placeOf(arrow->tailMm);
+            const bool isRightOfTip = tail.x() >= placeOf(arrow->tipMm).x();
+            beside = {isRightOfTip ? tail.x() + kMarginPx : tail.x() - kMarginPx - block.width(),
+                      tail.y() - 0.5 * block.height()};
+        }
+        block.moveTo(std::clamp(beside.x(), kMarginPx, rightmost), std::clamp(beside.y(), 0.0, lowest));
         QPointF at = freePlace(block, size_, lineHeight, others);
         for (const QString& text : lines) {
             measured_.push_back({.at = {at.x(), at.y() + metrics.ascent()},

@@ -17,8 +17,9 @@ namespace macula::viewer {
 
 struct ShownMeasurement {
     slices::Measurement measurement;
-    QString text;
+    QString text;  // may be empty
     bool isSelected = false;
+    bool hasHandles = true;
 };
 
 // The directions of the cross-hair's lines in the picture, y downwards: unit vectors. They are upright and

@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kThickestSlabMm = 100.0;
 constexpr int kDecimals = 1;
+constexpr int kSlimPx = 27;  // of a button, so that all fit into a window of 800 pixels
 
 struct ProjectionRow {
     slices::Projection projection;
@@ -194,8 +195,10 @@ void ToolBox::addLayouts() {
 
 // The arrows of a spin box make it too wide for a vertical bar; wheel and arrow keys do the same.
 void ToolBox::fitOrientation() {
-    thickness_->setButtonSymbols(orientation() == Qt::Vertical ? QAbstractSpinBox::NoButtons
-                                                               : QAbstractSpinBox::UpDownArrows);
+    const bool isVertical = orientation() == Qt::Vertical;
+    thickness_->setButtonSymbols(isVertical ? QAbstractSpinBox::NoButtons : QAbstractSpinBox::UpDownArrows);
+    for (QToolButton* button : findChildren<QToolButton*>())
+        button->setMaximumHeight(isVertical ? kSlimPx : QWIDGETSIZE_MAX);
 }
 
 void ToolBox::setTool(SliceTool tool) {

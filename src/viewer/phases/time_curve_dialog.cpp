@@ -102,9 +102,15 @@ class TimeCurveChart : public QWidget {
         painter.drawPath(path);
         const double line = painter.fontMetrics().height();
         painter.drawText(QPointF(plot_.left() + 6, plot_.top() + line * (double(index) + 1.0)),
-                         curve.label.empty()
-                             ? QCoreApplication::translate("TimeCurveDialog", "Ellipse %1").arg(curve.number)
-                             : harmless(QString::fromStdString(curve.label)));
+                         nameOf(curve));
+    }
+
+    static QString nameOf(const scene::TimeCurve& curve) {
+        if (!curve.label.empty()) return harmless(QString::fromStdString(curve.label));
+        const QString name = curve.kind == "outline"
+                                 ? QCoreApplication::translate("TimeCurveDialog", "Outline %1")
+                                 : QCoreApplication::translate("TimeCurveDialog", "Ellipse %1");
+        return name.arg(curve.number);
     }
 
     scene::TimeCurves curves_;

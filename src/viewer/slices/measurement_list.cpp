@@ -10,7 +10,7 @@
 #include <set>
 
 #include "base/utf8.h"
-#include "scene/state/slices_json.h"
+#include "scene/state/measurements_json.h"
 #include "viewer/language/harmless_text.h"
 #include "viewer/menus/controls.h"
 #include "viewer/overlay/slice_steps.h"

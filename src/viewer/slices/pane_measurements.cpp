@@ -6,7 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "base/check.h"
 #include "slices/interpolated.h"
 #include "viewer/language/harmless_text.h"
 #include "viewer/language/window_language.h"
@@ -19,7 +18,7 @@ namespace {
 // No image was taken there: values come from neighbouring images, and a person saw the ends in interpolated
 // slices.
 QString interpolated(const QString& text, const slices::Measurement& measurement, double share) {
-    if (!std::holds_alternative<slices::Ellipse>(measurement.shape))
+    if (!slices::hasArea(measurement))
         return QCoreApplication::translate("Slices", "%1, ends in interpolated slices").arg(text);
     constexpr double kPercent = 100.0;
     const int percent = std::max(1, int(std::lround(kPercent * share)));
@@ -32,45 +31,6 @@ constexpr double kSamePlaneMm = 1e-6;
 
 }  // namespace
 
-MeasurementDrawing::MeasurementDrawing(SliceTool tool, const slices::SlicePlane& plane,
-                                       const glm::dvec3& firstMm, double leastMm)
-    : tool_(tool), plane_(plane), leastMm_(leastMm), pointsMm_{firstMm}, pointerMm_(firstMm) {
-    MACULA_CHECK(measures(tool));
-}
-
-void MeasurementDrawing::press(const glm::dvec3& mm) {
-    pointerMm_ = mm;
-    if (!isComplete() && isNew(mm)) pointsMm_.push_back(mm);
-}
-
-void MeasurementDrawing::release(const glm::dvec3& mm) {
-    pointerMm_ = mm;
-    if (pointsMm_.size() == 1 && isNew(mm)) pointsMm_.push_back(mm);
-}
-
-std::optional<slices::Measurement> MeasurementDrawing::soFar() const {
-    const glm::dvec3 last = isComplete() ? pointsMm_.back() : pointerMm_;
-    const auto measured = [this](auto shape) {
-        return slices::Measurement{.shape = std::move(shape), .normal = plane_.normal()};
-    };
-    if (!isComplete() && !isNew(last)) return std::nullopt;
-    if (tool_ == SliceTool::ellipse) return ellipse(last);
-    if (tool_ == SliceTool::angle && pointsMm_.size() > 1)
-        return measured(slices::Angle{.pointsMm = {pointsMm_[0], pointsMm_[1], last}});
-    return measured(slices::Distance{.endsMm = {pointsMm_[0], last}});
-}
-
-// The ellipse in the rectangle between two opposite corners.
-std::optional<slices::Measurement> MeasurementDrawing::ellipse(const glm::dvec3& to) const {
-    const glm::dvec3 diagonal = to - pointsMm_.front();
-    slices::Ellipse ellipse{.plane = plane_,
-                            .radiiMm = 0.5 * glm::abs(glm::dvec2(glm::dot(diagonal, plane_.right),
-                                                                 glm::dot(diagonal, plane_.down)))};
-    ellipse.plane.centreMm = pointsMm_.front() + 0.5 * diagonal;
-    if (!(ellipse.radiiMm.x > 0.0) || !(ellipse.radiiMm.y > 0.0)) return std::nullopt;
-    return slices::Measurement{.shape = ellipse, .normal = plane_.normal()};
-}
-
 QString MeasurementTexts::of(const slices::Measurement& measurement,
                              const std::shared_ptr<const Volume>& of) {
     const Volume& volume = *of;
@@ -82,10 +42,16 @@ QString MeasurementTexts::of(const slices::Measurement& measurement,
     if (known_.size() == kMost) known_.erase(known_.begin());
     QString text = withLocalNumbers(QString::fromStdString(slices::textOf(measurement, volume)));
     if (!volume.provenance().isCalibrated && slices::hasSize(measurement)) text = notCalibrated(text);
-    if (const double share = slices::interpolatedShare(measurement, volume); share > 0.0)
-        text = interpolated(text, measurement, share);
-    if (!measurement.label.empty())
-        text = harmless(QString::fromStdString(measurement.label)) + QStringLiteral(": ") + text;
+    const bool isArrow = std::holds_alternative<slices::Arrow>(measurement.shape);
+    const double share = isArrow ? 0.0 : slices::interpolatedShare(measurement, volume);
+    if (share > 0.0) text = interpolated(text, measurement, share);
+    const auto* lesion = std::get_if<slices::Bidirectional>(&measurement.shape);
+    if (lesion != nullptr && lesion->isNode)
+        text = QCoreApplication::translate("Slices", "%1, lymph node").arg(text);
+    if (!measurement.label.empty()) {
+        const QString label = harmless(QString::fromStdString(measurement.label));
+        text = text.isEmpty() ? label : label + QStringLiteral(": ") + text;
+    }
     known_.push_back({measurement, of, text});
     return text;
 }
@@ -163,8 +129,8 @@ void PaneMeasurements::beginDrawing(SliceTool tool, const QPointF& place, const 
                      kOnePointPx * shown.frame.mmPerPixel * shown.pixelRatio);
 }
 
-void PaneMeasurements::moveDrawing(const glm::dvec3& mm) {
-    if (drawing_) drawing_->move(mm);
+void PaneMeasurements::moveDrawing(const glm::dvec3& mm, bool isHeld) {
+    if (drawing_) drawing_->move(mm, isHeld);
 }
 
 void PaneMeasurements::pressDrawing(const glm::dvec3& mm) {
@@ -185,6 +151,15 @@ void PaneMeasurements::finishIfComplete() {
     if (!made) return;
     session_.change(tr("Measurement"), [&](scene::StudyState& next) { next.measurements.push_back(*made); });
     selected_ = session_.state().measurements.size() - 1;
+    if (std::holds_alternative<slices::Arrow>(made->shape)) finishedArrow_ = selected_;
+}
+
+void PaneMeasurements::setNode(std::size_t measurement, bool isNode) {
+    session_.change(tr("Lymph node"), [&](scene::StudyState& next) {
+        if (measurement >= next.measurements.size()) return;
+        auto& shape = next.measurements[measurement].shape;
+        if (auto* lesion = std::get_if<slices::Bidirectional>(&shape)) lesion->isNode = isNode;
+    });
 }
 
 std::vector<ShownMeasurement> PaneMeasurements::seenOn(const SliceRequest& shown) {
@@ -198,24 +173,35 @@ std::vector<ShownMeasurement> PaneMeasurements::seenOn(const SliceRequest& shown
     }
     const auto drawn = drawing_ ? drawing_->soFar() : std::nullopt;
     if (drawn)
-        seen.push_back({.measurement = *drawn, .text = textWhileDrawn(*drawn, shown), .isSelected = true});
+        seen.push_back({.measurement = *drawn,
+                        .text = textWhileDrawn(*drawn, shown),
+                        .isSelected = true,
+                        .hasHandles = !drawing_->isFreehand()});
     return seen;
 }
 
 // Values come from the plane alone, whatever the slab projects onto it.
 QString PaneMeasurements::textOf(const slices::Measurement& measurement, const SliceRequest& shown) {
     const QString text = texts_.of(measurement, shown.volume);
-    const bool isOfPlane =
-        shown.slab.thicknessMm > 0.0 && std::holds_alternative<slices::Ellipse>(measurement.shape);
+    const bool isOfPlane = shown.slab.thicknessMm > 0.0 && slices::hasArea(measurement);
     return isOfPlane ? tr("Plane alone: %1").arg(text) : text;
 }
 
 // Shows only the size: counting values takes too long for each step of the drag.
 QString PaneMeasurements::textWhileDrawn(const slices::Measurement& measurement, const SliceRequest& shown) {
+    const bool isCalibrated = shown.volume->provenance().isCalibrated;
+    if (std::holds_alternative<slices::OpenLine>(measurement.shape)) {
+        // Not kept: each step of a long line has all of its points.
+        const QString text =
+            withLocalNumbers(QString::fromStdString(slices::textOf(measurement, *shown.volume)));
+        return isCalibrated ? text : notCalibrated(text);
+    }
+    if (!slices::hasArea(measurement)) return texts_.of(measurement, shown.volume);
     const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape);
-    if (ellipse == nullptr) return texts_.of(measurement, shown.volume);
-    return sizeText(tr("%1 mm²").arg(std::llround(slices::areaMm2(*ellipse))),
-                    shown.volume->provenance().isCalibrated);
+    const double area =
+        ellipse ? slices::areaMm2(*ellipse) : slices::areaMm2(std::get<slices::Outline>(measurement.shape));
+    if (!std::isfinite(area)) return {};  // of an outline that crosses itself
+    return sizeText(tr("%1 mm²").arg(std::llround(area)), isCalibrated);
 }
 
 }  // namespace macula::viewer

@@ -7,49 +7,18 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "slices/measurement.h"
 #include "viewer/editor/study_editor.h"
-#include "viewer/keys/slice_tool.h"
 #include "viewer/overlay/measurement_handles.h"
 #include "viewer/overlay/slice_overlay.h"
+#include "viewer/slices/measurement_drawing.h"
 #include "viewer/slices/pane_content.h"
 #include "viewer/slices/slice_sampler.h"
 
 namespace macula::viewer {
-
-// A measurement that a person is drawing. A distance has two points, its ends; an ellipse two opposite
-// corners of its box; an angle three points. A press of the button sets a point; a release after a drag also
-// sets the second. All points lie in `plane`, patient LPS mm.
-class MeasurementDrawing {
-  public:
-    // `tool` must measure. Points within `leastMm` of each other count as one.
-    MeasurementDrawing(SliceTool tool, const slices::SlicePlane& plane, const glm::dvec3& firstMm,
-                       double leastMm);
-
-    void press(const glm::dvec3& mm);
-    void move(const glm::dvec3& mm) { pointerMm_ = mm; }
-    void release(const glm::dvec3& mm);
-
-    const slices::SlicePlane& plane() const { return plane_; }
-    std::size_t pointsSet() const { return pointsMm_.size(); }
-    bool isComplete() const { return pointsMm_.size() == pointsNeeded(); }
-    // The measurement with the pointer as its next point; an angle with one point gives its first leg as a
-    // distance. Nothing while it has no extent.
-    std::optional<slices::Measurement> soFar() const;
-
-  private:
-    std::size_t pointsNeeded() const { return tool_ == SliceTool::angle ? 3 : 2; }
-    bool isNew(const glm::dvec3& mm) const { return glm::distance(pointsMm_.back(), mm) > leastMm_; }
-    std::optional<slices::Measurement> ellipse(const glm::dvec3& to) const;
-
-    SliceTool tool_;
-    slices::SlicePlane plane_;
-    double leastMm_;
-    std::vector<glm::dvec3> pointsMm_;
-    glm::dvec3 pointerMm_;
-};
 
 // Caches the texts beside measurements: measuring an ellipse takes milliseconds, and a pane is painted often.
 class MeasurementTexts {
@@ -91,11 +60,14 @@ class PaneMeasurements {
     // Whether drawing can continue on `shown`: it shows the study, in the plane of the drawing.
     bool goesOnOver(const SliceRequest& shown) const;
     void beginDrawing(SliceTool tool, const QPointF& place, const SliceRequest& shown);
-    void moveDrawing(const glm::dvec3& mm);
+    void moveDrawing(const glm::dvec3& mm, bool isHeld);
     // The button went down or up at `mm`. The last point adds the measurement to the state and selects it.
     void pressDrawing(const glm::dvec3& mm);
     void releaseDrawing(const glm::dvec3& mm);
     void dropDrawing() { drawing_.reset(); }
+    // The index of an arrow that was finished since the last call, whose words are to be asked for.
+    std::optional<std::size_t> takeFinishedArrow() { return std::exchange(finishedArrow_, std::nullopt); }
+    void setNode(std::size_t measurement, bool isNode);  // of a lesion with both axes; else does nothing
 
     // The measurements to draw over the picture.
     std::vector<ShownMeasurement> seenOn(const SliceRequest& shown);
@@ -110,6 +82,7 @@ class PaneMeasurements {
     const PaneContent& content_;
     std::optional<MeasurementDrawing> drawing_;
     std::optional<std::size_t> selected_;
+    std::optional<std::size_t> finishedArrow_;
     MeasurementTexts texts_;
 };
 

@@ -118,14 +118,9 @@ SliceHand::Drag SliceHand::dragOfTool() const {
             return Drag::probe;
         case SliceTool::curve:
             return Drag::curve;
-        case SliceTool::distance:
-        case SliceTool::angle:
-        case SliceTool::ellipse:
-            return Drag::draw;
-        case SliceTool::segment:
-            break;
+        default:
+            return measures(tool_) ? Drag::draw : Drag::none;
     }
-    return Drag::none;
 }
 
 bool SliceHand::takeClip(const QPointF& place, const SliceRequest& shown) {
@@ -217,7 +212,7 @@ void SliceHand::dragTo(const Pointer& pointer, const SliceRequest& shown, const 
             return brush_->drag({shown.worldFromPane(place), shown.frame.plane.normal()});
         case Drag::draw:
         case Drag::none:
-            return parts_.measurements.moveDrawing(shown.worldFromPane(place));
+            return parts_.measurements.moveDrawing(shown.worldFromPane(place), drag_ == Drag::draw);
         case Drag::probe:
             return;
     }

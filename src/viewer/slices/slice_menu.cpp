@@ -153,6 +153,14 @@ QMenu* makeSliceMenu(const SliceMenuOf& of, QWidget* parent) {
         QAction* label = menu->addAction(SliceMenuWords::tr("&Label…\tEnter"));
         describe(*label, "edit-label", SliceMenuWords::tr("Words beside this measurement"));
         QObject::connect(label, &QAction::triggered, parent, of.editLabel);
+        if (of.isNode) {
+            QAction* node = menu->addAction(SliceMenuWords::tr("Lymph &Node"));
+            describe(*node, "lymph-node",
+                     SliceMenuWords::tr("Its short axis counts in the follow-up, not its long one"));
+            node->setCheckable(true);
+            node->setChecked(*of.isNode);
+            QObject::connect(node, &QAction::triggered, parent, of.setNode);
+        }
         menu->addSeparator();
     }
     const QString key = KeyBook::ofProgram().chosen(keyOf(KeyAction::fit)).toString(QKeySequence::NativeText);

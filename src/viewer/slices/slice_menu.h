@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "base/volume.h"
 #include "viewer/editor/study_editor.h"
@@ -17,6 +18,8 @@ struct SliceMenuOf {
     OwnWindowList* own = nullptr;       // null: no own windows
     DisplayWindow window = {};          // the current window
     std::function<void()> editLabel;    // edits the label of the measurement there; empty: no entry
+    std::optional<bool> isNode = {};    // of a lesion with both axes there; nothing: no entry
+    std::function<void(bool)> setNode;  // calls it a lymph node, or not
     std::function<void()> fit;          // fits the pane that was clicked
     std::function<void()> copyPicture;  // to the clipboard
     std::function<void()> savePicture;  // to a file

@@ -8,10 +8,12 @@
 #include <QPixmap>
 #include <QWidget>
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/utf8.h"
-#include "scene/state/slices_json.h"
+#include "scene/state/measurements_json.h"
 #include "viewer/overlay/measurement_handles.h"
 #include "viewer/slices/slice_menu.h"
 
@@ -70,11 +72,22 @@ void SlicePopups::openMenu(const QPointF& place) {
     const bool isMeant = parts_.hand.selectAt(place, *shown);
     parts_.hand.drop();
     std::function<void()> edit;
-    if (isMeant) edit = [this, index = *parts_.measurements.selected()] { editLabel(index); };
+    std::optional<bool> isNode;
+    std::function<void(bool)> setNode;
+    if (isMeant) {
+        const std::size_t index = *parts_.measurements.selected();
+        edit = [this, index] { editLabel(index); };
+        setNode = [this, index](bool on) { parts_.measurements.setNode(index, on); };
+        const auto* lesion =
+            std::get_if<slices::Bidirectional>(&parts_.session.state().measurements.at(index).shape);
+        if (lesion != nullptr) isNode = lesion->isNode;
+    }
     QMenu* menu = makeSliceMenu({.session = &parts_.session,
                                  .own = parts_.windowing.own(),
                                  .window = parts_.content.studyWindow(),
                                  .editLabel = std::move(edit),
+                                 .isNode = isNode,
+                                 .setNode = std::move(setNode),
                                  .fit = [this] { parts_.zoom.fit(); },
                                  .copyPicture = [this] { copyPicture(); },
                                  .savePicture = [this] { Q_EMIT savePictureAsked(pane_.grab().toImage()); }},
@@ -100,7 +113,11 @@ void SlicePopups::editLabel(std::size_t measurement) {
     const SliceRequest* shown = parts_.picture.shownRequest();
     if (shown == nullptr || measurement >= measurements.size()) return;
     const slices::Measurement edited = measurements[measurement];
-    const glm::dvec2 px = shown->frame.pictureFromWorld(handlesOf(edited).front()) / shown->pixelRatio;
+    const std::vector<glm::dvec3> handles = handlesOf(edited);
+    if (handles.empty()) return;
+    const bool isArrow = std::holds_alternative<slices::Arrow>(edited.shape);
+    const glm::dvec3 beside = isArrow ? handles.back() : handles.front();
+    const glm::dvec2 px = shown->frame.pictureFromWorld(beside) / shown->pixelRatio;
     const QString before = QString::fromStdString(edited.label);
     auto* editor = new LabelEditor(&pane_, QPointF(px.x, px.y).toPoint(), before);
     connect(editor, &LabelEditor::accepted, this, [this, edited](const QString& text) {

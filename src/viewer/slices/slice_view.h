@@ -113,7 +113,8 @@ class SliceView : public QWidget {
 
   private:
     void listen();
-    void showLines();  // those that identify what the pane shows
+    void showLines();    // those that identify what the pane shows
+    void askForWords();  // of an arrow that was just drawn
     void onStudyShown();
     void onChanged(const scene::StudyState& before);
     void onPicture();

@@ -47,7 +47,12 @@ void SliceView::leaveEvent(QEvent*) {
 void SliceView::mousePressEvent(QMouseEvent* event) {
     if (picture_.shown() == nullptr || hand_.isHolding()) return event->ignore();
     if (!hand_.press(event->button(), event->position(), *picture_.shownRequest())) return event->ignore();
+    askForWords();
     update();
+}
+
+void SliceView::askForWords() {
+    if (const auto arrow = measurements_.takeFinishedArrow()) popups_.editLabel(*arrow);
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
@@ -61,6 +66,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     const bool asksForMenu = hand_.release(event->button(), event->position(), picture_.shownRequest());
+    askForWords();
     update();
     if (asksForMenu) popups_.openMenu(event->position());
 }

@@ -77,9 +77,40 @@ void drawDistance(QPainter& painter) {
     painter.drawLine(QPointF(21, 7), QPointF(21, 17));
 }
 
+// A long line, and a short one across it.
+void drawBidirectional(QPainter& painter) {
+    painter.drawLine(QPointF(3, 20), QPointF(20, 3));
+    painter.drawLine(QPointF(7, 7), QPointF(16, 16));
+}
+
 void drawAngle(QPainter& painter) {
     drawLines(painter, {{17, 3}, {4, 20}, {22, 20}});
     painter.drawArc(QRectF(-6, 10, 20, 20), 0, 16 * 52);
+}
+
+void drawCobb(QPainter& painter) {
+    painter.drawLine(QPointF(3, 9), QPointF(21, 3));
+    painter.drawLine(QPointF(3, 15), QPointF(21, 21));
+}
+
+void drawOutline(QPainter& painter) {
+    QPainterPath path(QPointF(5, 8));
+    path.cubicTo(QPointF(9, 0), QPointF(20, 2), QPointF(20, 10));
+    path.cubicTo(QPointF(20, 16), QPointF(14, 13), QPointF(14, 18));
+    path.cubicTo(QPointF(13, 24), QPointF(0, 18), QPointF(5, 8));
+    painter.drawPath(path);
+}
+
+void drawLine(QPainter& painter) {
+    QPainterPath path(QPointF(3, 16));
+    path.cubicTo(QPointF(8, 2), QPointF(12, 6), QPointF(12, 12));
+    path.cubicTo(QPointF(12, 20), QPointF(18, 20), QPointF(21, 8));
+    painter.drawPath(path);
+}
+
+void drawArrow(QPainter& painter) {
+    painter.drawLine(QPointF(20, 4), QPointF(5, 19));
+    drawLines(painter, {{5, 10}, {5, 19}, {14, 19}});
 }
 
 void drawEllipse(QPainter& painter) {
@@ -176,10 +207,20 @@ void drawGlyph(QPainter& painter, Glyph glyph) {
             return drawPan(painter);
         case Glyph::distance:
             return drawDistance(painter);
+        case Glyph::bidirectional:
+            return drawBidirectional(painter);
         case Glyph::angle:
             return drawAngle(painter);
+        case Glyph::cobb:
+            return drawCobb(painter);
         case Glyph::ellipse:
             return drawEllipse(painter);
+        case Glyph::outline:
+            return drawOutline(painter);
+        case Glyph::line:
+            return drawLine(painter);
+        case Glyph::arrow:
+            return drawArrow(painter);
         case Glyph::probe:
             return drawProbe(painter);
         case Glyph::segment:

@@ -25,6 +25,7 @@
 #include "viewer/dose/dose_controller.h"
 #include "viewer/dose/dose_panel.h"
 #include "viewer/editor/undo_actions.h"
+#include "viewer/followup/follow_up_controller.h"
 #include "viewer/hanging/hanging_controller.h"
 #include "viewer/headset/headset_controller.h"
 #include "viewer/headset/headset_mirror.h"
@@ -47,6 +48,7 @@
 #include "viewer/panes/usual_layouts.h"
 #include "viewer/phases/phase_bar.h"
 #include "viewer/phases/phases_controller.h"
+#include "viewer/pick/distance_in_3d.h"
 #include "viewer/pick/pick_controller.h"
 #include "viewer/planar/planar_controller.h"
 #include "viewer/planar/planar_presenting.h"
@@ -151,8 +153,8 @@ void MainWindow::makeStudy() {
     table_->endAt(undo_->redo());
     lights_ = new LightsController(context_);
     clips_ = new ClipsController(context_, panes_->allSlices(), shown_->cutting());
-    viewport_->setTools({&clips_->scissors(), &lights_->tool(), &clips_->handles()});
     pick_ = new PickController(context_, clips_->scissors());
+    viewport_->setTools({&clips_->scissors(), &lights_->tool(), &clips_->handles(), &pick_->distance()});
 
     watch_ = new WatchController(context_, *opening_, options_.settings.watchedFolders, options_.watchPace);
 
@@ -241,6 +243,7 @@ void MainWindow::makeOthers() {
         *panels_->add(Qt::RightDockWidgetArea, &headset_->mirror(), tr("Headset"), "headset-panel"));
     pictures_ = new PicturesController(context_, panes_->grid(), *settings_);
     measurements_ = new MeasurementsController(context_);
+    followUp_ = new FollowUpController(context_, second_->loader(), keeper_.get());
     views_ = new ViewsController(context_, *states_);
     presentations_ = new PresentationsController(context_, {.opening = *opening_,
                                                             .states = *states_,

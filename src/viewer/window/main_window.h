@@ -34,6 +34,7 @@ class ClipsController;
 class CurveController;
 class DoseController;
 class DocumentsController;
+class FollowUpController;
 class HangingController;
 class HeadsetController;
 class LightsController;
@@ -231,6 +232,7 @@ class MainWindow : public QMainWindow {
     SendController* send_ = nullptr;
     ViewsController* views_ = nullptr;
     MeasurementsController* measurements_ = nullptr;
+    FollowUpController* followUp_ = nullptr;
     LookController* look_ = nullptr;
     View3dController* view3d_ = nullptr;
     StatusController* status_ = nullptr;

@@ -13,6 +13,7 @@
 #include "viewer/documents/documents_controller.h"
 #include "viewer/dose/dose_controller.h"
 #include "viewer/editor/undo_actions.h"
+#include "viewer/followup/follow_up_controller.h"
 #include "viewer/hanging/hanging_controller.h"
 #include "viewer/headset/headset_controller.h"
 #include "viewer/keys/keys.h"
@@ -27,6 +28,7 @@
 #include "viewer/output/presentations_controller.h"
 #include "viewer/output/views_controller.h"
 #include "viewer/panes/panels_controller.h"
+#include "viewer/pick/pick_controller.h"
 #include "viewer/presets/presets_controller.h"
 #include "viewer/quality/quality_control.h"
 #include "viewer/quality/quality_controller.h"
@@ -94,6 +96,8 @@ void MainWindow::makeEditMenu() {
     browser_->addFindAction(*edit);
     edit->addSeparator();
     measurements_->addEditActions(*edit);
+    pick_->addAction(*edit);
+    followUp_->addAction(*edit);
     edit->addSeparator();
     settings_->addAction(*edit)->setShortcut(keyOf(KeyAction::settings));
 }
