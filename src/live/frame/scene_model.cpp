@@ -35,9 +35,10 @@ Result<void> SceneModel::make(const std::shared_ptr<gpu::Device>& device, const 
     return {};
 }
 
-Result<void> SceneModel::show(const std::string& name, const scene::Drawing& drawing) {
-    MACULA_TRY_VOID(model_->show(name, drawing.settings));
-    of_ = drawing;
+Result<void> SceneModel::show(const std::string& name, const FrameInput& input) {
+    MACULA_TRY_VOID(model_->show(name, input.drawing.settings));
+    of_ = input.drawing;
+    ofVolume_ = input.volume;
     return {};
 }
 

@@ -119,6 +119,11 @@ void addPhase(const PaneContent& content, SliceRequest& request) {
         return;
     }
     request.isOtherPhase = true;
+    request.isDifference = content.showsDifference();
+    if (request.isDifference) {
+        request.isInverted = request.isLowBright = false;
+        request.colours = slices::ColourTable::grey;
+    }
     request.tags = {content.phaseText()};
     request.secondNotes.push_back(PaneRequest::tr("Segments are of the open phase, and not shown here"));
     request.segments.reset();
