@@ -27,10 +27,11 @@ bool haveSameGrid(const Volume& a, const Volume& b) {
 }
 
 Error notComparable() {
-    return {ErrorCode::inputNotUsable,
-            Text("The two phases do not lie on one grid in one unit: there is no difference of their values."),
-            {},
-            Text("Choose another phase.")};
+    return {
+        ErrorCode::inputNotUsable,
+        Text("The two phases do not lie on one grid in one unit: there is no difference of their values."),
+        {},
+        Text("Choose another phase.")};
 }
 
 using Colour = std::array<double, 3>;
@@ -69,8 +70,7 @@ Result<Volume> differenceOf(const Volume& of, const Volume& minus, const CancelT
                 float* at = values.data() + k * perSlice;
                 for (int j = 0; j < size.y; ++j) {
                     for (int i = 0; i < size.x; ++i, ++at) {
-                        const bool isPadding =
-                            of.isPadding(i, j, int(k)) || minus.isPadding(i, j, int(k));
+                        const bool isPadding = of.isPadding(i, j, int(k)) || minus.isPadding(i, j, int(k));
                         *at = isPadding ? std::numeric_limits<float>::quiet_NaN()
                                         : float(of.value(i, j, int(k)) - minus.value(i, j, int(k)));
                     }
@@ -115,8 +115,8 @@ std::vector<std::uint32_t> toDiverging(std::span<const float> values, const Disp
             const double size = std::min(std::abs(off), 1.0);
             const Colour& middle = off < 0.0 ? kBelow : kAbove;
             const Colour& end = off < 0.0 ? kLeast : kMost;
-            pixels[n] = size < 0.5 ? between(kZero, middle, 2.0 * size)
-                                   : between(middle, end, 2.0 * size - 1.0);
+            pixels[n] =
+                size < 0.5 ? between(kZero, middle, 2.0 * size) : between(middle, end, 2.0 * size - 1.0);
         }
     });
     return pixels;

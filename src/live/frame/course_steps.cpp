@@ -230,7 +230,9 @@ Result<void> CourseSteps::learnPhases(const Interrupts& interrupts) {
 }
 
 Result<bool> CourseSteps::showPlayed() {
-    if (!input_.playsPhases || !models_.canPlay(input_)) return false;
+    if (!models_.canPlay(input_)) return false;
+    // A person who steps through phases sees the next one at once; then it is traced.
+    if (!input_.playsPhases && models_.hasModel() && models_.isModelOf(input_)) return false;
     course_.want(false);
     const auto picture = models_.drawPlayed(input_);
     if (!picture) {
@@ -240,7 +242,7 @@ Result<bool> CourseSteps::showPlayed() {
     course_.showedModel();
     MACULA_TRY_VOID(show(**picture));
     MACULA_TRY_VOID(device_.device()->waitForAll());
-    return true;
+    return input_.playsPhases;
 }
 
 Result<void> CourseSteps::showAgain() {
@@ -310,7 +312,8 @@ Result<void> CourseSteps::addTraced(FrameShown& frame) {
         frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
     }
     // Behind an estimate or a played phase, the tracer may still have the previous scene.
-    if (frame.picture != OnScreen::estimate && !models_.isPlayed()) frame.messages = traced.tracer().messages();
+    if (frame.picture != OnScreen::estimate && !models_.isPlayed())
+        frame.messages = traced.tracer().messages();
     return {};
 }
 

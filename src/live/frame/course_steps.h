@@ -58,8 +58,8 @@ class CourseSteps {
     // takes long, and can wait until no edit has come for a moment. Returns true if a newer input came
     // meanwhile.
     Result<bool> showEstimate(const Interrupts& interrupts);
-    // Shows the splats of a learnt phase while phases are played; the tracer keeps the scene it has. Returns
-    // false if the input's phase is not learnt, or none is played.
+    // Shows the splats of a learnt phase, while the tracer has another scene. Returns whether that is all:
+    // true while phases are played; false if the scene is to follow, or the input's phase is not learnt.
     Result<bool> showPlayed();
     // Shows the current picture once more, over another background.
     Result<void> showAgain();

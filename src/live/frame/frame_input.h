@@ -62,8 +62,9 @@ struct FrameInput {
     // study may change its volume: it is still the same patient.
     std::uint64_t phase = 0;
     bool playsPhases = false;  // phases follow each other: a learnt one is drawn as splats, and not traced
-    // The phases whose models are learnt while the picture rests; null: none.
-    std::shared_ptr<const PhaseScenes> phasesToLearn{};
+    // All phases; null: only the one that is shown is known.
+    std::shared_ptr<const PhaseScenes> phases{};
+    bool learnsPhases = false;  // the models of `phases` are learnt while the picture rests
     scene::Drawing drawing{};
     Camera camera{};
     scene::EdgeLetters letters{};               // for this camera; FrameShown returns them with its pictures

@@ -256,8 +256,8 @@ Result<const gpu::Image*> ModelPictures::drawTraced(const FrameInput& input) {
 
 // The frame must have the display of the input already: to set it, the tracer needs the scene.
 bool ModelPictures::canPlay(const FrameInput& input) {
-    return SceneModel::isPossible(input) && frame_.isThere() &&
-           frame_.hasDisplayOf(input.drawing.settings) && phases_.canDraw(input);
+    return SceneModel::isPossible(input) && frame_.isThere() && frame_.hasDisplayOf(input.drawing.settings) &&
+           phases_.canDraw(input);
 }
 
 Result<const gpu::Image*> ModelPictures::drawPlayed(const FrameInput& input) {
@@ -277,7 +277,12 @@ Result<void> ModelPictures::withoutPlayed(const Error& error) {
 }
 
 bool ModelPictures::hasPhaseWork(const FrameInput& input) {
-    return SceneModel::isPossible(input) && model_.hasShelf() && phases_.hasWork(input, hasModel() ? model_.live()->key() : std::string());
+    if (!isComplete(input) || !SceneModel::isPossible(input) || !model_.hasShelf()) {
+        phases_.rest();
+        return false;
+    }
+    notePhase(input);
+    return phases_.hasWork(input, hasModel() ? model_.live()->key() : std::string());
 }
 
 Result<void> ModelPictures::learnPhases(const FrameInput& input, double budgetMs,
@@ -291,9 +296,10 @@ Result<void> ModelPictures::learnPhases(const FrameInput& input, double budgetMs
 
 // The model on screen is that of its phase: it need not be learnt twice.
 void ModelPictures::notePhase(const FrameInput& input) {
-    if (!input.phasesToLearn || !hasFit()) return;
+    if (!input.phases || !hasFit()) return;
     const hybrid::LiveModel& model = *model_.live();
-    phases_.note(model.key(), {.splats = model.shown(), .gain = model.gain(), .steps = model.news().steps});
+    phases_.note(input, model.key(),
+                 {.splats = model.shown(), .gain = model.gain(), .steps = model.news().steps});
 }
 
 hybrid::ModelNews ModelPictures::news() const {

@@ -102,10 +102,7 @@ class ModelPictures {
     Result<void> learnPhases(const FrameInput& input, double budgetMs,
                              const std::function<bool()>& keepGoing);
 
-    void tellOfModel(const FrameInput& input) {
-        notePhase(input);
-        reports_.tellOfModel(input.study, news());
-    }
+    void tellOfModel(const FrameInput& input) { reports_.tellOfModel(input.study, news()); }
     hybrid::ModelNews news() const;  // of the played phase, while one is on screen
     std::optional<hybrid::PeripheralReport> report() const { return model_.report(); }
     // Fills in the model that can be drawn now, if it is that of the input's scene.

@@ -20,8 +20,8 @@ using Clock = std::chrono::steady_clock;
 using Answer = hybrid::StoredModel::Answer;
 
 constexpr std::chrono::milliseconds kStoreIsAskedEvery{2};
-// The store looks for one scene at a time: after so long without an answer it is asked again. The first search
-// of a volume reads all of its voxels.
+// The store looks for one scene at a time: after so long without an answer it is asked again. The first
+// search of a volume reads all of its voxels.
 constexpr std::chrono::seconds kAnswerMayTake{10};
 constexpr int kMostSearches = 2;
 
@@ -32,17 +32,13 @@ std::size_t apart(std::size_t a, std::size_t b, std::size_t count) {
 
 }  // namespace
 
-bool PhaseModels::isLearnt(const Phase& phase) {
-    return phase.drawable && phase.drawable->steps >= kStepsOfLearnt;
-}
-
 // Names scenes only when the wanted phases change: each edit of a drawing makes others.
 void PhaseModels::takeWanted(const FrameInput& input) {
-    if (wanted_ == input.phasesToLearn && study_ == input.study) return;
+    if (wanted_ == input.phases && study_ == input.study) return;
     std::vector<Phase> before = std::exchange(phases_, {});
     const std::vector<std::string> namesBefore = std::exchange(names_, {});
     const std::string learning = learning_ ? namesBefore[*learning_] : std::string();
-    wanted_ = input.phasesToLearn;
+    wanted_ = input.phases;
     study_ = input.study;
     searches_ = 0;
     if (wanted_) {
@@ -73,7 +69,7 @@ std::optional<std::size_t> PhaseModels::nextToLearn(const FrameInput& input) con
         if (phases_[i].scene.phase == input.phase) shown = i;
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < phases_.size(); ++i) {
-        if (isLearnt(phases_[i]) || phases_[i].isGivenUp || names_[i] == onScreen_) continue;
+        if (phases_[i].isLearnt || phases_[i].isGivenUp || names_[i] == onScreen_) continue;
         if (!nearest || apart(i, shown, phases_.size()) < apart(*nearest, shown, phases_.size())) nearest = i;
     }
     return nearest;
@@ -82,7 +78,7 @@ std::optional<std::size_t> PhaseModels::nextToLearn(const FrameInput& input) con
 std::shared_ptr<const splat::Splats> PhaseModels::nearestLearnt(std::size_t index) const {
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < phases_.size(); ++i) {
-        if (!isLearnt(phases_[i])) continue;
+        if (!phases_[i].isLearnt) continue;
         if (!nearest || apart(i, index, phases_.size()) < apart(*nearest, index, phases_.size())) nearest = i;
     }
     return nearest ? phases_[*nearest].drawable->splats : nullptr;
@@ -91,8 +87,8 @@ std::shared_ptr<const splat::Splats> PhaseModels::nearestLearnt(std::size_t inde
 bool PhaseModels::hasWork(const FrameInput& input, const std::string& onScreen) {
     takeWanted(input);
     onScreen_ = onScreen;
-    const bool has = !noRoom_ && nextToLearn(input).has_value();
-    if (!has && tracer_) freeDevice();
+    const bool has = input.learnsPhases && !noRoom_ && nextToLearn(input).has_value();
+    if (!has) rest();
     if (wanted_ || told_ != PhaseModelsChanged{}) tell(input);
     return has;
 }
@@ -132,7 +128,7 @@ void PhaseModels::seek(std::size_t index, const std::function<bool()>& goesOn) {
         const hybrid::StoredModel found = keeper->find(names_[index]);
         takeFound(phase, found);
         if (found.answer != Answer::pending && found.answer != Answer::drawable) break;
-        if (isLearnt(phase)) break;
+        if (phase.isLearnt) break;
         if (Clock::now() - soughtSince_ > kAnswerMayTake) {
             if (++searches_ >= kMostSearches) break;
             phase.sought = Sought::no;
@@ -148,6 +144,7 @@ void PhaseModels::seek(std::size_t index, const std::function<bool()>& goesOn) {
 void PhaseModels::takeFound(Phase& phase, const hybrid::StoredModel& found) {
     if (found.answer != Answer::drawable && found.answer != Answer::whole) return;
     phase.drawable = Drawable{.splats = found.splats, .gain = found.gain, .steps = found.steps};
+    phase.isLearnt = found.steps >= kStepsOfLearnt;
     if (found.state && scenes_.hasShelf()) scenes_.shelf()->put(found.state);
 }
 
@@ -155,9 +152,9 @@ Result<void> PhaseModels::begin(std::size_t index) {
     const Phase& phase = phases_[index];
     MACULA_TRY_VOID(bringToDevice(phase.scene));
     if (!model_) {
-        MACULA_TRY(model_, hybrid::LiveModel::create(device_.device(), *tracer_, scenes_.shelf(),
-                                                     scenes_.keeper(),
-                                                     hybrid::liveModelOptions(*device_.device())));
+        MACULA_TRY(model_,
+                   hybrid::LiveModel::create(device_.device(), *tracer_, scenes_.shelf(), scenes_.keeper(),
+                                             hybrid::liveModelOptions(*device_.device())));
     }
     learning_ = index;
     return model_->show(names_[index], phase.scene.drawing.settings, nearestLearnt(index));
@@ -192,14 +189,13 @@ Result<void> PhaseModels::learn(double budgetMs, const std::function<bool()>& ke
     Phase& phase = phases_[*learning_];
     if (model_->hasWork()) MACULA_TRY_VOID(model_->work(budgetMs, keepGoing));
     const hybrid::ModelNews news = model_->news();
-    const bool isFit = hybrid::isFitToBeShown(news);
-    if (isFit && model_->canBeDrawn())
+    const bool isFit = hybrid::isFitToBeShown(news) && model_->canBeDrawn();
+    if (isFit)
         phase.drawable = Drawable{.splats = model_->shown(), .gain = model_->gain(), .steps = news.steps};
-    if (!isLearnt(phase) && model_->hasWork()) return {};
     // A model may come to rest before it has taken so many steps: it will not become better.
-    if (!isLearnt(phase) && isFit && phase.drawable)
-        phase.drawable->steps = std::max(phase.drawable->steps, kStepsOfLearnt);
-    if (!isLearnt(phase)) phase.isGivenUp = true;
+    phase.isLearnt = isFit && (news.steps >= kStepsOfLearnt || !model_->hasWork());
+    if (!phase.isLearnt && model_->hasWork()) return {};
+    phase.isGivenUp = !phase.isLearnt;
     noRoom_ = news.stage == hybrid::ModelStage::noRoom;
     endLearning();
     return {};
@@ -217,6 +213,10 @@ void PhaseModels::freeDevice() {
     onDevice_ = {};
 }
 
+void PhaseModels::rest() {
+    if (tracer_) freeDevice();
+}
+
 void PhaseModels::giveUp(const FrameInput& input, const Error& error) {
     if (const auto index = nextToLearn(input)) phases_[*index].isGivenUp = true;
     noRoom_ = error.code == ErrorCode::outOfMemory;
@@ -224,12 +224,12 @@ void PhaseModels::giveUp(const FrameInput& input, const Error& error) {
     tell(input);
 }
 
-void PhaseModels::note(const std::string& name, Drawable drawable) {
+void PhaseModels::note(const FrameInput& input, const std::string& name, Drawable drawable) {
+    takeWanted(input);
     const auto index = indexOf(name);
     if (!index || !drawable.splats) return;
-    // It is fit to be shown, and learns on.
-    drawable.steps = std::max(drawable.steps, kStepsOfLearnt);
     phases_[*index].drawable = std::move(drawable);
+    phases_[*index].isLearnt = true;
 }
 
 void PhaseModels::release(const std::string& name) {
@@ -270,7 +270,7 @@ void PhaseModels::dropDevice() {
 bool PhaseModels::canDraw(const FrameInput& input) {
     takeWanted(input);
     const auto index = indexOf(scenes_.nameOf(input));
-    return index && isLearnt(phases_[*index]);
+    return index && phases_[*index].isLearnt;
 }
 
 Result<hybrid::Periphery> PhaseModels::periphery(const FrameInput& input) {
@@ -295,6 +295,7 @@ void PhaseModels::doWithoutDrawing() {
     drawn_.forget();
     if (const auto index = indexOf(drawnName_)) {
         phases_[*index].drawable.reset();
+        phases_[*index].isLearnt = false;
         phases_[*index].isGivenUp = true;
     }
 }
@@ -310,7 +311,7 @@ hybrid::ModelNews PhaseModels::newsOfDrawn() const {
 
 void PhaseModels::tell(const FrameInput& input) {
     PhaseModelsChanged now{.study = input.study, .wanted = phases_.size(), .noRoom = noRoom_};
-    now.learnt = std::size_t(std::ranges::count_if(phases_, isLearnt));
+    now.learnt = std::size_t(std::ranges::count(phases_, true, &Phase::isLearnt));
     if (learning_ && model_) {
         now.learning = phases_[*learning_].scene.phase;
         now.steps = model_->news().steps / 20 * 20;  // not for each step

@@ -1,5 +1,5 @@
-// The peripheral models of all phases of a study: learnt one after the other in the background, and drawn while
-// phases are played.
+// The peripheral models of all phases of a study: learnt one after the other in the background, and drawn
+// while phases are played.
 #pragma once
 
 #include <chrono>
@@ -23,16 +23,16 @@
 
 namespace macula::live {
 
-// Learns the phases of FrameInput::phasesToLearn beside the scene on screen, with a tracer of its own, so that
-// two volumes are on the device while it works; both are freed when nothing is left to learn. A phase is first
-// looked for on the shelf and in the store, and else begins with the splats of the nearest phase that is
-// learnt. Names, shelf and keeper are those of `scenes`.
+// Learns the phases of FrameInput::phases beside the scene on screen, with a tracer of its own, so
+// that two volumes are on the device while it works; both are freed when nothing is left to learn. A phase is
+// first looked for on the shelf and in the store, and else begins with the splats of the nearest phase that
+// is learnt. Names, shelf and keeper are those of `scenes`.
 //
 // Used by the render thread alone. Methods that learn or draw require a device that is ready.
 class PhaseModels {
   public:
-    // A phase is learnt once its model is fit to be shown and has taken so many steps: a model that began with
-    // another phase may be sharp, and still show where matter was in that one.
+    // A phase is learnt once its model is fit to be shown and has taken so many steps: a model that began
+    // with another phase may be sharp, and still show where matter was in that one.
     static constexpr std::uint64_t kStepsOfLearnt = 240;
 
     // What can be drawn of a phase.
@@ -56,12 +56,13 @@ class PhaseModels {
 
     // Whether a phase is left to learn. `onScreen` is the name of the scene whose model learns by itself.
     bool hasWork(const FrameInput& input, const std::string& onScreen);
+    void rest();  // frees the device, until there is work
     // A slice of it: asks the store, puts a phase on the device, or trains. Requires hasWork().
     Result<void> work(const FrameInput& input, double budgetMs, const std::function<bool()>& keepGoing);
     // After an error of work(): the phase is not tried again; without memory none is, until roomChanged().
     void giveUp(const FrameInput& input, const Error& error);
-    // A model of a wanted phase that was learnt on screen.
-    void note(const std::string& name, Drawable drawable);
+    // The model of a scene that was learnt on screen, and is fit to be shown; ignored if it is no phase.
+    void note(const FrameInput& input, const std::string& name, Drawable drawable);
 
     // Whether the phase of the input is learnt.
     bool canDraw(const FrameInput& input);
@@ -76,11 +77,11 @@ class PhaseModels {
         PhaseScene scene;
         std::optional<Drawable> drawable;
         Sought sought = Sought::no;
+        bool isLearnt = false;  // `drawable` is there, and good enough
         bool isGivenUp = false;
     };
 
     void takeWanted(const FrameInput& input);
-    static bool isLearnt(const Phase& phase);
     std::optional<std::size_t> indexOf(const std::string& name) const;
     std::optional<std::size_t> nextToLearn(const FrameInput& input) const;
     std::shared_ptr<const splat::Splats> nearestLearnt(std::size_t index) const;

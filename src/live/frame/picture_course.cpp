@@ -167,7 +167,8 @@ void PictureCourse::traced(bool hasConverged) {
     isTraced_ = true;
     hasConverged_ = hasConverged;
     if (onScreen_ == OnScreen::fading) return;
-    if (onScreen_ != OnScreen::traced) tracedMs_ = learntMs_ = phasesMs_ = 0.0;  // tracing and training take turns now
+    if (onScreen_ != OnScreen::traced)
+        tracedMs_ = learntMs_ = phasesMs_ = 0.0;  // tracing and training take turns now
     const bool fades = isOfSplats(onScreen_);
     onScreen_ = fades ? OnScreen::fading : OnScreen::traced;
     fadingSince_.reset();

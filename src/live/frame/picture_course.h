@@ -5,9 +5,9 @@
 // which is traced between two frames. Without a model it shows small traced pictures. When the hand stops, it
 // shows the traced picture of this view, if one exists. Otherwise the model stays, with a growing fovea,
 // until the first traced picture is ready, and fades into it. Then tracing and training take turns until both
-// are done; models of other phases that are wanted too take turns with both. A missing model is searched for, in turns with small pictures (few of them at rest). A model too
-// young to be shown also trains while a hand moves, and beside tracing at rest. An estimate replaces the
-// model until that is fit.
+// are done; models of other phases that are wanted too take turns with both. A missing model is searched for,
+// in turns with small pictures (few of them at rest). A model too young to be shown also trains while a hand
+// moves, and beside tracing at rest. An estimate replaces the model until that is fit.
 //
 // On a graphics card the model trains in the time that a frame leaves before the next input. If a full-size
 // picture is expected soon, its tracing does not wait for small pictures.

@@ -29,8 +29,8 @@ bool PictureOnScreen::hasOtherMarks(const FrameInput& input) const {
 }
 
 bool PictureOnScreen::isRight(const FrameInput& input) const {
-    return screen_ && exposures_ == input.exposures && !hasOtherText(input) &&
-           !hasOtherMarks(input) && !duty_.isForeign() && !screen_->owes();
+    return screen_ && exposures_ == input.exposures && !hasOtherText(input) && !hasOtherMarks(input) &&
+           !duty_.isForeign() && !screen_->owes();
 }
 
 Result<void> PictureOnScreen::ensure(const FrameInput& input) {

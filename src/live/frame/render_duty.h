@@ -32,12 +32,12 @@ class RenderDuty {
     void appliedScene() { picture_ = Picture::right; }
     void showedBackground() { picture_ = Picture::right; }
     void played() { picture_ = Picture::played; }  // a phase as splats; its scene is not on the device
-    void showedOurs() { isForeign_ = false; }   // a picture, or an empty window
-    void owesClearing() { isForeign_ = true; }  // the window system had no image for the empty window
-    void halt();                                // until the picture changes
-    void failed();                              // halts; the content of the screen is not to be trusted
-    void lostTooOften();                        // gives up until another scene; another size does not count
-    void startedAgain() { run_ = Run::on; }     // on a new device, after a loss
+    void showedOurs() { isForeign_ = false; }      // a picture, or an empty window
+    void owesClearing() { isForeign_ = true; }     // the window system had no image for the empty window
+    void halt();                                   // until the picture changes
+    void failed();                                 // halts; the content of the screen is not to be trusted
+    void lostTooOften();                     // gives up until another scene; another size does not count
+    void startedAgain() { run_ = Run::on; }  // on a new device, after a loss
 
     // Whether the screen shows another study, or the remains of a failure.
     bool isForeign() const { return isForeign_; }

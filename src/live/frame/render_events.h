@@ -48,11 +48,11 @@ struct ModelChanged {
     hybrid::ModelNews model{};
 };
 
-// The models of the phases that are to be learnt (FrameInput::phasesToLearn) have progressed.
+// The models of phases (FrameInput::phases) have progressed.
 struct PhaseModelsChanged {
     std::uint64_t study = 0;
     std::size_t learnt = 0;      // phases that can be played
-    std::size_t wanted = 0;      // phases that are to be learnt
+    std::size_t wanted = 0;      // all phases
     std::uint64_t learning = 0;  // the phase that is learnt now; 0: none
     std::uint64_t steps = 0;     // of its training
     bool noRoom = false;         // the device has no memory for another phase beside the one that is shown
@@ -124,9 +124,9 @@ struct TimeSpent {
     std::vector<StageTimes> stages;
 };
 
-using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, OutlineFound,
-                                 FrameShown, PictureRemoved, RenderFailure, ModelSnapshot, TimeSpent,
-                                 PhaseModelsChanged>;
+using RenderEvent =
+    std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, OutlineFound, FrameShown,
+                 PictureRemoved, RenderFailure, ModelSnapshot, TimeSpent, PhaseModelsChanged>;
 using RenderListener = std::function<void(RenderEvent)>;
 
 }  // namespace macula::live

@@ -19,7 +19,8 @@ bool SceneModel::isPossible(const FrameInput& input) {
 }
 
 void SceneModel::lookFor(const FrameInput& input) {
-    if (!keeper_ || !isComplete(input) || !isPossible(input)) return;
+    // Phases that are played are sought by PhaseModels: a disk must not read ten of them a second.
+    if (!keeper_ || !isComplete(input) || !isPossible(input) || input.playsPhases) return;
     std::string name = nameOf(input);
     if (name == lookedFor_) return;
     lookedFor_ = std::move(name);

@@ -69,9 +69,10 @@ QHBoxLayout* PhaseBar::makeSecondRow() {
     connect(in3d_, &QCheckBox::toggled, this, &PhaseBar::in3dToggled);
     row->addWidget(in3d_);
     learns_ = new QCheckBox(tr("Learn Phases"), this);
-    describe(*learns_, "phases-learn", tr("Learn phases"),
-             tr("While the 3D picture rests, a preview of each phase is learnt and stored; learnt phases play "
-                "without being traced"));
+    describe(
+        *learns_, "phases-learn", tr("Learn phases"),
+        tr("While the 3D picture rests, a preview of each phase is learnt and stored; learnt phases play "
+           "without being traced"));
     learns_->setChecked(true);
     learns_->setEnabled(false);
     connect(learns_, &QCheckBox::toggled, this, &PhaseBar::learningToggled);
@@ -82,8 +83,9 @@ QHBoxLayout* PhaseBar::makeSecondRow() {
     row->addWidget(noteOn3d_);
     row->addStretch(1);
     reference_ = new QComboBox(this);
-    describe(*reference_, "phases-difference", tr("Values or difference"),
-             tr("Whether slices show the values of the phase, or how they differ from those of another phase"));
+    describe(
+        *reference_, "phases-difference", tr("Values or difference"),
+        tr("Whether slices show the values of the phase, or how they differ from those of another phase"));
     connect(reference_, &QComboBox::currentIndexChanged, this,
             [this](int index) { Q_EMIT referenceChosen(index - 1); });
     row->addWidget(reference_);
@@ -102,7 +104,8 @@ QHBoxLayout* PhaseBar::makeSecondRow() {
     return row;
 }
 
-QToolButton* PhaseBar::addButton(QHBoxLayout& row, const char* name, const QString& text, const QString& tip) {
+QToolButton* PhaseBar::addButton(QHBoxLayout& row, const char* name, const QString& text,
+                                 const QString& tip) {
     auto* button = new QToolButton(this);
     describe(*button, name, text, tip);
     button->setText(text);
@@ -117,8 +120,7 @@ void PhaseBar::setPhases(int count) {
     const QSignalBlocker quietToo(reference_);
     reference_->clear();
     reference_->addItem(tr("Values"));
-    for (int phase = 1; phase <= count; ++phase)
-        reference_->addItem(tr("Difference to phase %1").arg(phase));
+    for (int phase = 1; phase <= count; ++phase) reference_->addItem(tr("Difference to phase %1").arg(phase));
     setVisible(count > 1);
 }
 

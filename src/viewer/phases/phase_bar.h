@@ -1,4 +1,5 @@
-// The controls of phases, below the panes: which one is shown, playing, 3D, differences, and the curve over time.
+// The controls of phases, below the panes: which one is shown, playing, 3D, differences, and the curve over
+// time.
 #pragma once
 
 #include <QString>
@@ -31,8 +32,8 @@ class PhaseBar : public QWidget {
     void setCanOpen(bool can);
     double perSecond() const;  // phases a second
     void setIn3d(bool on);
-    void setNoteOn3d(const QString& note);  // empty: none
-    void setReference(int phase);           // the difference to it is shown; -1: values are
+    void setNoteOn3d(const QString& note);             // empty: none
+    void setReference(int phase);                      // the difference to it is shown; -1: values are
     void setReach(double reach, const QString& unit);  // half the width of the window of a difference
 
   Q_SIGNALS:

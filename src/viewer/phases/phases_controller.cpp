@@ -98,7 +98,9 @@ void PhasesController::onStudyShown() {
     bar_->setNoteOn3d({});
     show(open_);
     // Once 3D has the study.
-    if (wasOn) QMetaObject::invokeMethod(this, [this] { setIn3d(true); }, Qt::QueuedConnection);
+    if (wasOn)
+        QMetaObject::invokeMethod(
+            this, [this] { setIn3d(true); }, Qt::QueuedConnection);
 }
 
 QString PhasesController::textOf(std::size_t phase) const {
@@ -193,8 +195,8 @@ void PhasesController::takeDifference(const Result<Volume>& difference) {
     showDifference();
 }
 
-// The window is that of the first difference that is not 0 everywhere: while phases play, one colour means one
-// difference.
+// The window is that of the first difference that is not 0 everywhere: while phases play, one colour means
+// one difference.
 void PhasesController::showDifference() {
     if (!reference_ || !difference_ || difference_->phase != shown_ || difference_->reference != *reference_)
         return;
@@ -210,14 +212,14 @@ void PhasesController::showDifference() {
                              .arg(phases_.size())
                              .arg(open_ + 1);
     for (SliceView* pane : panes_)
-        pane->setPhase(difference_->study, text,
-                       differenceWindow_.value_or(slices::symmetricWindow(volume)));
+        pane->setPhase(difference_->study, text, differenceWindow_.value_or(slices::symmetricWindow(volume)));
     Q_EMIT shownOnSlices(shown_ == open_ ? nullptr : loader_.phase(shown_), textOf(shown_));
 }
 
 void PhasesController::showNote() {
     if (!loader_.fits()) return bar_->setNote(tr("Memory is not enough for all phases"));
-    const bool isLoading = (isPlaying() || wantsCurve_ || in3d_->isOn() || shown_ != open_) && !loader_.hasAll();
+    const bool isLoading =
+        (isPlaying() || wantsCurve_ || in3d_->isOn() || shown_ != open_) && !loader_.hasAll();
     bar_->setNote(isLoading ? tr("%1 of %2 decoded").arg(loader_.loadedCount()).arg(loader_.count())
                             : QString());
 }

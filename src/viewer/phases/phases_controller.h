@@ -84,7 +84,8 @@ class PhasesController : public QObject {
     };
     std::optional<Difference> difference_;
     std::size_t differenceOf_ = 0;  // the phase of the job
-    std::optional<DisplayWindow> differenceWindow_;  // of all differences to one phase; nothing: not chosen yet
+    std::optional<DisplayWindow>
+        differenceWindow_;  // of all differences to one phase; nothing: not chosen yet
     BackgroundJob<Volume> subtraction_;
 };
 

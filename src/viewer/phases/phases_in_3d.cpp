@@ -7,6 +7,7 @@
 
 #include "viewer/editor/study_editor.h"
 #include "viewer/phases/phase_loader.h"
+#include "viewer/status/status_texts.h"
 #include "viewer/volume/shown_volume.h"
 
 namespace macula::viewer {
@@ -22,7 +23,7 @@ void PhasesIn3d::begin(std::size_t count, std::size_t open) {
     open_ = shown_ = open;
     study_.reset();
     text_.clear();
-    toLearn_.reset();
+    phases_.reset();
     models_.reset();
     isPlaying_ = isOn_ = false;
 }
@@ -66,12 +67,15 @@ void PhasesIn3d::loadedMore() {
 
 void PhasesIn3d::publish() {
     if (!isOn_ || count_ == 0 || !context_.session.hasStudy()) return;
-    context_.viewport.setPhase({.number = shown_ + 1,
-                                .volume = isAnother() && study_ ? study_->volume : nullptr,
-                                .notes = notes(),
-                                .isPlaying = isPlaying_,
-                                .toLearn = toLearn()},
-                               isAnother() ? context_.shown.drawingOfPhase() : context_.shown.drawing());
+    context_.viewport.setPhase(
+        {.number = shown_ + 1,
+         .volume = isAnother() && study_ ? study_->volume : nullptr,
+         .names = isAnother() && study_ ? linesToShow(study_->identity) : std::vector<std::string>(),
+         .notes = notes(),
+         .isPlaying = isPlaying_,
+         .phases = phases(),
+         .learns = learns_},
+        isAnother() ? context_.shown.drawingOfPhase() : context_.shown.drawing());
 }
 
 std::vector<std::string> PhasesIn3d::notes() const {
@@ -90,17 +94,18 @@ std::vector<std::string> PhasesIn3d::notes() const {
 }
 
 // A phase that was dropped for lack of memory must not be kept here.
-std::shared_ptr<const live::PhaseScenes> PhasesIn3d::toLearn() {
-    if (!learns_ || !loader_.hasAll() || loader_.count() != count_) return toLearn_ = nullptr;
+std::shared_ptr<const live::PhaseScenes> PhasesIn3d::phases() {
+    if (!loader_.hasAll() || loader_.count() != count_) return phases_ = nullptr;
     auto wanted = std::make_shared<live::PhaseScenes>();
     const scene::Drawing ofOpen = context_.shown.drawing();
     const scene::Drawing ofOthers = context_.shown.drawingOfPhase();
     for (std::size_t phase = 0; phase < count_; ++phase)
-        wanted->push_back({.phase = phase + 1,
-                           .volume = phase == open_ ? context_.session.study().volume : loader_.phase(phase)->volume,
-                           .drawing = phase == open_ ? ofOpen : ofOthers});
-    if (!toLearn_ || *toLearn_ != *wanted) toLearn_ = std::move(wanted);
-    return toLearn_;
+        wanted->push_back(
+            {.phase = phase + 1,
+             .volume = phase == open_ ? context_.session.study().volume : loader_.phase(phase)->volume,
+             .drawing = phase == open_ ? ofOpen : ofOthers});
+    if (!phases_ || *phases_ != *wanted) phases_ = std::move(wanted);
+    return phases_;
 }
 
 void PhasesIn3d::onRendered(const live::RenderEvent& event) {

@@ -17,9 +17,9 @@ namespace macula::viewer {
 
 class PhaseLoader;
 
-// Off until a person switches it on: another volume costs the device seconds on a slow machine, and a 3D picture
-// of another phase than the open one is no picture of the study that is saved. While it is on, models of all
-// phases are learnt in the background. Lives on the UI thread.
+// Off until a person switches it on: another volume costs the device seconds on a slow machine, and a 3D
+// picture of another phase than the open one is no picture of the study that is saved. While it is on, models
+// of all phases are learnt in the background. Lives on the UI thread.
 class PhasesIn3d : public QObject {
     Q_OBJECT
 
@@ -48,7 +48,7 @@ class PhasesIn3d : public QObject {
     void publish();
     bool isAnother() const { return isOn_ && shown_ != open_; }
     std::vector<std::string> notes() const;
-    std::shared_ptr<const live::PhaseScenes> toLearn();
+    std::shared_ptr<const live::PhaseScenes> phases();
 
     WindowContext context_;
     const PhaseLoader& loader_;
@@ -61,7 +61,7 @@ class PhasesIn3d : public QObject {
     std::size_t shown_ = 0;
     std::shared_ptr<const study::OpenedStudy> study_;  // of shown_; null: the open one
     QString text_;
-    std::shared_ptr<const live::PhaseScenes> toLearn_;  // the last one: the same list is published again
+    std::shared_ptr<const live::PhaseScenes> phases_;  // the last ones: the same list is published again
     std::optional<live::PhaseModelsChanged> models_;
 };
 

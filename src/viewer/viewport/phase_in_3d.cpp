@@ -16,8 +16,9 @@ struct PhaseIn3dWords {
 
 QString whyNotOfOpenPhase(const Viewport& viewport) {
     return viewport.showsOtherPhase()
-               ? PhaseIn3dWords::tr("3D shows another phase than the one that is open. Open that phase first, "
-                                    "or show the open one.")
+               ? PhaseIn3dWords::tr(
+                     "3D shows another phase than the one that is open. Open that phase first, "
+                     "or show the open one.")
                : QString();
 }
 

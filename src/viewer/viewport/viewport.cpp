@@ -116,7 +116,7 @@ void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::s
     window_->endDrag();  // a held handle or curve belongs to the earlier study
     ++input_.study;
     shown_.reset();
-    overlay_.setNames(std::move(names));
+    names_ = std::move(names);
     open_ = std::move(volume);
     input_.volume = open_;
     input_.drawing = std::move(drawing);
@@ -145,7 +145,9 @@ void Viewport::takePhase(const PhaseIn3d& phase) {
     input_.phase = phase.number;
     input_.volume = phase.volume ? phase.volume : open_;
     input_.playsPhases = phase.isPlaying;
-    input_.phasesToLearn = phase.toLearn;
+    input_.phases = phase.phases;
+    input_.learnsPhases = phase.learns;
+    overlay_.setNames(phase.names.empty() ? names_ : phase.names);
     overlay_.setNotes(phase.notes);
 }
 

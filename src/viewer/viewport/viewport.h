@@ -146,6 +146,7 @@ class Viewport : public QWidget {
 
     live::FrameInput input_;
     std::shared_ptr<const Volume> open_;  // of setStudy()
+    std::vector<std::string> names_;      // of setStudy()
     PhaseIn3d phase_;
     std::uint64_t lastChange_ = 0;  // number of the last publishChange()
     bool gazeFollowsPointer_ = true;
