@@ -98,9 +98,7 @@ void PhasesController::onStudyShown() {
     bar_->setNoteOn3d({});
     show(open_);
     // Once 3D has the study.
-    if (wasOn)
-        QMetaObject::invokeMethod(
-            this, [this] { setIn3d(true); }, Qt::QueuedConnection);
+    if (wasOn) QTimer::singleShot(0, this, [this] { setIn3d(true); });
 }
 
 QString PhasesController::textOf(std::size_t phase) const {
