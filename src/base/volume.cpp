@@ -78,6 +78,10 @@ std::string_view unitSymbol(Unit unit) {
 Text unitText(std::string_view name) {
     if (name == "another unit") return Text("another unit");
     if (name == "× reference dose") return Text("× reference dose");
+    // Of a difference of two phases (slices/difference.h).
+    if (name == "difference") return Text("difference");
+    if (constexpr std::string_view kOf = " difference"; name.ends_with(kOf))
+        return Text("{} difference", name.substr(0, name.size() - kOf.size()));
     return Text::verbatim(name);
 }
 

@@ -11,116 +11,12 @@
 
 #include "base/phantom.h"
 #include "gpu/lose_device.h"
+#include "live/dark_renderer.h"
 #include "live/frame/fidelity.h"
 #include "scene/choice/preset_choice.h"
 
 namespace macula::live {
 namespace {
-
-// Shows whatever it is given, to nobody.
-class DarkScreen final : public Screen {
-  public:
-    explicit DarkScreen(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
-    Result<void> resize(VkExtent2D) override { return {}; }
-    void setText(std::shared_ptr<const PictureText> text) override { text_ = std::move(text); }
-    void setMarks(std::shared_ptr<const PictureText> marks) override { marks_ = std::move(marks); }
-    const std::shared_ptr<const PictureText>& marks() const override { return marks_; }
-    const std::shared_ptr<const PictureText>& text() const override { return text_; }
-    Result<bool> show(const gpu::Image&) override {
-        MACULA_TRY_VOID(device_->waitForAll());
-        return true;
-    }
-    Result<bool> showAgain() override { return false; }
-    bool owes() const override { return false; }
-    void forget() override {}
-    Result<bool> showColour(const VkClearColorValue&) override { return true; }
-
-  private:
-    std::shared_ptr<gpu::Device> device_;
-    std::shared_ptr<const PictureText> text_;
-    std::shared_ptr<const PictureText> marks_;
-};
-
-class DarkPlace final : public ScreenPlace {
-  public:
-    std::vector<const char*> deviceExtensions() const override { return {}; }
-    Result<std::unique_ptr<Screen>> open(const std::shared_ptr<gpu::Device>& device,
-                                         VkExtent2D) const override {
-        return std::unique_ptr<Screen>(std::make_unique<DarkScreen>(device));
-    }
-};
-
-// Has nothing, and remembers what it was given.
-class EmptyKeeper final : public SceneKeeper {
-  public:
-    void willShow(const std::string& name, std::shared_ptr<const Volume>, const scene::Drawing&) override {
-        lookedFor_.push_back(name);
-    }
-    hybrid::StoredModel find(const std::string&) override {
-        return {.answer = hybrid::StoredModel::Answer::none};
-    }
-    void keep(std::shared_ptr<const hybrid::PeripheralState> state) override {
-        kept_.push_back(std::move(state));
-    }
-
-    std::vector<std::string> lookedFor_;
-    std::vector<std::shared_ptr<const hybrid::PeripheralState>> kept_;
-};
-
-class FrameRendererTest : public testing::Test {
-  protected:
-    void SetUp() override {
-        auto instance = gpu::Instance::create();
-        if (!instance) FAIL() << "packaging/bootstrap installs a Vulkan driver: " << instance.error().message;
-        renderer_.emplace(std::move(*instance), gpu::DeviceOptions{}, keeper_,
-                          [this](const RenderEvent& event) {
-                              if (const auto* changed = std::get_if<ModelChanged>(&event))
-                                  news_ = changed->model;
-                              if (const auto* frame = std::get_if<FrameShown>(&event)) {
-                                  news_ = frame->model;
-                                  shown_ = *frame;
-                              }
-                              if (std::holds_alternative<Preparing>(event)) ++preparing_;
-                              if (std::holds_alternative<OutlineFound>(event)) ++outlines_;
-                              if (const auto* taken = std::get_if<ModelSnapshot>(&event)) taken_ = *taken;
-                              if (const auto* failure = std::get_if<RenderFailure>(&event))
-                                  failures_.push_back(failure->error.message.english());
-                          });
-        input_.place = std::make_shared<const DarkPlace>();
-        input_.width = 48;
-        input_.height = 36;
-        input_.visible = true;
-        input_.study = 1;
-        input_.volume = std::make_shared<const Volume>(
-            phantom::make({.size = {32, 28, 20}, .spacingMm = {9.6, 9.6, 15.0}}));
-        trace::LightRig rig;
-        rig.ambientZenith = rig.ambientHorizon = rig.ambientNadir = glm::dvec3(1.0);
-        input_.drawing = {.transferFunction = std::make_shared<const TransferFunction>(
-                              scene::choosePreset("cinematic-bone")->function),
-                          .lights = std::make_shared<const trace::LightRig>(rig)};
-        input_.camera = frameBox(input_.volume->worldBox(), ViewDirection::anterior, 20.0, 4.0 / 3.0);
-        input_.sampleLimit = 1;
-    }
-
-    // Whether it came to that; a machine may be slow.
-    template <class IsDone>
-    bool stepUntil(const IsDone& isDone) {
-        const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(8);
-        while (!isDone() && std::chrono::steady_clock::now() < deadline)
-            renderer_->step({.newInput = [] { return false; }, .stopping = [] { return false; }});
-        return isDone();
-    }
-
-    const std::shared_ptr<EmptyKeeper> keeper_ = std::make_shared<EmptyKeeper>();
-    hybrid::ModelNews news_;
-    std::vector<std::string> failures_;
-    int preparing_ = 0;
-    int outlines_ = 0;
-    std::optional<FrameShown> shown_;
-    std::optional<ModelSnapshot> taken_;
-    FrameInput input_;
-    std::optional<FrameRenderer> renderer_;
-};
 
 // Before anything was traced or learnt, and with all pixels.
 TEST_F(FrameRendererTest, WhatIsOpenedIsEstimatedFirst) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,7 @@ class PictureCourseTest : public testing::Test {
                 course_.faded(now_);
                 break;
             case Step::learn:
+            case Step::learnPhases:
                 course_.spent(step, 20.0);
                 break;
             case Step::traceFovea:
@@ -219,6 +221,31 @@ TEST_F(PictureCourseTest, BothGoOnUntilBothAreDone) {
     course_.setHand(true);
     for (int i = 0; i < 6; ++i) EXPECT_EQ(go(true), Step::trace);
     go(true, true);
+    EXPECT_EQ(next(), Step::none);
+}
+
+TEST_F(PictureCourseTest, OtherPhasesAreLearntOverATracedPictureAndHaveMostOfTheTime) {
+    course_.setPhases(true);
+    course_.setModel(ModelState::ready, true);
+    want();
+    EXPECT_EQ(go(), Step::showModel);
+    EXPECT_EQ(go(true), Step::trace);
+    while (course_.onScreen() == OnScreen::fading) go();
+    std::map<Step, int> taken;
+    for (int i = 0; i < 160; ++i) ++taken[go(true)];
+    EXPECT_NEAR(taken[Step::learnPhases], 120, 4);
+    EXPECT_NEAR(taken[Step::trace], 20, 4);
+    EXPECT_NEAR(taken[Step::learn], 20, 4);
+    course_.setHand(true);
+    EXPECT_NE(next(), Step::learnPhases);
+    course_.setHand(false);
+    course_.setModel(ModelState::young, true);
+    EXPECT_NE(next(), Step::learnPhases) << "the phase on screen comes first";
+    course_.setModel(ModelState::ready, false);
+    go(true, true);
+    while (next() == Step::trace) go(true, true);
+    for (int i = 0; i < 40; ++i) EXPECT_EQ(go(), Step::learnPhases) << "nothing else is left";
+    course_.setPhases(false);
     EXPECT_EQ(next(), Step::none);
 }
 

@@ -43,6 +43,20 @@ TEST(RenderDuty, WithoutAStudyTheWindowIsClearedOnce) {
     EXPECT_EQ(workOf(duty, false), Work::nothing);
 }
 
+TEST(RenderDuty, WhatIsPlayedStaysUntilTheNextInput) {
+    RenderDuty duty;
+    duty.otherPicture();
+    duty.played();
+    EXPECT_EQ(workOf(duty), Work::nothing);
+    duty.otherBackground();
+    EXPECT_EQ(workOf(duty), Work::nothing) << "the input with the background follows";
+    duty.otherInput();
+    EXPECT_EQ(workOf(duty), Work::scene) << "its scene is not on the device";
+    duty.appliedScene();
+    duty.otherInput();
+    EXPECT_EQ(workOf(duty), Work::course);
+}
+
 TEST(RenderDuty, AfterAFailureNothingIsDoneUntilSomethingChanges) {
     RenderDuty duty;
     duty.failed();

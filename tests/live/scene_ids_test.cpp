@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/phantom.h"
 #include "pipeline/volume/mask_bits.h"
 
 namespace macula::live {
@@ -29,6 +30,17 @@ TEST(SceneIds, AreTheSameForTheSameAndForWhatComesBack) {
     EXPECT_EQ(names.of(1, a), first);
     clipped.clip = std::make_shared<const Clip>();
     EXPECT_EQ(names.of(1, clipped), first);
+}
+
+TEST(SceneIds, TellPhasesApartWithoutKeepingTheirVolumes) {
+    SceneIds names;
+    auto first = std::make_shared<const Volume>(phantom::make({.size = {4, 4, 4}}));
+    const auto second = std::make_shared<const Volume>(*first);
+    const scene::Drawing a = drawing();
+    const std::string ofFirst = names.of(1, a, first);
+    EXPECT_NE(names.of(1, a, second), ofFirst);
+    EXPECT_EQ(names.of(1, a, first), ofFirst);
+    EXPECT_EQ(first.use_count(), 1);
 }
 
 // Grey values of cut faces pass the exposure unchanged: a model holds them divided by it.

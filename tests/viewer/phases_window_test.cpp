@@ -3,8 +3,11 @@
 
 #include <QAbstractButton>
 #include <QClipboard>
+#include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QSlider>
+#include <QTest>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -126,6 +129,86 @@ TEST_F(PhasesWindowTest, TheCurveHasTheMeanOfEachPhase) {
     for (int phase = 1; phase < kPhases; ++phase)
         EXPECT_NEAR(lines[phase + 1].split(QLatin1Char(',')).at(3).toDouble() - first, phase * kStep, 1.0);
     dialog->close();
+}
+
+TEST_F(PhasesWindowTest, A3dPictureFollowsWhereThatIsWanted) {
+    openPhases();
+    ASSERT_TRUE(waitUntil([this] { return frames_ > 0; }));
+    choose(2);
+    ASSERT_TRUE(shows(QStringLiteral("Phase 3 of 4")));
+    EXPECT_FALSE(window_->viewport().showsOtherPhase()) << "off until a person wants it";
+    EXPECT_TRUE(
+        axial().tags().join(QLatin1Char(' ')).contains(QStringLiteral("3D and saved values: phase 1")));
+    const Camera camera = toCamera(window_->viewport().camera());
+    const std::shared_ptr<const Volume> open = window_->session().study().volume;
+
+    click("phases-3d");
+    ASSERT_TRUE(waitUntil([this] { return last_ && last_->phase == 3; }));
+    EXPECT_TRUE(window_->viewport().showsOtherPhase());
+    EXPECT_NE(window_->viewport().volume(), open);
+    EXPECT_EQ(window_->session().study().volume, open) << "what is saved stays with it";
+    EXPECT_FALSE(axial().tags().join(QLatin1Char(' ')).contains(QStringLiteral("3D and")));
+    EXPECT_TRUE(axial().tags().join(QLatin1Char(' ')).contains(QStringLiteral("saved values: phase 1")));
+    choose(1);
+    ASSERT_TRUE(waitUntil([this] { return last_ && last_->phase == 2; }));
+    EXPECT_EQ(toCamera(window_->viewport().camera()), camera);
+    EXPECT_EQ(last_->camera, camera);
+    // A picture of phase 2 would be saved as one of phase 1.
+    window_->findChild<QAction*>(QStringLiteral("save-picture"))->trigger();
+    EXPECT_TRUE(waitUntil([this] { return window_->message().contains(QStringLiteral("another phase")); }));
+
+    click("phases-3d");
+    ASSERT_TRUE(waitUntil([this] { return last_ && last_->phase == 0; }));
+    EXPECT_EQ(window_->viewport().volume(), open);
+    EXPECT_FALSE(window_->session().canUndo());
+    click("phases-3d");
+    ASSERT_TRUE(waitUntil([this] { return last_ && last_->phase == 2; }));
+    window_->open(std::nullopt);  // another study begins with its own volume
+    ASSERT_TRUE(waitUntil([this] { return !bar().isVisible() && last_ && last_->phase == 0; }));
+    EXPECT_FALSE(window_->viewport().showsOtherPhase());
+}
+
+TEST_F(PhasesWindowTest, Playing3dLeavesNoneOut) {
+    openPhases();
+    std::vector<std::uint64_t> seen;
+    QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [&](const live::FrameShown& frame) {
+        if (frame.phase > 0 && (seen.empty() || seen.back() != frame.phase)) seen.push_back(frame.phase);
+    });
+    click("phases-3d");
+    click("phases-play");
+    ASSERT_TRUE(waitUntil([&] { return seen.size() >= 7; }));
+    click("phases-play");
+    for (std::size_t i = 1; i < 7; ++i) EXPECT_EQ(seen[i], seen[i - 1] % kPhases + 1);
+}
+
+TEST_F(PhasesWindowTest, ADifferenceIsThatOfTheValuesAndSaysSo) {
+    openPhases();
+    choose(2);
+    ASSERT_TRUE(shows(QStringLiteral("Phase 3 of 4")));
+    auto* reference = bar().findChild<QComboBox*>(QStringLiteral("phases-difference"));
+    auto* reach = bar().findChild<QDoubleSpinBox*>(QStringLiteral("phases-reach"));
+    EXPECT_FALSE(reach->isVisible());
+    reference->setCurrentIndex(1);  // phase 1
+    ASSERT_TRUE(shows(QStringLiteral("phase 3 − phase 1")));
+    EXPECT_NEAR(probed(), 2.0 * kStep, 0.5);
+    EXPECT_TRUE(axial().probedText().contains(QStringLiteral("difference")))
+        << axial().probedText().toStdString();
+    EXPECT_NEAR(reach->value(), 2.0 * kStep, 0.5);
+    EXPECT_TRUE(reach->isVisible());
+    // Numbers of windows are for values.
+    const auto before = window_->session().state();
+    QTest::keyClick(&axial(), Qt::Key_3);
+    EXPECT_EQ(window_->session().state(), before);
+    choose(1);
+    ASSERT_TRUE(shows(QStringLiteral("phase 2 − phase 1")));
+    EXPECT_NEAR(probed(), kStep, 0.5);
+    EXPECT_NEAR(reach->value(), 2.0 * kStep, 0.5) << "one colour means one difference in all phases";
+    choose(0);
+    ASSERT_TRUE(shows(QStringLiteral("phase 1 − phase 1")));
+    EXPECT_NEAR(probed(), 0.0, 1e-6);
+    reference->setCurrentIndex(0);
+    ASSERT_TRUE(shows(QStringLiteral("Phase 1 of 4")));
+    EXPECT_FALSE(axial().probedText().contains(QStringLiteral("difference")));
 }
 
 TEST_F(PhasesWindowTest, APhaseIsOpened) {

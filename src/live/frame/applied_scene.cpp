@@ -113,7 +113,9 @@ Result<void> AppliedScene::setLights(const FrameInput& input, TracedPictures& tr
 Result<void> AppliedScene::reportOutline(const FrameInput& input, TracedPictures& traced) {
     MACULA_TRY(std::vector<glm::dvec3> outline, traced.tracer().outlineMm());
     reports_.tell(
-        OutlineFound{input.study, std::make_shared<const std::vector<glm::dvec3>>(std::move(outline))});
+        OutlineFound{.study = input.study,
+                     .pointsMm = std::make_shared<const std::vector<glm::dvec3>>(std::move(outline)),
+                     .phase = input.phase});
     outlineOf_ = input.study;
     return {};
 }

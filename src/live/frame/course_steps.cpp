@@ -42,6 +42,7 @@ void CourseSteps::tellCourse() {
     else if (works)
         state = ModelState::searching;
     course_.setModel(state, works);
+    course_.setPhases(!input_.convergesNow && !input_.interacting && models_.hasPhaseWork(input_));
     course_.setEstimate(models_.drawsEstimate(input_));
     course_.setLearnsBesideHand(works && learnsBesideHand());
     course_.setQuick(isQuick());
@@ -102,6 +103,8 @@ Result<void> CourseSteps::take(Step step, const Interrupts& interrupts) {
             return fade();
         case Step::learn:
             return learn(interrupts);
+        case Step::learnPhases:
+            return learnPhases(interrupts);
     }
     return {};
 }
@@ -219,6 +222,29 @@ Result<void> CourseSteps::learnBesideHand(const std::function<bool()>& keepGoing
     return noteWork(models_.workWithin(rhythm_.leftMs(Clock::now()), keepGoing));
 }
 
+Result<void> CourseSteps::learnPhases(const Interrupts& interrupts) {
+    const Clock::time_point start = Clock::now();
+    MACULA_TRY_VOID(models_.learnPhases(input_, kSliceMs, [&] { return !interrupts.any(); }));
+    course_.spent(Step::learnPhases, millisecondsBetween(start, Clock::now()));
+    return {};
+}
+
+Result<bool> CourseSteps::showPlayed() {
+    if (!models_.canPlay(input_)) return false;
+    // A person who steps through phases sees the next one at once; then it is traced.
+    if (!input_.playsPhases && models_.hasModel() && models_.isModelOf(input_)) return false;
+    course_.want(false);
+    const auto picture = models_.drawPlayed(input_);
+    if (!picture) {
+        MACULA_TRY_VOID(models_.withoutPlayed(picture.error()));
+        return false;
+    }
+    course_.showedModel();
+    MACULA_TRY_VOID(show(**picture));
+    MACULA_TRY_VOID(device_.device()->waitForAll());
+    return input_.playsPhases;
+}
+
 Result<void> CourseSteps::showAgain() {
     if (course_.onScreen() == OnScreen::nothing) return {};
     if (isOfSplats(course_.onScreen())) return showModel();
@@ -244,6 +270,7 @@ Result<void> CourseSteps::show(const gpu::Image& picture) {
     MACULA_TRY(const PictureOnScreen::Put put, screen_.put(picture, input_, kind));
     FrameShown frame{.inputSequence = input_.sequence,
                      .study = input_.study,
+                     .phase = input_.phase,
                      .letters = input_.letters,
                      .camera = input_.camera,
                      .picture = kind,
@@ -284,8 +311,9 @@ Result<void> CourseSteps::addTraced(FrameShown& frame) {
         frame.denoised = statistics.denoised;
         frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
     }
-    // Behind an estimate, the tracer may still have the previous scene.
-    if (frame.picture != OnScreen::estimate) frame.messages = traced.tracer().messages();
+    // Behind an estimate or a played phase, the tracer may still have the previous scene.
+    if (frame.picture != OnScreen::estimate && !models_.isPlayed())
+        frame.messages = traced.tracer().messages();
     return {};
 }
 

@@ -58,6 +58,9 @@ class CourseSteps {
     // takes long, and can wait until no edit has come for a moment. Returns true if a newer input came
     // meanwhile.
     Result<bool> showEstimate(const Interrupts& interrupts);
+    // Shows the splats of a learnt phase, while the tracer has another scene. Returns whether that is all:
+    // true while phases are played; false if the scene is to follow, or the input's phase is not learnt.
+    Result<bool> showPlayed();
     // Shows the current picture once more, over another background.
     Result<void> showAgain();
 
@@ -75,6 +78,7 @@ class CourseSteps {
     Result<void> search(const Interrupts& interrupts);
     Result<void> learn(const Interrupts& interrupts);
     Result<void> learnBesideHand(const std::function<bool()>& keepGoing);
+    Result<void> learnPhases(const Interrupts& interrupts);
     Result<void> withoutSplats(bool isEstimate, const Error& error);
     Result<void> noteWork(const Result<void>& done);
     Result<void> show(const gpu::Image& picture);

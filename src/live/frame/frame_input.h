@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/camera.h"
 #include "base/volume.h"
@@ -33,6 +34,16 @@ struct LiveQuality {
 // bits.
 inline constexpr double kUnseenNoise = 1.0 / 255.0;
 
+// Another phase of the study that is open, as it would be shown.
+struct PhaseScene {
+    std::uint64_t phase = 0;                 // see FrameInput::phase
+    std::shared_ptr<const Volume> volume{};  // not null
+    scene::Drawing drawing{};                // complete
+
+    bool operator==(const PhaseScene&) const = default;
+};
+using PhaseScenes = std::vector<PhaseScene>;  // in the order of phases; the first follows the last
+
 // Everything that decides what is on the screen. The UI thread publishes a whole new value after each change;
 // the render thread takes the newest and compares it with the one before. A published value never changes.
 struct FrameInput {
@@ -47,6 +58,13 @@ struct FrameInput {
 
     std::uint64_t study = 0;                 // grows with each volume
     std::shared_ptr<const Volume> volume{};  // null: no volume is open
+    // Which phase of the study `volume` is, from 1; 0: the study is shown without phases. If this changes, a
+    // study may change its volume: it is still the same patient.
+    std::uint64_t phase = 0;
+    bool playsPhases = false;  // phases follow each other: a learnt one is drawn as splats, and not traced
+    // All phases; null: only the one that is shown is known.
+    std::shared_ptr<const PhaseScenes> phases{};
+    bool learnsPhases = false;  // the models of `phases` are learnt while the picture rests
     scene::Drawing drawing{};
     Camera camera{};
     scene::EdgeLetters letters{};               // for this camera; FrameShown returns them with its pictures

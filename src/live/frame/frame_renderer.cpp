@@ -63,7 +63,8 @@ void FrameRenderer::accept(FrameInput input) {
     input.drawing.settings.errorThreshold = input.noiseTarget;
     if (input.place != input_.place) releaseScreen();
     if (input.drawing != input_.drawing) steps_.otherDrawing();
-    if (input.study != input_.study || input.volume != input_.volume) {
+    const bool isOtherPhase = input.phase != input_.phase && input.volume && input_.volume;
+    if (input.study != input_.study || (input.volume != input_.volume && !isOtherPhase)) {
         // Nobody may mistake the picture of one patient for that of the next, not even while the next is
         // being prepared.
         duty_.otherStudy();
@@ -71,6 +72,7 @@ void FrameRenderer::accept(FrameInput input) {
         models_.otherStudy();
     }
     noteOtherRoom(input);
+    duty_.otherInput();
     noteDuty(input);
     if (input.sampleLimit > input_.sampleLimit || input.noiseTarget < input_.noiseTarget)
         steps_.goOnTracing();
@@ -186,6 +188,11 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
             duty_.showedBackground();
             return steps_.showAgain();
         case RenderDuty::Work::scene: {
+            MACULA_TRY(const bool isPlayed, steps_.showPlayed());
+            if (isPlayed) {
+                duty_.played();
+                return {};
+            }
             MACULA_TRY(const bool isPassed, steps_.showEstimate(interrupts));
             if (isPassed) return {};
             MACULA_TRY(const bool complete, applyScene(interrupts));

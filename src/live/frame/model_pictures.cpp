@@ -20,12 +20,14 @@ constexpr std::uint32_t kLearntFromSamples = 4;
 void ModelPictures::otherStudy() {
     frame_.drop();
     estimate_.reset();
+    phases_.forget();
     model_.putAwayAndDrop();
     model_.dropShelf();
 }
 
 void ModelPictures::roomChanged() {
     frame_.roomChanged();
+    phases_.roomChanged();
     estimateHasRoom_ = true;
     hybrid::LiveModel* model = model_.live();
     if (model && model->news().stage == hybrid::ModelStage::noRoom) model->hide();
@@ -37,12 +39,14 @@ void ModelPictures::hide() {
 
 void ModelPictures::failed() {
     frame_.drop();
+    phases_.dropDevice();
     model_.saveAndDrop();
 }
 
 void ModelPictures::dropDevice() {
     frame_.drop();
     estimate_.reset();
+    phases_.dropDevice();
     model_.saveAndDrop();
 }
 
@@ -82,6 +86,7 @@ Result<void> ModelPictures::withoutEstimate(const Error& error) {
 }
 
 Result<void> ModelPictures::apply(const FrameInput& input) {
+    isPlayed_ = false;
     MACULA_TRY_VOID(applyModel(input));
     return makeEstimate(input);
 }
@@ -107,7 +112,8 @@ Result<void> ModelPictures::applyModel(const FrameInput& input) {
         if (const Result<void> set = frame_.setScene(input.drawing.settings); !set)
             return withoutModel(input, set.error());
     }
-    if (const Result<void> shown = model_.show(name, input.drawing); !shown)
+    phases_.release(name);
+    if (const Result<void> shown = model_.show(name, input); !shown)
         return withoutModel(input, shown.error());
     tellOfModel(input);
     return {};
@@ -116,7 +122,7 @@ Result<void> ModelPictures::applyModel(const FrameInput& input) {
 // Keeps the last model that was fit, which estimates are made from, before another scene replaces it.
 void ModelPictures::noteLearnt(const FrameInput& input) {
     if (!estimate_) estimate_.emplace(device_.device());
-    if (hasFit() && !isModelOf(input)) {
+    if (hasFit() && !isModelOf(input) && model_.isOf(input.volume)) {
         const hybrid::LiveModel& model = *model_.live();
         estimate_->learnt(input.volume, model_.drawing(), model.shown(), model.gain());
     }
@@ -204,16 +210,21 @@ hybrid::Periphery ModelPictures::periphery(const FrameInput& input) {
             .isLikeness = true};
 }
 
+hybrid::FrameRequest ModelPictures::requestFor(const FrameInput& input) {
+    return {.eyes = {input.camera},
+            .sizePx = {input.width, input.height},
+            .display = {.background = input.background,
+                        .exposure = float(input.drawing.settings.exposure),
+                        .toneMap = input.drawing.settings.toneMap}};
+}
+
 Result<const gpu::Image*> ModelPictures::draw(const FrameInput& input, float tracedShare) {
     frame_.forgetLast();
+    isPlayed_ = false;
     TracedPictures& traced = *device_.traced();
     if (!canDrawModel() && !drawsEstimate(input)) return traced.display(input.background);
     const hybrid::Periphery splats = periphery(input);
-    hybrid::FrameRequest request{.eyes = {input.camera},
-                                 .sizePx = {input.width, input.height},
-                                 .display = {.background = input.background,
-                                             .exposure = float(input.drawing.settings.exposure),
-                                             .toneMap = input.drawing.settings.toneMap}};
+    hybrid::FrameRequest request = requestFor(input);
     if (tracedShare > 0.0f) {
         MACULA_TRY(const trace::TracedLight light, traced.light());
         request.fadingIn = {.light = light, .share = tracedShare};
@@ -229,6 +240,7 @@ Result<const gpu::Image*> ModelPictures::draw(const FrameInput& input, float tra
 
 Result<const gpu::Image*> ModelPictures::drawTraced(const FrameInput& input) {
     frame_.forgetMix();
+    isPlayed_ = false;
     TracedPictures& traced = *device_.traced();
     if (!traced.isNoisy() || !(hasFit() || drawsEstimate(input))) return traced.display(input.background);
     Result<const gpu::Image*> weighed = draw(input, 1.0f);
@@ -240,6 +252,58 @@ Result<const gpu::Image*> ModelPictures::drawTraced(const FrameInput& input) {
         MACULA_TRY_VOID(withoutModel(input, weighed.error()));
     }
     return traced.display(input.background);
+}
+
+// The frame must have the display of the input already: to set it, the tracer needs the scene.
+bool ModelPictures::canPlay(const FrameInput& input) {
+    return SceneModel::isPossible(input) && frame_.isThere() && frame_.hasDisplayOf(input.drawing.settings) &&
+           phases_.canDraw(input);
+}
+
+Result<const gpu::Image*> ModelPictures::drawPlayed(const FrameInput& input) {
+    frame_.forgetLast();
+    frame_.forgetFovea();  // of another phase
+    isPlayed_ = true;
+    MACULA_TRY(const hybrid::Periphery splats, phases_.periphery(input));
+    return frame_.draw(requestFor(input), splats);
+}
+
+Result<void> ModelPictures::withoutPlayed(const Error& error) {
+    isPlayed_ = false;
+    if (isLoss(error)) return error;
+    log::warning("A learnt phase could not be drawn: {}", error.message.english());
+    phases_.doWithoutDrawing();
+    return {};
+}
+
+bool ModelPictures::hasPhaseWork(const FrameInput& input) {
+    if (!isComplete(input) || !SceneModel::isPossible(input) || !model_.hasShelf()) {
+        phases_.rest();
+        return false;
+    }
+    notePhase(input);
+    return phases_.hasWork(input, hasModel() ? model_.live()->key() : std::string());
+}
+
+Result<void> ModelPictures::learnPhases(const FrameInput& input, double budgetMs,
+                                        const std::function<bool()>& keepGoing) {
+    const Result<void> done = guarded([&] { return phases_.work(input, budgetMs, keepGoing); });
+    if (done || isLoss(done.error())) return done;
+    log::warning("A phase could not be learnt: {}", done.error().message.english());
+    phases_.giveUp(input, done.error());
+    return {};
+}
+
+// The model on screen is that of its phase: it need not be learnt twice.
+void ModelPictures::notePhase(const FrameInput& input) {
+    if (!input.phases || !hasFit()) return;
+    const hybrid::LiveModel& model = *model_.live();
+    phases_.note(input, model.key(),
+                 {.splats = model.shown(), .gain = model.gain(), .steps = model.news().steps});
+}
+
+hybrid::ModelNews ModelPictures::news() const {
+    return isPlayed_ ? phases_.newsOfDrawn() : model_.news();
 }
 
 Result<void> ModelPictures::snapshot(const FrameInput& input, ModelSnapshot& taken) {

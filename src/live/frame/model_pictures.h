@@ -11,6 +11,7 @@
 #include "live/frame/foveal_frame.h"
 #include "live/frame/frame_input.h"
 #include "live/frame/interrupts.h"
+#include "live/frame/phase_models.h"
 #include "live/frame/render_device.h"
 #include "live/frame/render_reports.h"
 #include "live/frame/scene_model.h"
@@ -37,7 +38,10 @@ class ModelPictures {
     void failed();
     // Before the device is dropped: as failed(), and nothing is left on it.
     void dropDevice();
-    void putAway() { model_.putAwayAndDrop(); }
+    void putAway() {
+        phases_.putAway();
+        model_.putAwayAndDrop();
+    }
 
     // Sets the model of the input's scene; from now on the previous one is not drawn any more. Makes an
     // estimate if the new model is not fit to be shown yet.
@@ -85,8 +89,21 @@ class ModelPictures {
     Result<void> withoutModel(const FrameInput& input, const Error& error);
     Result<void> withoutEstimate(const Error& error);
 
+    // Phases that are played, and learnt in the background (phase_models.h).
+    // Whether the splats of the input's phase can be drawn in place of a traced picture.
+    bool canPlay(const FrameInput& input);
+    // Requires canPlay(). The scene of the input need not be on the device.
+    Result<const gpu::Image*> drawPlayed(const FrameInput& input);
+    bool isPlayed() const { return isPlayed_; }  // the last picture that was drawn
+    Result<void> withoutPlayed(const Error& error);
+    bool hasPhaseWork(const FrameInput& input);
+    // As work(), for a phase that is not on screen. Gives the phase up if it cannot be learnt; an error is a
+    // lost device.
+    Result<void> learnPhases(const FrameInput& input, double budgetMs,
+                             const std::function<bool()>& keepGoing);
+
     void tellOfModel(const FrameInput& input) { reports_.tellOfModel(input.study, news()); }
-    hybrid::ModelNews news() const { return model_.news(); }
+    hybrid::ModelNews news() const;  // of the played phase, while one is on screen
     std::optional<hybrid::PeripheralReport> report() const { return model_.report(); }
     // Fills in the model that can be drawn now, if it is that of the input's scene.
     Result<void> snapshot(const FrameInput& input, ModelSnapshot& taken);
@@ -98,6 +115,8 @@ class ModelPictures {
     Result<void> guarded(const std::function<Result<void>()>& work);
     bool isLoss(const Error& error) const;
     hybrid::Periphery periphery(const FrameInput& input);
+    static hybrid::FrameRequest requestFor(const FrameInput& input);
+    void notePhase(const FrameInput& input);
 
     // Destroyed in reverse: the keeper and the shelf of the model first, then what is on the device.
     RenderDevice& device_;
@@ -106,6 +125,8 @@ class ModelPictures {
     std::optional<EstimatedModel> estimate_;  // reset when the study or volume changes
     bool estimateHasRoom_ = true;             // false: no memory for an estimate, until roomChanged()
     SceneModel model_;
+    PhaseModels phases_{device_, reports_, model_};
+    bool isPlayed_ = false;
 };
 
 }  // namespace macula::live

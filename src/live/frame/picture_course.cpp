@@ -42,6 +42,8 @@ std::string_view nameOf(Step step) {
             return "fade";
         case Step::learn:
             return "learn";
+        case Step::learnPhases:
+            return "learn phases";
     }
     return "nothing";
 }
@@ -52,7 +54,7 @@ void PictureCourse::want(bool isTraced) {
     hasConverged_ = hasConverged_ && isTraced;
     previewSamples_ = 0;
     hasSearched_ = false;
-    tracedMs_ = learntMs_ = 0.0;
+    tracedMs_ = learntMs_ = phasesMs_ = 0.0;
 }
 
 void PictureCourse::setModel(ModelState state, bool learns) {
@@ -93,6 +95,7 @@ Step PictureCourse::next(TimePoint now) const {
         case OnScreen::traced: {
             // While a hand holds the picture the model does not learn: the hand will move soon.
             if (model_ == ModelState::searching && !handMoves_ && isSearchsTurn()) return Step::search;
+            if (!handMoves_ && isPhasesTurn()) return Step::learnPhases;
             if (!handMoves_ && isLearningsTurn()) return Step::learn;
             return hasConverged_ ? Step::none : Step::trace;
         }
@@ -136,6 +139,13 @@ bool PictureCourse::isLearningsTurn() const {
     return learntMs_ < share * tracedMs_;
 }
 
+// The phase on screen comes first: others begin with what it has learnt.
+bool PictureCourse::isPhasesTurn() const {
+    if (!learnsPhases_ || (learns_ && model_ != ModelState::ready)) return false;
+    const bool isIdle = hasConverged_ && !learns_;
+    return isIdle || phasesMs_ < kPhasesShare * (tracedMs_ + learntMs_);
+}
+
 void PictureCourse::showedModel() {
     onScreen_ = OnScreen::model;
 }
@@ -157,7 +167,8 @@ void PictureCourse::traced(bool hasConverged) {
     isTraced_ = true;
     hasConverged_ = hasConverged;
     if (onScreen_ == OnScreen::fading) return;
-    if (onScreen_ != OnScreen::traced) tracedMs_ = learntMs_ = 0.0;  // tracing and training take turns now
+    if (onScreen_ != OnScreen::traced)
+        tracedMs_ = learntMs_ = phasesMs_ = 0.0;  // tracing and training take turns now
     const bool fades = isOfSplats(onScreen_);
     onScreen_ = fades ? OnScreen::fading : OnScreen::traced;
     fadingSince_.reset();
@@ -183,6 +194,7 @@ void PictureCourse::faded(TimePoint now) {
 void PictureCourse::spent(Step step, double ms) {
     if (step == Step::trace) tracedMs_ += ms;
     if (step == Step::search) learntMs_ += ms;
+    if (step == Step::learnPhases) phasesMs_ += ms;
     if (step != Step::learn) return;
     learntMs_ += ms;
     hasSearched_ = true;  // a small picture is next, where one is worth it

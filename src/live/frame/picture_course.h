@@ -5,9 +5,9 @@
 // which is traced between two frames. Without a model it shows small traced pictures. When the hand stops, it
 // shows the traced picture of this view, if one exists. Otherwise the model stays, with a growing fovea,
 // until the first traced picture is ready, and fades into it. Then tracing and training take turns until both
-// are done. A missing model is searched for, in turns with small pictures (few of them at rest). A model too
-// young to be shown also trains while a hand moves, and beside tracing at rest. An estimate replaces the
-// model until that is fit.
+// are done; models of other phases that are wanted too take turns with both. A missing model is searched for,
+// in turns with small pictures (few of them at rest). A model too young to be shown also trains while a hand
+// moves, and beside tracing at rest. An estimate replaces the model until that is fit.
 //
 // On a graphics card the model trains in the time that a frame leaves before the next input. If a full-size
 // picture is expected soon, its tracing does not wait for small pictures.
@@ -55,6 +55,7 @@ enum class Step {
     showTraced,   // the picture traced so far
     fade,         // a step of the fade
     learn,        // a time slice of training the model
+    learnPhases,  // the same of the models of other phases
 };
 
 // The name as in reports; a literal.
@@ -79,12 +80,16 @@ class PictureCourse {
     static constexpr double kYoungShareWhereQuick = 3.0;
     // The share for training a model that is fit.
     static constexpr double kReadyShare = 1.0;
+    // The share for the models of other phases, of the time for this one: a person waits for them to play.
+    static constexpr double kPhasesShare = 3.0;
 
     // Another picture is wanted, of the same scene or another one. `isTraced`: a full-size traced picture of
     // exactly this exists, and either has converged or can be traced further.
     void want(bool isTraced);
     void setHand(bool moves) { handMoves_ = moves; }
     void setModel(ModelState state, bool learns);
+    // Whether models of other phases are to be learnt while the traced picture is on screen.
+    void setPhases(bool learn) { learnsPhases_ = learn; }
     // Whether an estimate can be drawn, for a model that is not fit.
     void setEstimate(bool isThere) { hasEstimate_ = isThere; }
     // Whether another fovea than the present one is to be traced; it precedes the full-size picture.
@@ -122,10 +127,12 @@ class PictureCourse {
     bool isLearningsTurn() const;
     bool isSearchsTurn() const;
     bool isBeforeTraced() const;
+    bool isPhasesTurn() const;
 
     bool handMoves_ = false;
     ModelState model_ = ModelState::none;
     bool learns_ = false;
+    bool learnsPhases_ = false;
     bool hasEstimate_ = false;
     bool wantsFovea_ = false;
     bool learnsBesideHand_ = false;
@@ -140,6 +147,7 @@ class PictureCourse {
     std::optional<TimePoint> fadingSince_;
     double tracedMs_ = 0.0;
     double learntMs_ = 0.0;  // training and search
+    double phasesMs_ = 0.0;  // the same of other phases
 };
 
 }  // namespace macula::live

@@ -13,15 +13,24 @@ constexpr std::chrono::milliseconds kRateWindow{2000};
 
 }  // namespace
 
+// Text and marks name the phase, so those of another one must not stand over the kept picture.
+bool PictureOnScreen::keepsPhaseOf(const FrameInput& input) const {
+    return !kept_ || keptOf_.lock() == input.volume;
+}
+
+bool PictureOnScreen::hasOtherText(const FrameInput& input) const {
+    return screen_ && screen_->text() != input.text && keepsPhaseOf(input);
+}
+
 // Whether the input's marks fit the picture on screen, but are not there: they were just hidden or shown.
 bool PictureOnScreen::hasOtherMarks(const FrameInput& input) const {
-    return screen_ && kept_ == View{input.camera, input.width, input.height} &&
+    return screen_ && keepsPhaseOf(input) && kept_ == View{input.camera, input.width, input.height} &&
            screen_->marks() != input.marks;
 }
 
 bool PictureOnScreen::isRight(const FrameInput& input) const {
-    return screen_ && exposures_ == input.exposures && screen_->text() == input.text &&
-           !hasOtherMarks(input) && !duty_.isForeign() && !screen_->owes();
+    return screen_ && exposures_ == input.exposures && !hasOtherText(input) && !hasOtherMarks(input) &&
+           !duty_.isForeign() && !screen_->owes();
 }
 
 Result<void> PictureOnScreen::ensure(const FrameInput& input) {
@@ -35,11 +44,11 @@ Result<void> PictureOnScreen::ensure(const FrameInput& input) {
     }
     window_ = window;
     // A kept picture belongs to the study of the input: forgetPicture() has dropped that of another study.
-    const bool isOtherText = screen_->text() != input.text;
+    const bool isOtherText = hasOtherText(input);
     const bool isOtherMarks = hasOtherMarks(input);
     if (exposures_ != input.exposures || isOtherText || isOtherMarks || screen_->owes()) {
         exposures_ = input.exposures;
-        screen_->setText(input.text);
+        if (isOtherText) screen_->setText(input.text);
         if (isOtherMarks) screen_->setMarks(input.marks);
         MACULA_TRY(const bool shown, screen_->showAgain());
         if (shown) {
@@ -96,8 +105,10 @@ void PictureOnScreen::forgetWindow() {
 
 Result<PictureOnScreen::Put> PictureOnScreen::put(const gpu::Image& picture, const FrameInput& input,
                                                   OnScreen kind) {
+    screen_->setText(input.text);
     screen_->setMarks(input.marks);
     kept_ = {input.camera, input.width, input.height};
+    keptOf_ = input.volume;
     MACULA_TRY(const bool visible, screen_->show(picture));
     const Clock::time_point now = Clock::now();
     // The frame rate counts only pictures of the kind that is shown now.

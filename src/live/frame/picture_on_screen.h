@@ -69,6 +69,8 @@ class PictureOnScreen {
     };
 
     Result<void> close();
+    bool keepsPhaseOf(const FrameInput& input) const;
+    bool hasOtherText(const FrameInput& input) const;
     bool hasOtherMarks(const FrameInput& input) const;
     double framesPerSecond() const;
 
@@ -79,6 +81,7 @@ class PictureOnScreen {
     VkExtent2D window_{};
     std::uint64_t exposures_ = 0;
     std::optional<View> kept_;
+    std::weak_ptr<const Volume> keptOf_;    // the volume of the kept picture
     std::optional<FrameShown> unreported_;  // for the kept picture, until it is visible
     std::deque<Clock::time_point> shown_;   // recent times at which kind_ was shown
     OnScreen kind_ = OnScreen::nothing;

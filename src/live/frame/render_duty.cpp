@@ -25,6 +25,10 @@ void RenderDuty::otherBackground() {
     if (picture_ == Picture::right) picture_ = Picture::otherBackground;
 }
 
+void RenderDuty::otherInput() {
+    if (picture_ == Picture::played) picture_ = Picture::begins;
+}
+
 void RenderDuty::halt() {
     if (run_ == Run::on) run_ = Run::halted;
 }

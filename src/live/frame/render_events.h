@@ -1,6 +1,7 @@
 // Reports of the render thread, as values. The listener is called on that thread, and passes them on.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -47,6 +48,18 @@ struct ModelChanged {
     hybrid::ModelNews model{};
 };
 
+// The models of phases (FrameInput::phases) have progressed.
+struct PhaseModelsChanged {
+    std::uint64_t study = 0;
+    std::size_t learnt = 0;      // phases that can be played
+    std::size_t wanted = 0;      // all phases
+    std::uint64_t learning = 0;  // the phase that is learnt now; 0: none
+    std::uint64_t steps = 0;     // of its training
+    bool noRoom = false;         // the device has no memory for another phase beside the one that is shown
+
+    bool operator==(const PhaseModelsChanged&) const = default;
+};
+
 // The answer to a request for the peripheral model (FrameInput::modelRequests).
 struct ModelSnapshot {
     std::uint64_t request = 0;
@@ -60,12 +73,14 @@ struct ModelSnapshot {
 struct OutlineFound {
     std::uint64_t study = 0;
     std::shared_ptr<const std::vector<glm::dvec3>> pointsMm;  // see trace::PathTracer::outlineMm
+    std::uint64_t phase = 0;                                  // FrameInput::phase
 };
 
 // A picture was shown.
 struct FrameShown {
     std::uint64_t inputSequence = 0;       // of its input
     std::uint64_t study = 0;               // of its input
+    std::uint64_t phase = 0;               // of its input
     scene::EdgeLetters letters{};          // the sides of the patient in this view
     Camera camera{};                       // the camera of the picture
     OnScreen picture = OnScreen::nothing;  // kind of picture
@@ -109,8 +124,9 @@ struct TimeSpent {
     std::vector<StageTimes> stages;
 };
 
-using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, OutlineFound,
-                                 FrameShown, PictureRemoved, RenderFailure, ModelSnapshot, TimeSpent>;
+using RenderEvent =
+    std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, OutlineFound, FrameShown,
+                 PictureRemoved, RenderFailure, ModelSnapshot, TimeSpent, PhaseModelsChanged>;
 using RenderListener = std::function<void(RenderEvent)>;
 
 }  // namespace macula::live

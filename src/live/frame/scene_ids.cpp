@@ -30,10 +30,12 @@ SceneIds::Scene SceneIds::sceneOf(const scene::Drawing& drawing) {
     return scene;
 }
 
-std::string SceneIds::of(std::uint64_t study, const scene::Drawing& drawing) {
+std::string SceneIds::of(std::uint64_t study, const scene::Drawing& drawing,
+                         const std::shared_ptr<const Volume>& volume) {
     if (study != study_) named_.clear();
     study_ = study;
     Scene now = sceneOf(drawing);
+    now.volume = {volume, volume.get()};
     const auto found = std::ranges::find(named_, now, &Named::scene);
     if (found != named_.end()) {
         std::rotate(found, found + 1, named_.end());

@@ -16,10 +16,12 @@ namespace macula::live {
 class SceneIds {
   public:
     static constexpr std::size_t kRemembered =
-        64;  // scenes; each step of editing a transfer function is another scene
+        256;  // scenes; each step of editing a transfer function is another scene, and so is each phase
 
-    // The name of a complete drawing of the study with that number.
-    std::string of(std::uint64_t study, const scene::Drawing& drawing);
+    // The name of a complete drawing of the study with that number. `volume`: of which phase of the study; a
+    // caller whose studies have one volume each may leave it out.
+    std::string of(std::uint64_t study, const scene::Drawing& drawing,
+                   const std::shared_ptr<const Volume>& volume = nullptr);
 
   private:
     // Identity of an object, without keeping it alive: masks, volumes and segments are large.
@@ -40,6 +42,7 @@ class SceneIds {
         std::shared_ptr<const trace::LightRig> lights;
         Clip clip;            // without labels and bits of its mask, which follow
         Additions additions;  // without volume and box, which follow
+        Which<Volume> volume;
         Which<LabelMap> labels;
         Which<MaskBits> bits;
         Which<Volume> second;

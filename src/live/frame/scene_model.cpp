@@ -19,7 +19,8 @@ bool SceneModel::isPossible(const FrameInput& input) {
 }
 
 void SceneModel::lookFor(const FrameInput& input) {
-    if (!keeper_ || !isComplete(input) || !isPossible(input)) return;
+    // Phases that are played are sought by PhaseModels: a disk must not read ten of them a second.
+    if (!keeper_ || !isComplete(input) || !isPossible(input) || input.playsPhases) return;
     std::string name = nameOf(input);
     if (name == lookedFor_) return;
     lookedFor_ = std::move(name);
@@ -35,9 +36,10 @@ Result<void> SceneModel::make(const std::shared_ptr<gpu::Device>& device, const 
     return {};
 }
 
-Result<void> SceneModel::show(const std::string& name, const scene::Drawing& drawing) {
-    MACULA_TRY_VOID(model_->show(name, drawing.settings));
-    of_ = drawing;
+Result<void> SceneModel::show(const std::string& name, const FrameInput& input) {
+    MACULA_TRY_VOID(model_->show(name, input.drawing.settings));
+    of_ = input.drawing;
+    ofVolume_ = input.volume;
     return {};
 }
 

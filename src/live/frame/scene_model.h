@@ -28,21 +28,29 @@ class SceneModel {
     // Whether the scene can have a model: that holds its light, so the lights must stay with the patient.
     static bool isPossible(const FrameInput& input);
 
-    std::string nameOf(const FrameInput& input) { return names_.of(input.study, input.drawing); }
+    std::string nameOf(const FrameInput& input) {
+        return names_.of(input.study, input.drawing, input.volume);
+    }
+    std::string nameOf(std::uint64_t study, const PhaseScene& scene) {
+        return names_.of(study, scene.drawing, scene.volume);
+    }
     // Has the keeper read the stored model while the volume is brought to the device.
     void lookFor(const FrameInput& input);
     // Whether a model of that scene was put on the shelf.
     bool isOnShelf(const std::string& name) const { return shelf_ && shelf_->find(name); }
     bool hasShelf() const { return shelf_ != nullptr; }
+    const std::shared_ptr<hybrid::ModelShelf>& shelf() const { return shelf_; }  // null: hasShelf() is false
+    const std::shared_ptr<SceneKeeper>& keeper() const { return keeper_; }
 
     // Makes the model and the shelf if they are missing.
     Result<void> make(const std::shared_ptr<gpu::Device>& device, const trace::PathTracer& beside);
-    // As LiveModel::show. Requires make().
-    Result<void> show(const std::string& name, const scene::Drawing& drawing);
+    // As LiveModel::show, for the scene of the input, whose name this is. Requires make().
+    Result<void> show(const std::string& name, const FrameInput& input);
     hybrid::LiveModel* live() { return model_ ? &*model_ : nullptr; }  // null: there is none
     const hybrid::LiveModel* live() const { return model_ ? &*model_ : nullptr; }
-    // The drawing of the model's key.
+    // The drawing and the volume of the model's key.
     const scene::Drawing& drawing() const { return of_; }
+    bool isOf(const std::shared_ptr<const Volume>& volume) const { return ofVolume_.lock() == volume; }
 
     // Forgets why this scene has no model: the next one may have one.
     void forgetWhyNone() { whyNone_ = hybrid::ModelStage::none; }
@@ -52,7 +60,7 @@ class SceneModel {
     // lost or incomplete.
     void putAwayAndDrop() { dropAfter(&hybrid::LiveModel::hide); }
     void saveAndDrop() { dropAfter(&hybrid::LiveModel::save); }
-    // Models of another volume are of no use.
+    // Models of another study are of no use.
     void dropShelf() { shelf_.reset(); }
 
     hybrid::ModelNews news() const;
@@ -66,7 +74,8 @@ class SceneModel {
     std::optional<hybrid::LiveModel> model_;
     hybrid::ModelStage whyNone_ = hybrid::ModelStage::none;  // why model_ is empty
     scene::Drawing of_;
-    std::shared_ptr<hybrid::ModelShelf> shelf_;  // models of this volume
+    std::weak_ptr<const Volume> ofVolume_;
+    std::shared_ptr<hybrid::ModelShelf> shelf_;  // models of this study, of each phase
     std::shared_ptr<SceneKeeper> keeper_;
     std::string lookedFor_;  // the scene name last passed to the keeper
     SceneIds names_;

@@ -15,7 +15,7 @@ namespace {
 
 using Answer = hybrid::StoredModel::Answer;
 
-constexpr std::size_t kMostScenes = 64;  // as SceneIds::kRemembered
+constexpr std::size_t kMostScenes = 256;  // as SceneIds::kRemembered
 constexpr std::size_t kMostKin = 16;
 
 std::span<const std::byte> bytesOf(const std::string& text) {

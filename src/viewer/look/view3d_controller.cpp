@@ -100,6 +100,7 @@ void View3dController::redraw() {
     const auto& volume = context_.session.study().volume;
     context_.notes.showIfOther(
         NoteOn::visibility, volume ? visibilityNote(now, *volume, context_.session.catalogue()) : QString());
+    if (context_.viewport.showsOtherPhase()) now = context_.shown.drawingOfPhase();
     context_.viewport.setDrawing(std::move(now));
 }
 

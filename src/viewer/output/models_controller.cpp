@@ -149,6 +149,9 @@ void ModelsController::askWhereToSave() {
     if (!context_.notifications.refuseUnless(context_.session.hasStudy(),
                                              tr("There is no model to save yet.")))
         return;
+    if (!context_.notifications.refuseUnless(!context_.viewport.showsOtherPhase(),
+                                             whyNotOfOpenPhase(context_.viewport)))
+        return;
     QStringList filters;
     for (const ModelFilter& filter : kModelFilters) filters << tr(filter.title);
     auto* dialog =

@@ -179,6 +179,9 @@ void MoviesController::askWhereToDraw() {
     if (!context_.notifications.refuseUnless(context_.session.hasStudy(),
                                              tr("There is nothing to draw yet.")))
         return;
+    if (!context_.notifications.refuseUnless(!context_.viewport.showsOtherPhase(),
+                                             whyNotOfOpenPhase(context_.viewport)))
+        return;
     const study::OpenedStudy& study = context_.session.study();
     const auto path = panel_->pathFrom(toCamera(context_.viewport.camera()));
     if (!path) return;

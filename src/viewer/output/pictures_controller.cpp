@@ -134,6 +134,9 @@ void PicturesController::askHowToSave() {
     if (!context_.notifications.refuseUnless(context_.session.hasStudy(),
                                              tr("There is no picture to save yet.")))
         return;
+    if (!context_.notifications.refuseUnless(!context_.viewport.showsOtherPhase(),
+                                             whyNotOfOpenPhase(context_.viewport)))
+        return;
     context_.viewport.window().endDrag();
     auto* dialog = new PictureDialog(screenPx(), &context_.window);
     if (!is3dShown()) dialog->tellThat3dIsHidden();

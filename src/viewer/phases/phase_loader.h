@@ -23,6 +23,7 @@ class PhaseLoader : public QObject {
 
     // `volumes`: of each phase, in `found`. Keeps what it has of the same `found`.
     void setPhases(std::shared_ptr<const study::FoundVolumes> found, std::vector<std::size_t> volumes);
+    bool isOf(const std::shared_ptr<const study::FoundVolumes>& found) const { return found_ == found; }
     // The open study is one of them: it need not be decoded again, and never makes room for others.
     void keepOpen(std::size_t phase, std::shared_ptr<const study::OpenedStudy> study);
     // `loaded` or `failed` follows, and `loaded` for further ones while they fit.

@@ -1,4 +1,4 @@
-// Phases in the window: slices play them, and show how values in an ellipse change over them.
+// Phases in the window: slices and 3D play them, and show how values change over them.
 #pragma once
 
 #include <QObject>
@@ -6,8 +6,10 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "base/volume.h"
 #include "scene/slices/time_curve.h"
 #include "study/open/phases.h"
 #include "viewer/context/window_context.h"
@@ -18,11 +20,12 @@ namespace macula::viewer {
 
 class OpeningController;
 class PhaseBar;
+class PhasesIn3d;
 class SliceView;
 
-// The bar is visible while the open study is one of several phases. Playing changes slices alone: 3D and what
-// a person measures stay with the phase that is open, and the panes say which one they show. Lives on the UI
-// thread.
+// The bar is visible while the open study is one of several phases. Playing changes slices, and if a person
+// wants it 3D (PhasesIn3d): what is saved stays with the phase that is open, and the panes say which one they
+// show. Slices may show a difference of two phases in its place. Lives on the UI thread.
 class PhasesController : public QObject {
     Q_OBJECT
 
@@ -35,6 +38,7 @@ class PhasesController : public QObject {
     std::size_t shown() const { return shown_; }  // the phase on slices
     bool isPlaying() const { return clock_.isActive(); }
     const PhaseLoader& loader() const { return loader_; }
+    const PhasesIn3d& in3d() const { return *in3d_; }
     void setImagesShown(bool shown);  // images that are no volume hide the slices
 
   Q_SIGNALS:
@@ -49,6 +53,12 @@ class PhasesController : public QObject {
     void showIfLoaded();
     void showNote();
     QString textOf(std::size_t phase) const;
+    void showOnSlices(const std::shared_ptr<const study::OpenedStudy>& study, const QString& text);
+    void setIn3d(bool on);
+    void setReference(std::optional<std::size_t> phase);
+    void askForDifference();
+    void takeDifference(const Result<Volume>& difference);
+    void showDifference();
     void openShown();
     void askForCurve();
     void showCurve(const Result<scene::TimeCurves>& curves);
@@ -64,6 +74,19 @@ class PhasesController : public QObject {
     QTimer clock_;
     bool wantsCurve_ = false;  // as soon as all phases are decoded
     BackgroundJob<scene::TimeCurves> curve_;
+    PhasesIn3d* in3d_;
+    std::optional<std::size_t> reference_;  // slices show the difference to it; nothing: values
+    // The last difference, of the phase and to the phase.
+    struct Difference {
+        std::size_t phase = 0;
+        std::size_t reference = 0;
+        std::shared_ptr<const study::OpenedStudy> study;
+    };
+    std::optional<Difference> difference_;
+    std::size_t differenceOf_ = 0;  // the phase of the job
+    std::optional<DisplayWindow>
+        differenceWindow_;  // of all differences to one phase; nothing: not chosen yet
+    BackgroundJob<Volume> subtraction_;
 };
 
 }  // namespace macula::viewer

@@ -41,7 +41,7 @@ void PickController::addAction(QMenu& edit) {
 }
 
 void PickController::start(const glm::dvec2& place) {
-    pick_.start([volume = context_.session.study().volume, drawing = context_.shown.drawing(),
+    pick_.start([volume = context_.viewport.volume(), drawing = context_.viewport.drawing(),
                  camera = toCamera(context_.viewport.camera()), place,
                  aspect = context_.viewport.aspect()](Progress&) -> Result<std::optional<glm::dvec3>> {
         return scene::firstMatterMm(*volume, drawing, camera, place, aspect);

@@ -98,9 +98,11 @@ void PaneContent::clear() {
     setPhase(nullptr, {});
 }
 
-void PaneContent::setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text) {
+void PaneContent::setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text,
+                           std::optional<DisplayWindow> ofDifference) {
     phase_ = std::move(phase);
     phaseText_ = text;
+    ofDifference_ = std::move(ofDifference);
 }
 
 void PaneContent::takeStudy() {
@@ -135,6 +137,10 @@ glm::dvec3 PaneContent::crosshairOn(int slice) const {
 }
 
 DisplayWindow PaneContent::studyWindow() const {
+    return showsDifference() ? *ofDifference_ : valueWindow();
+}
+
+DisplayWindow PaneContent::valueWindow() const {
     const auto& set = state().slices.window;
     return set ? *set : usualWindow_;
 }
@@ -149,7 +155,7 @@ const scene::SecondVolumeState* PaneContent::secondState() const {
 }
 
 DisplayWindow PaneContent::secondWindow() const {
-    if (secondState()->linksWindow) return studyWindow();
+    if (secondState()->linksWindow) return valueWindow();
     return secondState()->window.value_or(second_->usualWindow);
 }
 

@@ -66,9 +66,11 @@ class PaneContent {
     void turnPlanes();  // straight, as acquired, or by hand, as the state says
     bool hasStudy() const { return steps_.has_value(); }
     // Another phase of the study, on its grid, that is shown in its place, and a text that says which; null:
-    // the study.
-    void setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text);
+    // the study. `ofDifference`: the volume is a difference of two phases, which has this window.
+    void setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text,
+                  std::optional<DisplayWindow> ofDifference = std::nullopt);
     bool showsOtherPhase() const { return phase_ != nullptr; }
+    bool showsDifference() const { return phase_ && ofDifference_; }
     const QString& phaseText() const { return phaseText_; }
     const study::OpenedStudy& study() const { return phase_ ? *phase_ : session_.study(); }
     const scene::StudyState& state() const { return session_.state(); }
@@ -101,6 +103,8 @@ class PaneContent {
     std::vector<PlacedGrid> placedVolumes() const;  // both, in the space of the pane
 
   private:
+    DisplayWindow valueWindow() const;
+
     const StudyEditor& session_;
     slices::Orientation orientation_;
     PaneRole role_;
@@ -108,6 +112,7 @@ class PaneContent {
     std::optional<SliceSteps> steps_;
     std::shared_ptr<const study::OpenedStudy> phase_;
     QString phaseText_;
+    std::optional<DisplayWindow> ofDifference_;
     std::shared_ptr<const SecondVolumeTexts> second_;
 };
 

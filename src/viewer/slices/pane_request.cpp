@@ -119,6 +119,12 @@ void addPhase(const PaneContent& content, SliceRequest& request) {
         return;
     }
     request.isOtherPhase = true;
+    request.isDifference = content.showsDifference();
+    if (request.isDifference) {
+        request.isInverted = request.isLowBright = false;
+        request.colours = slices::ColourTable::grey;
+        request.secondNotes.push_back(PaneRequest::tr("Blue is lower, orange is higher, black has no value"));
+    }
     request.tags = {content.phaseText()};
     request.secondNotes.push_back(PaneRequest::tr("Segments are of the open phase, and not shown here"));
     request.segments.reset();

@@ -11,6 +11,7 @@
 #include "base/give_way.h"
 #include "base/log.h"
 #include "base/parallel.h"
+#include "slices/difference.h"
 #include "slices/grey.h"
 #include "study/dose/dose_field.h"
 
@@ -97,9 +98,13 @@ SlicePicture SliceSampler::make(const SliceRequest& request) {
         const auto* slice = sampled(last_, request.volume, transformed(request.frame, request.volumeFromPane),
                                     request.slab, request.study);
         if (slice == nullptr) return picture;
-        picture.grey =
-            imageOf(slices::toGrey(slice->values, request.window, request.isInverted), request.frame.sizePx);
-        colour(picture.grey, request.colours);
+        if (request.isDifference) {
+            picture.grey = imageOf(slices::toDiverging(slice->values, request.window), request.frame.sizePx);
+        } else {
+            picture.grey = imageOf(slices::toGrey(slice->values, request.window, request.isInverted),
+                                   request.frame.sizePx);
+            colour(picture.grey, request.colours);
+        }
         paintSegments(request);
         picture.segments = segments_;
         if (!request.over) {

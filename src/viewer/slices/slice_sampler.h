@@ -57,6 +57,7 @@ struct SliceRequest {
     bool isInterpolated = false;  // no image was taken there
     bool isLowBright = false;     // the display of the images shows low values white
     bool isOtherPhase = false;    // not the one that is open
+    bool isDifference = false;    // of two phases: in diverging colours
     double pixelRatio = 1.0;
     glm::dvec3 crosshairMm{0.0};
     // For a second volume, if there is one.

@@ -91,8 +91,9 @@ void SliceView::setSecond(std::shared_ptr<const SecondVolumeTexts> second) {
     update();
 }
 
-void SliceView::setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text) {
-    content_.setPhase(std::move(phase), text);
+void SliceView::setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text,
+                         std::optional<DisplayWindow> ofDifference) {
+    content_.setPhase(std::move(phase), text, std::move(ofDifference));
     showLines();
     request();
     update();

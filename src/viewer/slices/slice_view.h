@@ -54,7 +54,9 @@ class SliceView : public QWidget {
     void setBrush(SliceBrush* brush) { hand_.setBrush(brush); }  // for SliceTool::segment; outlives it
 
     // Another phase of the study in its place, and a text that says which; null: the study itself.
-    void setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text);
+    // `ofDifference` as in PaneContent::setPhase.
+    void setPhase(std::shared_ptr<const study::OpenedStudy> phase, const QString& text,
+                  std::optional<DisplayWindow> ofDifference = std::nullopt);
     // Null: no second volume. The session says how to show it (scene::SecondVolumeState).
     void setSecond(std::shared_ptr<const SecondVolumeTexts> second);
     void setPaneView(const PaneView& view) { zoom_.follow(view); }  // follows the pane beside it

@@ -178,6 +178,8 @@ void SliceWindowing::drag(glm::dvec2 byHeights) {
 
 void SliceWindowing::propose(const std::optional<DisplayWindow>& window, bool isDrag) {
     const bool ofSecond = content_.wantsSecond();
+    // The window of a difference is not that of the study: the bar of phases sets it.
+    if (!ofSecond && content_.showsDifference()) return;
     const auto edit = [&](scene::StudyState& next) {
         const bool isOwn = ofSecond && !next.secondVolume->linksWindow;
         (isOwn ? next.secondVolume->window : next.slices.window) = window;

@@ -134,6 +134,8 @@ QString aboutModel(const hybrid::ModelNews& model, bool isFirstStart) {
         return ModelWords::tr("It began with the stored preview of other lights.");
     if (model.origin == ModelOrigin::otherTrainer)
         return ModelWords::tr("It began with a preview that another version of Macula stored.");
+    if (model.origin == ModelOrigin::neighbour)
+        return ModelWords::tr("It began with the preview of a neighbouring phase.");
     if (model.origin == ModelOrigin::damagedPoints)
         return ModelWords::tr("The stored preview of this was damaged; it began anew.");
     if (model.stage == hybrid::ModelStage::noRoom)

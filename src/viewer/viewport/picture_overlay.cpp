@@ -26,6 +26,7 @@ std::shared_ptr<const live::PictureText> PictureOverlay::text(const scene::Drawi
                   .pixels = pixels,
                   .pixelRatio = pixelRatio,
                   .fontScale = fontScaleOverPictures()};
+    wanted.lines.notes.insert(wanted.lines.notes.begin(), notes_.begin(), notes_.end());
     if (wanted == textOf_) return text_;
     textOf_ = std::move(wanted);
     text_ = paintText(textOf_.lines, pixels, pixelRatio);

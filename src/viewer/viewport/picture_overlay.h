@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "live/frame/picture_text.h"
@@ -21,6 +22,8 @@ class PictureOverlay {
   public:
     // Lines that identify patient and study.
     void setNames(std::vector<std::string> names);
+    // Lines about the picture that names do not hide.
+    void setNotes(std::vector<std::string> notes) { notes_ = std::move(notes); }
     // Both return whether anything changed.
     bool showNames(bool shown);
     bool showCube(bool shown);  // with the scale
@@ -57,6 +60,7 @@ class PictureOverlay {
                                                                   const scene::EdgeLetters& letters);
 
     std::vector<std::string> names_;
+    std::vector<std::string> notes_;
     bool namesShown_ = true;
     bool cubeShown_ = true;
     TextOf textOf_;  // the sources of text_

@@ -116,9 +116,11 @@ void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::s
     window_->endDrag();  // a held handle or curve belongs to the earlier study
     ++input_.study;
     shown_.reset();
-    overlay_.setNames(std::move(names));
-    input_.volume = std::move(volume);
+    names_ = std::move(names);
+    open_ = std::move(volume);
+    input_.volume = open_;
     input_.drawing = std::move(drawing);
+    takePhase({});
     camera_.setVolume(input_.volume);
     camera_.setProjection(showsProjection());
     input_.background = scene::backgroundInWindow(input_.drawing);
@@ -136,6 +138,26 @@ void Viewport::setDrawing(scene::Drawing drawing) {
     camera_.setProjection(showsProjection());
     input_.background = scene::backgroundInWindow(input_.drawing);
     publishChange();
+}
+
+void Viewport::takePhase(const PhaseIn3d& phase) {
+    phase_ = phase;
+    input_.phase = phase.number;
+    input_.volume = phase.volume ? phase.volume : open_;
+    input_.playsPhases = phase.isPlaying;
+    input_.phases = phase.phases;
+    input_.learnsPhases = phase.learns;
+    overlay_.setNames(phase.names.empty() ? names_ : phase.names);
+    overlay_.setNotes(phase.notes);
+}
+
+void Viewport::setPhase(const PhaseIn3d& phase, scene::Drawing drawing) {
+    if (!open_ || (phase == phase_ && drawing == input_.drawing)) return;
+    const bool isOther = phase.volume != phase_.volume || drawing != input_.drawing;
+    takePhase(phase);
+    input_.drawing = std::move(drawing);
+    input_.background = scene::backgroundInWindow(input_.drawing);
+    isOther ? publishChange() : void(publish());
 }
 
 void Viewport::showNames(bool shown) {
@@ -211,7 +233,7 @@ std::uint64_t Viewport::publish() {
     input_.text = overlay_.text(input_.drawing, pixels, window_->devicePixelRatio());
     updateMarks();
     input_.gaze = gazeFollowsPointer_ ? hand_.pointedAt() : glm::dvec2(0.0);
-    input_.interacting = hand_.isMoving();
+    input_.interacting = hand_.isMoving() || phase_.isPlaying;
     return renderThread_->publish(input_);
 }
 
@@ -241,7 +263,8 @@ void Viewport::onRendered(const live::RenderEvent& event) {
     } else if (std::holds_alternative<live::PictureRemoved>(event)) {
         shown_.reset();
     } else if (const auto* outline = std::get_if<live::OutlineFound>(&event)) {
-        if (outline->study == input_.study) camera_.takeOutline(outline->pointsMm);
+        const bool isOfOpen = outline->phase == 0 || (!phase_.volume && outline->phase == phase_.number);
+        if (outline->study == input_.study && isOfOpen) camera_.takeOutline(outline->pointsMm);
     } else if (const auto* failure = std::get_if<live::RenderFailure>(&event)) {
         setLetters({});
         shown_.reset();

@@ -14,6 +14,7 @@
 #include "scene/camera/orbit_camera.h"
 #include "viewer/overlay/cube_and_scale.h"
 #include "viewer/overlay/picture_tool.h"
+#include "viewer/viewport/phase_in_3d.h"
 #include "viewer/viewport/picture_camera.h"
 #include "viewer/viewport/picture_hand.h"
 #include "viewer/viewport/picture_overlay.h"
@@ -44,6 +45,12 @@ class Viewport : public QWidget {
     // a drag.
     void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names,
                   scene::Drawing drawing, std::optional<ViewDirection> from);
+    // Shows a phase of the study, with the camera as it is; setStudy() shows the study without phases. The
+    // visible part that fit() fits stays that of the open one.
+    void setPhase(const PhaseIn3d& phase, scene::Drawing drawing);
+    bool showsOtherPhase() const { return input_.volume != open_; }
+    const std::shared_ptr<const Volume>& volume() const { return input_.volume; }  // the one that is drawn
+    const scene::Drawing& drawing() const { return input_.drawing; }
     void showNames(bool shown);
     bool namesShown() const { return overlay_.showsNames(); }
     void setDrawing(scene::Drawing drawing);
@@ -115,6 +122,7 @@ class Viewport : public QWidget {
     void keyNotHandled(QKeyEvent* event);
 
   private:
+    void takePhase(const PhaseIn3d& phase);
     void connectWindow();
     void connectHand();
     void publishChange();                                      // the study, drawing or camera has changed
@@ -137,6 +145,9 @@ class Viewport : public QWidget {
     PictureOverlay overlay_;
 
     live::FrameInput input_;
+    std::shared_ptr<const Volume> open_;  // of setStudy()
+    std::vector<std::string> names_;      // of setStudy()
+    PhaseIn3d phase_;
     std::uint64_t lastChange_ = 0;  // number of the last publishChange()
     bool gazeFollowsPointer_ = true;
     std::optional<live::FrameShown> shown_;  // the picture on screen

@@ -36,6 +36,7 @@ void ShownAdditions::forget() {
     box_.reset();
     made_ = {};
     additions_.reset();
+    ofPhases_.reset();
 }
 
 void ShownAdditions::setSecond(std::shared_ptr<const SecondVolumeTexts> second) {
@@ -189,6 +190,11 @@ void ShownAdditions::show() {
         remarks.push_back(
             scene::secondRemark(*made_.second->volume, madeOf_,
                                 study::samePatient(session_.study().identity, second_->study.identity)));
+    Additions ofPhases{.second = made_.second, .tints = {}, .remark = Text::joined(remarks, ", ")};
+    if (ofPhases.isNothing())
+        ofPhases_.reset();
+    else if (!ofPhases_ || *ofPhases_ != ofPhases)
+        ofPhases_ = std::make_shared<const Additions>(std::move(ofPhases));
     if (made_.tints) remarks.push_back(Text("coloured segments"));
     made_.remark = Text::joined(std::move(remarks), ", ");
     // Emitting the same additions again would restart the picture.

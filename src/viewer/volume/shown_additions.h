@@ -30,6 +30,8 @@ class ShownAdditions : public QObject {
 
     // Null without additions.
     const std::shared_ptr<const Additions>& additions() const { return additions_; }
+    // The same without coloured segments, which are of the open phase. Null without a second volume.
+    const std::shared_ptr<const Additions>& ofPhases() const { return ofPhases_; }
     bool isAtRest() const { return !joining_.running() && !colouring_.running(); }
 
     void forget();  // drops everything of the old study; emits nothing
@@ -69,6 +71,7 @@ class ShownAdditions : public QObject {
     std::shared_ptr<const TintBox> box_;  // the last one, even if it is not shown
     Additions made_;
     std::shared_ptr<const Additions> additions_;
+    std::shared_ptr<const Additions> ofPhases_;
     BackgroundJob<DrawnSecondVolume> joining_;
     BackgroundJob<std::shared_ptr<const TintBox>> colouring_;
 };

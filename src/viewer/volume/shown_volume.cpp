@@ -50,11 +50,22 @@ scene::Drawing ShownVolume::drawingOf(const scene::StudyState& other) const {
     return drawingOf(other, volume ? scene::clipOf(other, *volume, hidden_->mask()) : nullptr);
 }
 
+scene::Drawing ShownVolume::withoutAdditions(const scene::StudyState& state,
+                                             std::shared_ptr<const Clip> clip) const {
+    return scene::drawingOf(state, session_.catalogue(), seriesWindows_, session_.study().volume,
+                            std::move(clip));
+}
+
 scene::Drawing ShownVolume::drawingOf(const scene::StudyState& state,
                                       std::shared_ptr<const Clip> clip) const {
-    scene::Drawing drawing = scene::drawingOf(state, session_.catalogue(), seriesWindows_,
-                                              session_.study().volume, std::move(clip));
+    scene::Drawing drawing = withoutAdditions(state, std::move(clip));
     scene::setAdditions(drawing, additions_->additions());
+    return drawing;
+}
+
+scene::Drawing ShownVolume::drawingOfPhase() const {
+    scene::Drawing drawing = withoutAdditions(session_.state(), clip_);
+    scene::setAdditions(drawing, additions_->ofPhases());
     return drawing;
 }
 

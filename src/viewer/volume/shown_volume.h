@@ -31,6 +31,9 @@ class ShownVolume : public QObject {
     scene::Drawing drawing() const { return drawingOf(session_.state(), clip_); }
     // The drawing of another state of the study, with the voxels that are hidden now.
     scene::Drawing drawingOf(const scene::StudyState& other) const;
+    // The drawing of another phase of the study, on the same grid: as drawing(), but coloured segments, which
+    // are of the open phase, are left out.
+    scene::Drawing drawingOfPhase() const;
     bool hidesSomething() const { return clip_ != nullptr; }
 
     // The session's state with the table's removal as requested, even while the search still runs.
@@ -50,6 +53,7 @@ class ShownVolume : public QObject {
 
   private:
     scene::Drawing drawingOf(const scene::StudyState& state, std::shared_ptr<const Clip> clip) const;
+    scene::Drawing withoutAdditions(const scene::StudyState& state, std::shared_ptr<const Clip> clip) const;
     void onStudyShown();
     void onChanged(const scene::StudyState& before);
     void updateClip();

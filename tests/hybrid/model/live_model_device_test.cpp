@@ -294,6 +294,37 @@ TEST_F(LiveModelTest, BeginsWithTheStoredModelOfOtherLights) {
     EXPECT_EQ(model.news().splats, warm.splats->size());
 }
 
+// The splats of the phase before are a beginning and no more: what is stored of this one, and what this run
+// has learnt of it, come first.
+TEST_F(LiveModelTest, BeginsWithANeighbourOnlyWhereNothingOfItsOwnIsThere) {
+    const trace::PathTracer screen = onScreen();
+    LiveModel first = beside(screen);
+    ASSERT_TRUE(first.show("phase 1", {}).ok());
+    search(first);
+    learn(first);
+    const auto neighbour = first.shown();
+
+    const auto shelf = std::make_shared<ModelShelf>(std::uint64_t(1) << 30);
+    LiveModel model = std::move(LiveModel::create(device(), screen, shelf, nullptr, options())).value();
+    ASSERT_TRUE(model.show("phase 2", {}, neighbour).ok());
+    EXPECT_FALSE(model.canBeDrawn()) << "it is another phase until it has learnt";
+    search(model);
+    EXPECT_EQ(model.news().origin, ModelOrigin::neighbour);
+    EXPECT_EQ(model.news().splats, neighbour->size());
+    learn(model);
+    ASSERT_TRUE(model.show("phase 3", {}).ok());  // puts it away
+    ASSERT_TRUE(model.show("phase 2", {}, neighbour).ok());
+    EXPECT_EQ(model.news().origin, ModelOrigin::shelf);
+
+    const auto store = std::make_shared<StoreOfOne>();
+    store->key_ = "phase 2";
+    store->answer_ = {.answer = StoredModel::Answer::warm, .splats = neighbour};
+    LiveModel stored = beside(screen, store);
+    ASSERT_TRUE(stored.show("phase 2", {}, neighbour).ok());
+    search(stored);
+    EXPECT_EQ(stored.news().origin, ModelOrigin::otherLights);
+}
+
 // What a person looks at is learnt from, and wakes a model that had learnt all there was.
 TEST_F(LiveModelTest, LearnsFromWhatIsOnScreen) {
     trace::PathTracer screen = onScreen();

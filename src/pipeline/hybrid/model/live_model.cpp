@@ -40,7 +40,8 @@ Result<LiveModel> LiveModel::create(const std::shared_ptr<gpu::Device>& device,
     return LiveModel(device, std::move(tracer), std::move(shelf), std::move(store), options);
 }
 
-Result<void> LiveModel::show(const std::string& key, const trace::Settings& settings) {
+Result<void> LiveModel::show(const std::string& key, const trace::Settings& settings,
+                             std::shared_ptr<const splat::Splats> neighbour) {
     MACULA_CHECK(!key.empty() && trace::isPathTraced(settings.look));
     if (key == key_) return {};
     hide();
@@ -48,7 +49,7 @@ Result<void> LiveModel::show(const std::string& key, const trace::Settings& sett
     settings_ = settings;
     settings_.denoising = trace::Denoising::little;
     settings_.errorThreshold = 0.0;
-    Result<void> done = tryShow();
+    Result<void> done = tryShow(std::move(neighbour));
     if (isOutOfMemory(done)) {
         giveUp(ModelStage::noRoom);
         return {};
@@ -57,12 +58,13 @@ Result<void> LiveModel::show(const std::string& key, const trace::Settings& sett
     return done;
 }
 
-Result<void> LiveModel::tryShow() {
+Result<void> LiveModel::tryShow(std::shared_ptr<const splat::Splats> neighbour) {
     MACULA_TRY_VOID(tracer_.setSettings(settings_));
     stage_ = ModelStage::searching;
     if (const std::shared_ptr<const PeripheralState> kept = archive_.shelved(key_))
         return goOnWith(*kept, ModelOrigin::shelf);
-    origin_ = ModelOrigin::points;
+    origin_ = neighbour ? ModelOrigin::neighbour : ModelOrigin::points;
+    if (neighbour) search_.startWith(std::move(neighbour), false);
     if (!archive_.hasStore()) return {};
     archive_.beginAsking();
     // If the store answers at once, the first frame already shows the model.

@@ -42,7 +42,11 @@ class LiveModel {
     // fixed to the patient. Does nothing if the key is the same. Otherwise puts the old model away at once,
     // and finds that of the key on the shelf or in the store, or begins one. A model is never drawn for
     // another key than its own. If the device has no room, the stage says so; other errors are returned.
-    Result<void> show(const std::string& key, const trace::Settings& settings);
+    // `neighbour`: the splats of a model of nearly the same matter, with which a new model begins if neither
+    // shelf nor store has anything of this key; their places and shapes stay until training moves them.
+    // Null: it begins with points.
+    Result<void> show(const std::string& key, const trace::Settings& settings,
+                      std::shared_ptr<const splat::Splats> neighbour = nullptr);
     // Call when the screen shows nothing that has a model: puts the present one away, and draws none.
     void hide();
     // Puts the model away, and makes none until another key is shown; `stage` says why: noRoom or failed.
@@ -101,7 +105,7 @@ class LiveModel {
     Result<void> goOnWith(const PeripheralState& state, ModelOrigin origin);
     void beginWithPoints(ModelOrigin origin);
     void end(ModelStage stage);
-    Result<void> tryShow();
+    Result<void> tryShow(std::shared_ptr<const splat::Splats> neighbour);
     Result<void> searchSome(double budgetMs, const std::function<bool()>& goesOn);
     Result<void> takeFirstSteps(double budgetMs, const std::function<bool()>& goesOn);
     Result<void> learnSome(const std::function<bool()>& goesOn);

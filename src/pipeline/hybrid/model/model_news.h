@@ -50,6 +50,7 @@ enum class ModelOrigin {
     stored,         // this model, stored by an earlier run
     otherLights,    // a stored model under other lights
     otherTrainer,   // a stored model of another trainer or tracer version
+    neighbour,      // a model of nearly the same matter: of the phase before or after
 };
 
 // The name in reports, and the reason; string literals.
@@ -67,6 +68,8 @@ constexpr std::string_view nameOf(ModelOrigin origin) {
             return "warm";
         case ModelOrigin::otherTrainer:
             return "stale";
+        case ModelOrigin::neighbour:
+            return "neighbour";
     }
     return {};
 }
@@ -86,6 +89,8 @@ constexpr std::string_view describe(ModelOrigin origin) {
             return "a model of this in other lights was stored";
         case ModelOrigin::otherTrainer:
             return "a model of this was stored by another version of the trainer or the tracer";
+        case ModelOrigin::neighbour:
+            return "a model of a neighbouring phase was there";
     }
     return {};
 }

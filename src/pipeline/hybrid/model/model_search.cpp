@@ -43,7 +43,7 @@ Result<ModelSearch::Found> ModelSearch::findSome(trace::PathTracer& tracer,
 ModelStart ModelSearch::start(const std::string& key) const {
     return {.splats = startWith_ ? *startWith_ : initialSplats(*points_),
             .seenMm = *seenMm_,
-            .isTaught = startWith_ != nullptr,
+            .isTaught = startWith_ != nullptr && isOfThis_,
             .key = key};
 }
 

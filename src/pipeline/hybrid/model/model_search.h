@@ -17,8 +17,12 @@ namespace macula::hybrid {
 // Used by one thread at a time, the one that uses the device.
 class ModelSearch {
   public:
-    // Begins with the splats of another model instead of points.
-    void startWith(std::shared_ptr<const splat::Splats> splats) { startWith_ = std::move(splats); }
+    // Begins with the splats of another model instead of points. `isOfThis`: it was learnt from this matter
+    // (ModelStart::isTaught), and not from matter that has moved since.
+    void startWith(std::shared_ptr<const splat::Splats> splats, bool isOfThis = true) {
+        startWith_ = std::move(splats);
+        isOfThis_ = isOfThis;
+    }
     void forget();
     void forgetStart();  // keeps only seenMm()
 
@@ -38,6 +42,7 @@ class ModelSearch {
     std::optional<Box> seenMm_;
     std::optional<trace::SurfacePoints> points_;
     std::shared_ptr<const splat::Splats> startWith_;
+    bool isOfThis_ = false;  // startWith_
 };
 
 }  // namespace macula::hybrid
