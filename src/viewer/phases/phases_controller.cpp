@@ -55,14 +55,13 @@ void PhasesController::onStudyShown() {
     curve_.cancel();
     phases_.clear();
     const study::OpenedStudy& study = context_.session.study();
-    if (context_.session.hasStudy() && study.found)
-        phases_ = study::phasesOf(*study.found, study.volumeIndex);
+    if (context_.session.hasStudy()) phases_ = study::phasesOf(study);
     bar_->setPhases(int(phases_.size()));
-    if (phases_.empty()) return loader_.setPhases(nullptr, {});
+    if (phases_.empty()) return loader_.setPhases({}, {});
     std::vector<std::size_t> volumes;
     for (const study::Phase& phase : phases_) volumes.push_back(phase.volume);
     open_ = std::size_t(std::ranges::find(volumes, study.volumeIndex) - volumes.begin());
-    loader_.setPhases(study.found, std::move(volumes));
+    loader_.setPhases(study::phaseSourceOf(study), std::move(volumes));
     loader_.keepOpen(open_, std::make_shared<const study::OpenedStudy>(study));
     show(open_);
 }
@@ -133,7 +132,7 @@ void PhasesController::setImagesShown(bool shown) {
 
 void PhasesController::openShown() {
     if (shown_ >= phases_.size() || shown_ == open_) return;
-    opening_.openFound(context_.session.study().found, phases_[shown_].volume);
+    opening_.openPhase(study::phaseSourceOf(context_.session.study()), phases_[shown_].volume);
 }
 
 void PhasesController::askForCurve() {
