@@ -286,7 +286,7 @@ TEST_F(SegmentationOfAFolder, InColourTheirVoxelsHaveTheColoursThatWereChosen) {
     // By its label, for who has no window.
     const SegmentRequest request = *segmentRequestFrom("colour:tumour");
     const auto drawn =
-        segmentsToDraw(*study_.found, volume(), {}, std::vector{request}, *study_.volume, progress);
+        segmentsToDraw({study_.found.get(), &volume()}, {}, std::vector{request}, *study_.volume, progress);
     ASSERT_TRUE(drawn) << drawn.error().message;
     EXPECT_FALSE(drawn->mask) << "nothing is hidden";
     ASSERT_TRUE(drawn->tints);
@@ -325,7 +325,7 @@ TEST_F(SegmentationOfAFolder, IsKeptOrHiddenByItsLabel) {
                           std::vector<SegmentationSettings> choices = {}) {
         std::vector<SegmentRequest> requests;
         for (const std::string& each : typed) requests.push_back(*segmentRequestFrom(each));
-        return segmentsToDraw(*study_.found, volume(), std::move(choices), requests, *study_.volume,
+        return segmentsToDraw({study_.found.get(), &volume()}, std::move(choices), requests, *study_.volume,
                               progress);
     };
     const auto both = draw({"keep:liver", "hide:Tumour"});

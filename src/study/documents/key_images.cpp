@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -17,10 +18,21 @@ namespace {
 
 constexpr std::string_view kKeyObjectSelection = "1.2.840.10008.5.1.4.1.1.88.59";
 
-// CID 7011, Rejected for Quality Reasons and so on; DCM.
+bool isOneOf(const CodedName& title, std::span<const std::string_view> values) {
+    return title.scheme == "DCM" && std::ranges::find(values, title.value) != values.end();
+}
+
+// CID 7011: rejected for reasons of quality, patient safety, an incorrect worklist entry, its age.
 bool isRejection(const CodedName& title) {
     constexpr std::array<std::string_view, 4> kRejections{"113001", "113037", "113038", "113039"};
-    return title.scheme == "DCM" && std::ranges::find(kRejections, title.value) != kRejections.end();
+    return isOneOf(title, kRejections);
+}
+
+// Manifests, and the complete content of a study or an acquisition, name images without choosing any.
+bool isManifest(const CodedName& title) {
+    constexpr std::array<std::string_view, 6> kManifests{"113030", "113031", "113032",
+                                                         "113033", "113034", "113035"};
+    return isOneOf(title, kManifests);
 }
 
 using Seen = std::set<std::pair<const dicom::Stack*, std::size_t>>;
@@ -98,7 +110,7 @@ Result<KeyImages> findKeyImages(const FoundVolumes& found, Progress& progress) t
                 if (progress.cancelled())
                     return Error{ErrorCode::cancelled, Text("Reading the key images was cancelled."), {}, {}};
                 const auto selection = dicom::readDocument(object.file);
-                if (!selection) continue;
+                if (!selection || isManifest(selection->titleCode)) continue;
                 const auto of = places.try_emplace(study.patient, found, study.patient).first;
                 addImages(*selection, of->second, seen, images);
             }

@@ -42,8 +42,8 @@ class KeyImages {
     std::vector<KeyImage> images_;
 };
 
-// Reads all selections of the folder; those that cannot be read name nothing. At most kMostKeyImages. Fails
-// with cancelled.
+// Reads all selections of the folder; those that cannot be read name nothing, and manifests are none. At most
+// kMostKeyImages. Fails with cancelled.
 Result<KeyImages> findKeyImages(const FoundVolumes& found, Progress& progress);
 
 }  // namespace macula::study
