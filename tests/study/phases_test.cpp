@@ -137,7 +137,7 @@ TEST(PhasesOf, AreTheVolumesOfAFile) {
     EXPECT_TRUE(phasesOf(*openStudy(path, progress)).empty()) << "one volume has no phases";
 }
 
-TEST(PhasesOf, AFileSayWhatItsAxisIs) {
+TEST(PhasesOf, AFileSaysWhatItsAxisIs) {
     VolumesOfFile of{.file = "a.nii", .count = 8, .axis = {.unit = "ms", .first = 0.0, .step = 2500.0}};
     EXPECT_EQ(labelOf(of, 3).english(), "time 7.5 s") << "the last is later than 10 s";
     of.axis.unit = "Hz";
