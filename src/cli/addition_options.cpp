@@ -35,10 +35,14 @@ void addSecond(CLI::App& command, pictures::AdditionRequest& o) {
 void addAdditions(CLI::App& command, pictures::AdditionRequest& request) {
     command
         .add_option("--segments", request.segments,
-                    "Of DICOM segmentations in the folder: draw these alone, leave them out, or colour them")
+                    "Of segmentations in the folder or of --label-map: draw alone, leave out, or colour")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->option_text("keep:LABEL,hide:LABEL,colour:LABEL,…");
+    command
+        .add_option("--label-map", request.labelMaps,
+                    "NIfTI, NRRD or MetaImage file with segments of the volume, for --segments")
+        ->allow_extra_args(false);
     addSecond(command, request);
 }
 

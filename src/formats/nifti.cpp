@@ -156,6 +156,7 @@ struct Header {
     std::array<std::int64_t, 8> dim{};
     std::array<double, 8> pixdim{};
     double vox_offset = 0.0;
+    double toffset = 0.0;
     double scl_slope = 0.0, scl_inter = 0.0;
     int qform_code = 0, sform_code = 0;
     double quatern_b = 0.0, quatern_c = 0.0, quatern_d = 0.0;
@@ -172,6 +173,7 @@ Header headerOf(const Packed& packed) {
                   .magic = std::string(packed.magic, 4),
                   .datatype = packed.datatype,
                   .vox_offset = static_cast<double>(packed.vox_offset),
+                  .toffset = packed.toffset,
                   .scl_slope = packed.scl_slope,
                   .scl_inter = packed.scl_inter,
                   .qform_code = packed.qform_code,
@@ -285,6 +287,38 @@ double unitMm(const Header& header) {
     return units == NIFTI_UNITS_METER ? 1000.0 : units == NIFTI_UNITS_MICRON ? 0.001 : 1.0;
 }
 
+// Of the fourth axis, which the format keeps for time, or for a spectrum where the unit is one.
+VolumeAxis axisOf(const Header& header) {
+    VolumeAxis axis;
+    double factor = 1.0;
+    switch (XYZT_TO_TIME(header.xyzt_units)) {
+        case NIFTI_UNITS_SEC:
+            axis.unit = "ms", factor = 1000.0;
+            break;
+        case NIFTI_UNITS_MSEC:
+            axis.unit = "ms";
+            break;
+        case NIFTI_UNITS_USEC:
+            axis.unit = "ms", factor = 0.001;
+            break;
+        case NIFTI_UNITS_HZ:
+            axis.unit = "Hz";
+            break;
+        case NIFTI_UNITS_PPM:
+            axis.unit = "ppm";
+            break;
+        case NIFTI_UNITS_RADS:
+            axis.unit = "rad/s";
+            break;
+        default:
+            break;
+    }
+    const double step = header.pixdim[4] * factor;
+    if (std::isfinite(step) && step > 0.0) axis.step = step;
+    if (std::isfinite(header.toffset)) axis.first = header.toffset * factor;
+    return axis;
+}
+
 glm::dmat4 rasFromVoxelOf(const Header& header, const glm::ivec3& size, std::vector<Text>& assumptions) {
     const bool hasSform = header.sform_code > 0;
     const bool hasQform = header.qform_code > 0;
@@ -349,6 +383,7 @@ Result<RawImageLayout> layoutOf(const Opened& opened) {
     MACULA_TRY(const Extent extent, extentOf(header));
     layout.size = extent.size;
     layout.volumes = extent.volumes;
+    if (extent.volumes > 1) layout.axis = axisOf(header);
     MACULA_TRY(layout.type, typeOf(header.datatype));
     const double slope = header.scl_slope;
     const double intercept = header.scl_inter;

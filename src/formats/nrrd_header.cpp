@@ -1,6 +1,7 @@
 // http://teem.sourceforge.net/nrrd/format.html
 #include <algorithm>
 
+#include "formats/nrrd_volumes.h"
 #include "formats/text_header.h"
 
 namespace macula::formats {
@@ -60,7 +61,7 @@ struct Parsed {
     Fields fields;  // by name in lower case without blanks, because older files spell names differently
     std::uint64_t bytes = 0;    // size of the header, with the blank line after it
     bool hasBlankLine = false;  // after which values may follow
-    std::string valueNote;
+    Fields notes;               // by key
 };
 
 Result<Parsed> parse(const fs::path& path) {
@@ -78,7 +79,7 @@ Result<Parsed> parse(const fs::path& path) {
             const std::size_t colon = line->find(": ");
             const std::size_t note = line->find(":=");
             if (note != std::string::npos && (colon == std::string::npos || note < colon)) {
-                if (line->substr(0, note) == kValueNoteField) parsed.valueNote = line->substr(note + 2);
+                parsed.notes.emplace(line->substr(0, note), line->substr(note + 2));
                 continue;
             }
             if (colon == std::string::npos) return headerDamaged();
@@ -91,30 +92,10 @@ Result<Parsed> parse(const fs::path& path) {
     return parsed;
 }
 
-// Drops the last of four axes if it does not lie in space, and returns how many volumes lie along it: one for
-// each point in time, or for each entry of a list. Otherwise returns 1.
-std::size_t takeVolumes(Fields& fields) {
-    auto sizes = words(valueOf(fields, "sizes"));
-    auto directions = words(valueOf(fields, "spacedirections"));
-    if (valueOf(fields, "dimension") != "4" || sizes.size() != 4 || directions.empty() ||
-        lowerCase(directions.back()) != "none")
-        return 1;
-    const auto volumes = parseNumber<std::size_t>(sizes.back());
-    if (!volumes || *volumes < 1) return 1;
-    const auto withoutLast = [&](const char* key) {
-        const std::string text = valueOf(fields, key);
-        if (!text.empty()) fields[key] = trimmed(std::string_view(text).substr(0, text.find_last_of(" \t")));
-    };
-    fields["dimension"] = "3";
-    for (const char* key : {"sizes", "spacedirections", "kinds"}) withoutLast(key);
-    return *volumes;
-}
-
 Result<void> checkAxes(const Fields& fields) {
     for (const std::string& kind : words(lowerCase(valueOf(fields, "kinds")))) {
         if (kind != "domain" && kind != "space" && kind != "none" && kind != "???") {
-            return headerNotUsable(Text(
-                "The image has several values in each voxel, or an axis of time; a volume needs one value."));
+            return severalValues();
         }
     }
     std::string units = lowerCase(valueOf(fields, "spaceunits"));
@@ -168,7 +149,8 @@ Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, RawImageLayout& layout
     return affine({(*mm)[0], 0, 0}, {0, (*mm)[1], 0}, {0, 0, (*mm)[2]}, glm::dvec3(0.0));
 }
 
-Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const RawImageLayout& layout) {
+Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const RawImageLayout& layout,
+                              const NrrdVolumes& volumes) {
     const Fields& fields = parsed.fields;
     ValuesInFile values;
     const std::string encoding = lowerCase(valueOf(fields, "encoding"));
@@ -180,6 +162,7 @@ Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const 
     const std::string endian = lowerCase(valueOf(fields, "endian"));
     if (endian != "little" && endian != "big" && bytesOf(layout.type) > 1) return headerDamaged();
     values.bigEndian = endian == "big";
+    if (volumes.isInterleaved) values.interleaved = volumes.count;
     if (const std::string dataFile = valueOf(fields, "datafile"); !dataFile.empty()) {
         MACULA_TRY(values.file, besideHeader(path, dataFile));
     } else if (parsed.hasBlankLine) {
@@ -197,9 +180,8 @@ Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const 
     const auto inFile = static_cast<std::int64_t>(fs::file_size(values.file, error));
     if (!bytes || *bytes < -1 || error || (values.compressed && *bytes == -1)) return headerDamaged();
     if (*bytes == -1) {  // the values are at the end
-        const std::uint64_t needed = layout.bytes();
-        const auto there = static_cast<std::uint64_t>(inFile);
-        values.offset = there - std::min(there, needed);
+        const double needed = double(layout.bytes()) * double(volumes.count);
+        values.offset = needed < double(inFile) ? static_cast<std::uint64_t>(double(inFile) - needed) : 0;
     } else if (values.compressed) {
         values.skip = static_cast<std::uint64_t>(*bytes);
     } else {
@@ -213,14 +195,17 @@ Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const 
 Result<TextHeader> readNrrdHeader(const fs::path& path) {
     MACULA_TRY(Parsed parsed, parse(path));
     TextHeader header;
-    header.layout.volumes = takeVolumes(parsed.fields);
+    MACULA_TRY(const NrrdVolumes volumes, takeNrrdVolumes(parsed.fields, parsed.notes));
+    header.layout.volumes = volumes.count;
+    header.layout.axis = volumes.axis;
     MACULA_TRY_VOID(checkThreeAxes(valueOf(parsed.fields, "dimension")));
     MACULA_TRY_VOID(checkAxes(parsed.fields));
     MACULA_TRY(header.layout.size, parseSize(valueOf(parsed.fields, "sizes")));
     MACULA_TRY(header.layout.type, typeOf(valueOf(parsed.fields, "type")));
     MACULA_TRY(header.layout.worldFromVoxel, worldFromVoxelOf(parsed.fields, header.layout));
-    readValueNote(parsed.valueNote, header.layout);
-    MACULA_TRY(header.values, valuesOf(path, parsed, header.layout));
+    readValueNote(valueOf(parsed.notes, std::string(kValueNoteField)), header.layout);
+    MACULA_TRY(header.values, valuesOf(path, parsed, header.layout, volumes));
+    header.notes = std::move(parsed.notes);
     MACULA_TRY_VOID(checkExtent(header.layout, header.values));
     return header;
 }

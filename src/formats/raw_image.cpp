@@ -295,10 +295,14 @@ Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume) {
                      layout.volumes == 1 ? Text("Leave --series and --volume out.")
                                          : Text("Choose one of them with --volume.")};
     }
-    if (layout.volumes > 1) {
+    if (layout.volumes > 1 && (layout.axis.unit.empty() || layout.axis.isOfTimes())) {
         layout.assumptions.push_back(
             Text("The file holds {} volumes, one for each point in time; this is number {}.", layout.volumes,
                  volume));
+    } else if (layout.volumes > 1) {
+        layout.assumptions.push_back(
+            Text("The file holds {} volumes along an axis in {}, which is no time; this is number {}.",
+                 layout.volumes, layout.axis.unit, volume));
     }
     return {};
 }

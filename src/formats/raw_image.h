@@ -12,6 +12,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
+#include "formats/volume_axis.h"
 
 namespace macula::formats {
 
@@ -23,7 +24,8 @@ std::string_view nameOf(ScalarType type);  // "int16"
 // The header of the image.
 struct RawImageLayout {
     glm::ivec3 size{0};              // of one volume
-    std::size_t volumes = 1;         // in the file, one after another
+    std::size_t volumes = 1;         // in the file
+    VolumeAxis axis = {};            // of these
     glm::dmat4 worldFromVoxel{1.0};  // patient LPS mm
     ScalarType type = ScalarType::int16;
     double slope = 1.0;  // value = slope * raw + intercept; the slope may be negative, not 0

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <span>
 
 namespace macula::formats {
 
@@ -85,6 +86,23 @@ class Source {
     z_stream inflater_{};
 };
 
+// Reads values of the volume that is wanted: all, or every so manieth where volumes alternate.
+bool readPart(Source& source, const ValuesInFile& values, std::size_t width, std::span<std::byte> out) {
+    if (values.interleaved <= 1) return source.read(out.data(), out.size());
+    const std::size_t group = width * values.interleaved;  // of one voxel
+    const std::size_t most = std::max<std::size_t>(kPortion / group, 1);
+    std::vector<std::byte> groups;
+    for (std::size_t voxel = 0, voxels = out.size() / width; voxel < voxels;) {
+        const std::size_t count = std::min(most, voxels - voxel);
+        groups.resize(count * group);
+        if (!source.read(groups.data(), groups.size())) return false;
+        for (std::size_t n = 0; n < count; ++n, ++voxel)
+            std::copy_n(groups.begin() + std::ptrdiff_t(n * group + values.part * width), width,
+                        out.begin() + std::ptrdiff_t(voxel * width));
+    }
+    return true;
+}
+
 }  // namespace
 
 Error cutOff() {
@@ -95,7 +113,11 @@ Error cutOff() {
 }
 
 ValuesInFile valuesOfVolume(ValuesInFile values, const RawImageLayout& layout, std::size_t volume) {
-    (values.compressed ? values.skip : values.offset) += (volume - 1) * layout.bytes();
+    if (values.interleaved > 1) {
+        values.part = volume - 1;
+    } else {
+        (values.compressed ? values.skip : values.offset) += (volume - 1) * layout.bytes();
+    }
     return values;
 }
 
@@ -106,7 +128,8 @@ Result<void> checkExtent(const RawImageLayout& layout, const ValuesInFile& value
         return Error{ErrorCode::inputNotUsable, Text("The file cannot be read."), values.file.string(),
                      Text("Check the path and its permissions.")};
     }
-    return checkLayout(layout, bytes - std::min(bytes, values.offset), values.compressed);
+    return checkLayout(layout, (bytes - std::min(bytes, values.offset)) / values.interleaved,
+                       values.compressed);
 }
 
 Result<RawImage> readValues(RawImageLayout layout, const ValuesInFile& values, Progress& progress) {
@@ -114,6 +137,7 @@ Result<RawImage> readValues(RawImageLayout layout, const ValuesInFile& values, P
     RawImage image{std::move(layout), {}};
     const auto bytes = static_cast<std::size_t>(image.bytes());
     progress.beginStage(Text("Reading"), (bytes + kPortion - 1) / kPortion);
+    const std::size_t width = bytesOf(image.type);
     Source source(values);
     const auto cancelled = [] { return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}}; };
     if (!source.skip(values.skip, progress.token())) return progress.cancelled() ? cancelled() : cutOff();
@@ -121,12 +145,11 @@ Result<RawImage> readValues(RawImageLayout layout, const ValuesInFile& values, P
     for (std::size_t at = 0; at < bytes; at += kPortion) {
         const std::size_t length = std::min(kPortion, bytes - at);
         image.data.resize(at + length);
-        if (!source.read(image.data.data() + at, length)) return cutOff();
+        if (!readPart(source, values, width, {image.data.data() + at, length})) return cutOff();
         progress.advance();
         if (progress.cancelled()) return cancelled();
     }
     if (!source.endsWell()) return cutOff();
-    const std::size_t width = bytesOf(image.type);
     if (values.bigEndian && width > 1) {
         for (auto value = image.data.begin(); value != image.data.end();
              value += static_cast<std::ptrdiff_t>(width))

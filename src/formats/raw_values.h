@@ -13,6 +13,9 @@ struct ValuesInFile {
     std::uint64_t skip = 0;    // bytes before the values in the uncompressed stream
     bool compressed = false;   // zlib or gzip
     bool bigEndian = false;
+    // Values of this many volumes alternate, voxel by voxel, and those of number `part`, from 0, are wanted.
+    std::size_t interleaved = 1;
+    std::size_t part = 0;
 };
 
 // The error of a file that ends too early, or whose values are damaged.

@@ -21,6 +21,7 @@ namespace macula::formats {
 struct TextHeader {
     RawImageLayout layout;
     ValuesInFile values;
+    std::map<std::string, std::string> notes;  // NRRD: what programs add, "key:=value"
 };
 
 // inputNotUsable for images that are not a volume of scalars, for encodings other than raw and deflate, for

@@ -242,7 +242,8 @@ Result<VolumeFileInfo> readVolumeFileInfo(const fs::path& path) try {
                           .worldFromVoxel = layout->worldFromVoxel,
                           .assumptions = layout->assumptions,
                           .isCalibrated = layout->isCalibrated,
-                          .volumes = layout->volumes};
+                          .volumes = layout->volumes,
+                          .axis = layout->axis};
 } catch (const std::exception& thrown) {
     return errorOf(thrown, Text("read the header of this volume"), path.string());
 }

@@ -12,6 +12,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
+#include "formats/volume_axis.h"
 
 namespace macula::formats {
 
@@ -44,7 +45,8 @@ struct VolumeFileInfo {
     glm::dmat4 worldFromVoxel{1.0};
     std::vector<Text> assumptions;
     bool isCalibrated = true;  // as in Provenance
-    std::size_t volumes = 1;   // one for each point in time
+    std::size_t volumes = 1;   // one for each point in time, or of another axis
+    VolumeAxis axis = {};      // of these
 };
 
 // Reads only the header.

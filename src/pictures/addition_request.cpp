@@ -20,17 +20,25 @@ namespace {
 Result<scene::SegmentsToDraw> segmentsOf(const ResolvedAdditions& choice, const study::ReadStudy& study,
                                          Progress& progress) {
     if (!choice.needsSegmentations()) return scene::SegmentsToDraw();
-    if (!study.found) {
+    scene::SegmentationsThere there;
+    for (const std::filesystem::path& file : choice.labelMaps) {
+        MACULA_TRY(study::OpenedLabelMap map, study::openLabelMap(file, *study.input.volume, progress));
+        there.labelMaps.push_back(std::move(map));
+    }
+    if (!study.found && there.labelMaps.empty()) {
         scene::SegmentsToDraw none;
         none.notes.push_back(Text("The segments of the view are not here; all of the volume is shown."));
         return none;
     }
-    MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(study.found->scan(), study.series));
-    const auto& volumes = study.found->volumes();
-    const auto volume = std::ranges::find(volumes, chosen.stack, &study::FoundVolume::stack);
-    MACULA_CHECK(volume != volumes.end());
-    return scene::segmentsToDraw(*study.found, *volume, choice.ofView, choice.segments, *study.input.volume,
-                                 progress);
+    if (study.found) {
+        MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(study.found->scan(), study.series));
+        const auto& volumes = study.found->volumes();
+        const auto volume = std::ranges::find(volumes, chosen.stack, &study::FoundVolume::stack);
+        MACULA_CHECK(volume != volumes.end());
+        there.found = study.found.get();
+        there.volume = &*volume;
+    }
+    return scene::segmentsToDraw(there, choice.ofView, choice.segments, *study.input.volume, progress);
 }
 
 // Combines the mask of the clip with `mask`.
@@ -69,7 +77,9 @@ Result<void> addSecond(const ResolvedAdditions& choice, const study::ReadStudy& 
 }  // namespace
 
 std::vector<std::filesystem::path> filesOf(const AdditionRequest& request) {
-    return {request.second.path, request.second.preset};
+    std::vector<std::filesystem::path> files{request.second.path, request.second.preset};
+    files.insert(files.end(), request.labelMaps.begin(), request.labelMaps.end());
+    return files;
 }
 
 bool ResolvedAdditions::needsSegmentations() const {
@@ -87,11 +97,17 @@ Result<ResolvedAdditions> resolveAdditions(const AdditionRequest& request, const
         MACULA_TRY(scene::SegmentRequest segment, scene::segmentRequestFrom(typed));
         choice.segments.push_back(std::move(segment));
     }
-    if (!choice.segments.empty() && !study::mayHoldSegmentations(study))
+    choice.labelMaps = request.labelMaps;
+    if (!choice.labelMaps.empty() && choice.segments.empty())
+        return Error{ErrorCode::usage,
+                     Text("Nothing says what to do with the segments of the label map."),
+                     {},
+                     Text("Add --segments, such as --segments colour:\"Label 1\".")};
+    if (!choice.segments.empty() && choice.labelMaps.empty() && !study::mayHoldSegmentations(study))
         return Error{ErrorCode::usage,
                      Text("Only a folder of DICOM files can have segmentations."),
                      {},
-                     Text("Leave --segments out.")};
+                     Text("Leave --segments out, or give a file with segments by --label-map.")};
     choice.second = request.second;
     choice.ofView = std::exchange(state.segmentations, {});
     choice.secondVolume = std::exchange(state.secondVolume, std::nullopt);

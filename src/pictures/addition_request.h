@@ -22,8 +22,9 @@ namespace macula::pictures {
 
 // Empty fields: not given.
 struct AdditionRequest {
-    std::vector<std::string> segments = {};  // each as segmentRequestFrom takes it
-    scene::SecondVolumeRequest second = {};  // in the same picture; read with the study's options
+    std::vector<std::string> segments = {};             // each as segmentRequestFrom takes it
+    std::vector<std::filesystem::path> labelMaps = {};  // files with segments (study::openLabelMap)
+    scene::SecondVolumeRequest second = {};             // in the same picture; read with the study's options
     bool secondLinkIsGiven = false;
 };
 
@@ -33,6 +34,7 @@ std::vector<std::filesystem::path> filesOf(const AdditionRequest& request);
 // The options together with the segments and second volume of a view.
 struct ResolvedAdditions {
     std::vector<scene::SegmentRequest> segments;
+    std::vector<std::filesystem::path> labelMaps;
     std::vector<scene::SegmentationSettings> ofView;
     scene::SecondVolumeRequest second;
     std::optional<scene::SecondVolumeState> secondVolume;  // the second volume of the view

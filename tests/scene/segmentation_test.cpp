@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "formats/volume_file.h"
 #include "pictures/addition_request.h"
 #include "pipeline/volume/mask_bits.h"
 #include "scene/clip/combined_mask.h"
@@ -286,7 +287,7 @@ TEST_F(SegmentationOfAFolder, InColourTheirVoxelsHaveTheColoursThatWereChosen) {
     // By its label, for who has no window.
     const SegmentRequest request = *segmentRequestFrom("colour:tumour");
     const auto drawn =
-        segmentsToDraw(*study_.found, volume(), {}, std::vector{request}, *study_.volume, progress);
+        segmentsToDraw({study_.found.get(), &volume()}, {}, std::vector{request}, *study_.volume, progress);
     ASSERT_TRUE(drawn) << drawn.error().message;
     EXPECT_FALSE(drawn->mask) << "nothing is hidden";
     ASSERT_TRUE(drawn->tints);
@@ -318,6 +319,41 @@ TEST_F(SegmentationOfAFolder, InColourAPictureSaysSoButAProjection) {
               "Segments have no colours in this look: they have in all but projections.");
 }
 
+// For who has no window: beside the segmentations of the folder, and where there is no folder.
+TEST_F(SegmentationOfAFolder, LabelMapsOfFilesAreDrawnToo) {
+    open();
+    std::vector<std::uint16_t> labels;
+    forEachVoxel([&](const glm::ivec3&, const glm::dvec3& mm) {
+        labels.push_back(glm::distance(mm, centreMm_) <= 4.0 ? 9 : 0);
+    });
+    const auto map =
+        LabelMap::create(study_.volume->size(), study_.volume->worldFromVoxel(), {}, std::move(labels));
+    ASSERT_TRUE(map);
+    Progress progress;
+    const std::filesystem::path file = folder_ / "labels.nrrd";
+    ASSERT_TRUE(formats::writeVolumeFile(*map, file, progress));
+    study::ReadStudy study;
+    study.input.volume = in16Bits(study_.volume);
+    StudyState state;
+    pictures::AdditionRequest request{.segments = {"keep:Label 9"}, .labelMaps = {file}};
+    for (const auto& found : {study_.found, std::shared_ptr<const study::FoundVolumes>()}) {
+        study.found = found;
+        const auto choice = pictures::resolveAdditions(request, folder_ / "a.nii", state);
+        ASSERT_TRUE(choice) << choice.error().message;
+        Clip clip;
+        const auto made = pictures::makeAdditions(*choice, study, trace::Look::cinematic, clip, progress);
+        ASSERT_TRUE(made) << made.error().message;
+        ASSERT_TRUE(clip.mask);
+        const MaskBits bits = maskBits(*clip.mask, *study_.volume);
+        forEachVoxel([&](const glm::ivec3& v, const glm::dvec3& mm) {
+            ASSERT_EQ(bits.shows(v.x, v.y, v.z), glm::distance(mm, centreMm_) <= 4.0);
+        });
+    }
+    EXPECT_EQ(pictures::filesOf(request).back(), file) << "no output may replace it";
+    request.segments.clear();
+    EXPECT_EQ(pictures::resolveAdditions(request, folder_ / "a.nii", state).error().code, ErrorCode::usage);
+}
+
 TEST_F(SegmentationOfAFolder, IsKeptOrHiddenByItsLabel) {
     open();
     Progress progress;
@@ -325,7 +361,7 @@ TEST_F(SegmentationOfAFolder, IsKeptOrHiddenByItsLabel) {
                           std::vector<SegmentationSettings> choices = {}) {
         std::vector<SegmentRequest> requests;
         for (const std::string& each : typed) requests.push_back(*segmentRequestFrom(each));
-        return segmentsToDraw(*study_.found, volume(), std::move(choices), requests, *study_.volume,
+        return segmentsToDraw({study_.found.get(), &volume()}, std::move(choices), requests, *study_.volume,
                               progress);
     };
     const auto both = draw({"keep:liver", "hide:Tumour"});

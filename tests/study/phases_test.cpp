@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "formats/nifti_bytes.h"
 #include "found_by_hand.h"
 #include "study/open/opened_study.h"
 #include "support.h"
@@ -94,6 +95,57 @@ TEST(PhasesOf, AnotherGridIsNoPhase) {
     const auto phases = phasesOf(*found({test::seriesOf(1, "Heart", std::move(stacks))}), 0);
     ASSERT_EQ(phases.size(), 2u);
     EXPECT_EQ(phases[1].volume, 2u);
+}
+
+// A NIfTI file of three times, 2.5 s apart, whose values are 100 times the number of the volume.
+std::filesystem::path writeTimes(const std::filesystem::path& path, int count) {
+    formats::test::NiftiBytes file = formats::test::makeNifti(4, 2);
+    file.set<std::int16_t>(40, 4);
+    file.set<std::int16_t>(48, std::int16_t(count));
+    file.set(92, 2.5f);
+    file.bytes[123] = char(2 | 8);
+    file.bytes.resize(352 + std::size_t(count) * 120);
+    for (int n = 0; n < count * 60; ++n)
+        file.set<std::int16_t>(352 + 2 * std::size_t(n), std::int16_t(100 * (n / 60) + 1));
+    formats::test::writeBytes(path, file.bytes);
+    return path;
+}
+
+TEST(PhasesOf, AreTheVolumesOfAFile) {
+    const dicom::test::TemporaryFolder folder;
+    const std::filesystem::path path = writeTimes(folder / "times.nii", 3);
+    Progress progress;
+    const auto study = openStudy(path, progress);
+    ASSERT_TRUE(study) << study.error().message;
+    EXPECT_EQ(study->measured()->value(0, 0, 0), 1.0);
+    const std::vector<Phase> phases = phasesOf(*study);
+    ASSERT_EQ(phases.size(), 3u);
+    EXPECT_EQ(phases[0].label.english(), "time 0 ms");
+    EXPECT_EQ(phases[2].label.english(), "time 5000 ms");
+    EXPECT_EQ(phases[2].atMs, 5000.0);
+    const PhaseSource source = phaseSourceOf(*study);
+    for (const Phase& each : phases) {
+        const auto phase = openPhase(source, each.volume, progress);
+        ASSERT_TRUE(phase) << phase.error().message;
+        EXPECT_EQ(phase->measured()->value(2, 3, 4), 100.0 * double(each.volume) + 1.0);
+        EXPECT_EQ(phase->volumeIndex, each.volume);
+        EXPECT_EQ(phasesOf(*phase), phases) << "each of them knows the others";
+        EXPECT_EQ(phaseSourceOf(*phase), source);
+    }
+    writeTimes(path, 1);
+    EXPECT_FALSE(openPhase(source, 2, progress)) << "the file is another one by now";
+    EXPECT_TRUE(phasesOf(*openStudy(path, progress)).empty()) << "one volume has no phases";
+}
+
+TEST(PhasesOf, AFileSaysWhatItsAxisIs) {
+    VolumesOfFile of{.file = "a.nii", .count = 8, .axis = {.unit = "ms", .first = 0.0, .step = 2500.0}};
+    EXPECT_EQ(labelOf(of, 3).english(), "time 7.5 s") << "the last is later than 10 s";
+    of.axis.unit = "Hz";
+    EXPECT_EQ(labelOf(of, 1).english(), "at 2500 Hz, which is no time");
+    of.axis.unit.clear();
+    EXPECT_EQ(labelOf(of, 1).english(), "at 2500, in a unit that the file does not name");
+    of.axis.step.reset();
+    EXPECT_EQ(labelOf(of, 1).english(), "the file does not say when");
 }
 
 class SharedPhases : public testing::Test {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QClipboard>
 #include <QDesktopServices>
 #include <QFile>
@@ -133,7 +134,8 @@ class DocumentsWindowTest : public WindowTest {
         tree->expandAll();
         for (QModelIndex index = tree->model()->index(0, 0); index.isValid();
              index = tree->indexBelow(index)) {
-            if (!index.data(Qt::UserRole).toStringList().join(QLatin1Char(' ')).contains(title)) continue;
+            const QString words = index.data(Qt::UserRole).toStringList().join(QLatin1Char(' '));
+            if (!words.contains(title) || words.contains(QStringLiteral("key image"))) continue;
             tree->setCurrentIndex(index);
             QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
             QApplication::sendEvent(tree, &enter);
@@ -183,6 +185,39 @@ TEST_F(DocumentsWindowTest, KeyImagesAreWalkedThrough) {
     QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
     QApplication::sendEvent(&dialog(), &escape);
     EXPECT_FALSE(dialog().isVisible());
+}
+
+// In the list of studies the series is marked; a key of the window goes from one to the next.
+TEST_F(DocumentsWindowTest, KeyImagesAreMarkedInTheListAndSteppedThrough) {
+    openStudy();
+    auto* tree = window_->findChild<QTreeView*>(QStringLiteral("studies"));
+    tree->expandAll();
+    const auto isMarked = [&] {
+        for (QModelIndex index = tree->model()->index(0, 0); index.isValid(); index = tree->indexBelow(index))
+            if (index.data(Qt::UserRole)
+                    .toStringList()
+                    .join(QLatin1Char(' '))
+                    .contains(QStringLiteral("2 key images: Of Interest")))
+                return true;
+        return false;
+    };
+    ASSERT_TRUE(waitUntil(isMarked));
+    auto* next = window_->findChild<QAction*>(QStringLiteral("next-key-image"));
+    auto* previous = window_->findChild<QAction*>(QStringLiteral("previous-key-image"));
+    ASSERT_TRUE(next->isEnabled());
+    EXPECT_EQ(next->shortcut(), QKeySequence(QStringLiteral("Ctrl+Shift+K")));
+    next->trigger();
+    EXPECT_EQ(sliceOfCrosshair(), 2);
+    EXPECT_TRUE(window_->message().contains(QStringLiteral("Key image 1 of 2")))
+        << window_->message().toStdString();
+    next->trigger();
+    EXPECT_EQ(sliceOfCrosshair(), 9);
+    next->trigger();
+    EXPECT_EQ(sliceOfCrosshair(), 2) << "and begins again";
+    previous->trigger();
+    EXPECT_EQ(sliceOfCrosshair(), 9);
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return !next->isEnabled(); })) << "the phantom has none";
 }
 
 TEST_F(DocumentsWindowTest, AReportIsReadAsPlainTextAndFollowed) {

@@ -14,6 +14,7 @@
 
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
+#include "formats/nifti_bytes.h"
 #include "viewer/phases/phase_bar.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/window_fixture.h"
@@ -85,6 +86,32 @@ TEST_F(PhasesWindowTest, SlicesShowThePhaseThatIsChosen) {
     window_->open(std::nullopt);  // the phantom has no phases
     ASSERT_TRUE(waitUntil([this] { return !bar().isVisible(); }));
     EXPECT_FALSE(axial().tags().join(QLatin1Char(' ')).contains(QStringLiteral("Phase")));
+}
+
+// A NIfTI file of four times, 1.5 s apart; values are 100 times the number of the volume.
+TEST_F(PhasesWindowTest, VolumesOfAFileArePhases) {
+    formats::test::NiftiBytes file = formats::test::makeNifti(4, 2);
+    file.set<std::int16_t>(40, 4);
+    file.set<std::int16_t>(48, 4);
+    file.set(92, 1.5f);
+    file.bytes[123] = char(2 | 8);
+    file.bytes.resize(352 + std::size_t(4 * 120));
+    for (int n = 0; n < 4 * 60; ++n)
+        file.set<std::int16_t>(352 + 2 * std::size_t(n), std::int16_t(100 * (n / 60) + n % 60));
+    formats::test::writeBytes(folder_ / "times.nii", file.bytes);
+    window_->open(folder_ / "times.nii");
+    ASSERT_TRUE(waitUntil([this] { return window_->hasStudy() && !window_->loading(); }));
+    ASSERT_TRUE(shows(QStringLiteral("Phase 1 of 4")));
+    const double first = probed();
+    choose(3);
+    ASSERT_TRUE(shows(QStringLiteral("Phase 4 of 4, time 4500 ms")));
+    EXPECT_NEAR(probed() - first, 300.0, 1e-6);
+    click("phases-open");
+    ASSERT_TRUE(waitUntil([this] { return window_->session().study().volumeIndex == 3; }));
+    EXPECT_EQ(window_->session().study().measured()->value(0, 0, 0), 300.0);
+    ASSERT_TRUE(shows(QStringLiteral("Phase 4 of 4")));
+    choose(0);
+    ASSERT_TRUE(shows(QStringLiteral("saved values: phase 4")));
 }
 
 TEST_F(PhasesWindowTest, PlayingLeavesNoneOut) {

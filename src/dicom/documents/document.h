@@ -73,8 +73,9 @@ struct StudyDocument {
 
     std::filesystem::path file;
     Kind kind = Kind::report;
-    Text kindName;  // "Structured report"
-    Text title;     // "Chest CT Report"; may be empty
+    Text kindName;             // "Structured report"
+    Text title;                // "Chest CT Report"; may be empty
+    CodedName titleCode = {};  // of a report or a selection
     std::string sopClassUid, sopInstanceUid, studyInstanceUid;
     std::string patientName;  // components separated by ^
     PatientIdentity patient;

@@ -72,7 +72,8 @@ void addStatus(StudyDocument& document, const Dataset& header) {
 }  // namespace
 
 void readReport(StudyDocument& document, const Dataset& header) {
-    document.title = wordsOf(codeIn(header, tags::kConceptName));
+    document.titleCode = codeIn(header, tags::kConceptName);
+    document.title = wordsOf(document.titleCode);
     if (document.title.empty()) document.notes.push_back(Text("The document has no title."));
     // A selection has no status (PS3.3 C.17.6.2).
     if (document.kind == StudyDocument::Kind::report) addStatus(document, header);

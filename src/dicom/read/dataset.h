@@ -48,9 +48,9 @@ class Dataset {
     bool has(Tag tag) const;
 
     // All getters return nothing, and never a default, when the element is missing, empty, larger than 256
-    // KiB, or of another type. Text is UTF-8 (converted from SpecificCharacterSet, PS3.3 C.12.1.1.2) without
-    // padding and without direction controls (printable.h); text() keeps the backslashes between several
-    // values, texts() splits at them.
+    // KiB (overlays: 8 MiB), or of another type. Text is UTF-8 (converted from SpecificCharacterSet, PS3.3
+    // C.12.1.1.2) without padding and without direction controls (printable.h); text() keeps the backslashes
+    // between several values, texts() splits at them.
     std::optional<std::string> text(Tag tag) const;
     std::vector<std::string> texts(Tag tag) const;
     // The same for elements that are read for every frame and short in real files: nothing for values above 4

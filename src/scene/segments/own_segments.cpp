@@ -1,12 +1,11 @@
 #include "scene/segments/own_segments.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <new>
 #include <random>
 #include <utility>
 
+#include "base/label_sets.h"
 #include "base/sha256.h"
 #include "segment/voxel_sets.h"
 
@@ -54,33 +53,6 @@ bool isSameGrid(const Volume& a, const Volume& b) {
         if (!(offMm <= mostMm)) return false;
     }
     return true;
-}
-
-struct LabelBox {
-    glm::ivec3 low{0};
-    glm::ivec3 high{-1};
-};
-
-Result<std::map<std::uint16_t, LabelBox>> boxesOf(const Volume& labels) {
-    std::map<std::uint16_t, LabelBox> boxes;
-    const glm::ivec3 size = labels.size();
-    for (int k = 0; k < size.z; ++k)
-        for (int j = 0; j < size.y; ++j)
-            for (int i = 0; i < size.x; ++i) {
-                const double value = labels.value(i, j, k);
-                constexpr double kMostNumber = 65535.0;
-                if (!(value >= 0.0 && value <= kMostNumber) || value != std::floor(value))
-                    return notALabelMap(
-                        Text("The result has values that are no numbers of segments, from 0 to 65535."));
-                if (value == 0.0) continue;
-                const glm::ivec3 at(i, j, k);
-                const auto [box, isNew] = boxes.try_emplace(std::uint16_t(value), LabelBox{at, at});
-                if (isNew && boxes.size() > kMostOwnSegments)
-                    return notALabelMap(Text("The result has more than {} segments.", kMostOwnSegments));
-                box->second.low = glm::min(box->second.low, at);
-                box->second.high = glm::max(box->second.high, at);
-            }
-    return boxes;
 }
 
 }  // namespace
@@ -152,21 +124,13 @@ Result<FlatSegments> flattened(std::span<const OwnSegment> segments, const Volum
 Result<std::vector<OwnSegment>> segmentsOfLabels(const Volume& labels, const Volume& volume) try {
     if (!isSameGrid(labels, volume))
         return notALabelMap(Text("The result has other voxels than the volume, or lies elsewhere."));
-    MACULA_TRY(const auto boxes, boxesOf(labels));
-    if (boxes.empty()) return notALabelMap(Text("The result has no segment: all of its voxels are 0."));
-    double bytes = 0.0;
-    for (const auto& [number, box] : boxes) bytes += VoxelSet::bytesFor(box.low, box.high);
-    MACULA_TRY_VOID(segment::checkMemory(bytes, 1.0));
-    std::map<std::uint16_t, VoxelSet> sets;
-    for (const auto& [number, box] : boxes) sets.emplace(number, VoxelSet(box.low, box.high));
-    const glm::ivec3 size = labels.size();
-    for (int k = 0; k < size.z; ++k)
-        for (int j = 0; j < size.y; ++j)
-            for (int i = 0; i < size.x; ++i)
-                if (const double value = labels.value(i, j, k); value != 0.0)
-                    sets.at(std::uint16_t(value)).add({i, j, k});
+    auto sets = labelSets(labels, kMostOwnSegments);
+    if (!sets && sets.error().code == ErrorCode::inputNotUsable)
+        return notALabelMap(std::move(sets.error().message));
+    if (!sets) return sets.error();
+    if (sets->empty()) return notALabelMap(Text("The result has no segment: all of its voxels are 0."));
     std::vector<OwnSegment> segments;
-    for (auto& [number, set] : sets) {
+    for (auto& [number, set] : *sets) {
         OwnSegment own;
         own.segment.number = number;
         own.segment.label = "Label " + std::to_string(number);

@@ -40,6 +40,14 @@ bool chooseByLabel(const std::vector<study::FoundSegmentation>& found, const Seg
     return isThere;
 }
 
+Result<std::shared_ptr<const study::LoadedSegmentation>> loadedOf(const SegmentationsThere& there,
+                                                                  const study::FoundSegmentation& found,
+                                                                  const Volume& voxels, Progress& progress) {
+    for (const study::OpenedLabelMap& map : there.labelMaps)
+        if (map.found.digest == found.digest) return map.loaded;
+    return study::loadSegments(found, voxels, *there.volume->stack, progress);
+}
+
 }  // namespace
 
 Result<SegmentRequest> segmentRequestFrom(const std::string& typed) {
@@ -55,12 +63,15 @@ Result<SegmentRequest> segmentRequestFrom(const std::string& typed) {
     return request;
 }
 
-Result<SegmentsToDraw> segmentsToDraw(const study::FoundVolumes& found, const study::FoundVolume& volume,
+Result<SegmentsToDraw> segmentsToDraw(const SegmentationsThere& there,
                                       std::vector<SegmentationSettings> choices,
                                       std::span<const SegmentRequest> requests, const Volume& voxels,
                                       Progress& progress) {
-    MACULA_TRY(const std::vector<study::FoundSegmentation> all,
-               study::findSegmentations(found, volume, progress));
+    std::vector<study::FoundSegmentation> all;
+    if (there.found != nullptr) {
+        MACULA_TRY(all, study::findSegmentations(*there.found, *there.volume, progress));
+    }
+    for (const study::OpenedLabelMap& map : there.labelMaps) all.push_back(map.found);
     for (const SegmentRequest& request : requests) {
         if (!chooseByLabel(all, request, choices))
             return Error{ErrorCode::usage,
@@ -78,7 +89,7 @@ Result<SegmentsToDraw> segmentsToDraw(const study::FoundVolumes& found, const st
     };
     for (const study::FoundSegmentation& each : all) {
         if (!each.canBeShown() || !isWanted(each.digest)) continue;
-        MACULA_TRY(auto segments, study::loadSegments(each, voxels, *volume.stack, progress));
+        MACULA_TRY(auto segments, loadedOf(there, each, voxels, progress));
         for (const Text& note : segments->notes) drawn.notes.push_back(Text("Segmentation: {}", note));
         loaded.push_back(std::move(segments));
     }

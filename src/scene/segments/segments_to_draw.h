@@ -13,6 +13,7 @@
 #include "scene/segments/segment_tints.h"
 #include "scene/segments/segmentation_settings.h"
 #include "study/segmentation/found_segmentation.h"
+#include "study/segmentation/label_map.h"
 
 namespace macula::scene {
 
@@ -31,10 +32,17 @@ struct SegmentsToDraw {
     std::vector<Text> notes;            // sentences, without patient data
 };
 
+// The segmentations of a volume.
+struct SegmentationsThere {
+    const study::FoundVolumes* found = nullptr;         // null: the volume is of no folder
+    const study::FoundVolume* volume = nullptr;         // among `found`
+    std::vector<study::OpenedLabelMap> labelMaps = {};  // on the voxels of the volume
+};
+
 // Adds `requests` to the choices of a view. A request applies to all segments with its label, in upper or
 // lower case, of the volume's segmentations. Errors: usage if there is no such segment; those of
 // loadSegments.
-Result<SegmentsToDraw> segmentsToDraw(const study::FoundVolumes& found, const study::FoundVolume& volume,
+Result<SegmentsToDraw> segmentsToDraw(const SegmentationsThere& there,
                                       std::vector<SegmentationSettings> choices,
                                       std::span<const SegmentRequest> requests, const Volume& voxels,
                                       Progress& progress);

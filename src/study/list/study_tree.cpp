@@ -101,7 +101,8 @@ bool isDate(std::string_view text) {
 
 class Builder {
   public:
-    Builder(const FoundVolumes& found, Names names) : found_(found), hides_(names == Names::hidden) {
+    Builder(const FoundVolumes& found, Names names, const KeyImages* keys)
+        : found_(found), hides_(names == Names::hidden), keys_(keys) {
         for (std::size_t i = 0; i < found.volumes().size(); ++i)
             volumes_.emplace(found.volumes()[i].stack, i);
     }
@@ -203,6 +204,7 @@ class Builder {
             if (Text voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
             if (Text on = doseText(stack, patient); !on.empty()) row.details.push_back(std::move(on));
         }
+        addKeyImages(series, row);
         const std::vector<const dicom::OtherObject*> presentations = presentationsOf(series);
         const std::vector<const dicom::OtherObject*> documents = documentsOf(series);
         // A series of presentation states or documents alone lacks no volume: a user opens one of them.
@@ -227,6 +229,13 @@ class Builder {
             if (!isOneDocument) addDocument(*object, patient, index);
         if (isOne) return;
         for (std::size_t i = 0; i < series.stacks.size(); ++i) addStack(series.stacks[i], i, index);
+    }
+
+    // Of a series or a stack.
+    template <class Images>
+    void addKeyImages(const Images& images, StudyRow& row) const {
+        if (keys_ == nullptr) return;
+        for (Text& line : keys_->linesOf(images, !hides_)) row.details.push_back(std::move(line));
     }
 
     Text titleOf(const dicom::Series& series) const {
@@ -348,6 +357,7 @@ class Builder {
         row.title = Text::joined(std::move(labels), ", ");
         row.details = {withBetween({imagesText(stack.frames.size()), sizeText(stack)})};
         if (Text voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
+        addKeyImages(stack, row);
         if (found_.isWhole() && canBeShownAsImages(stack))
             setImages(row, stack);
         else
@@ -412,14 +422,15 @@ class Builder {
 
     const FoundVolumes& found_;
     const bool hides_;
+    const KeyImages* keys_;
     std::map<const dicom::Stack*, std::size_t> volumes_;
     StudyTree tree_;
 };
 
 }  // namespace
 
-StudyTree studyTree(const FoundVolumes& found, Names names) {
-    return Builder(found, names).build();
+StudyTree studyTree(const FoundVolumes& found, Names names, const KeyImages* keys) {
+    return Builder(found, names, keys).build();
 }
 
 std::vector<bool> rowsThatMatch(const StudyTree& tree, std::string_view typed) {

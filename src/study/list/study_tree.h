@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "study/documents/key_images.h"
 #include "study/open/found_volumes.h"
 
 namespace macula::study {
@@ -75,7 +76,8 @@ enum class Names {
 // Patients and series in the order of the scan, studies and presentation states newest first, these below
 // their series. Lists all series but those that dicom::key::kUidPerSlice asks about, which share one row.
 // Files that were left out of the scan come last.
-StudyTree studyTree(const FoundVolumes& found, Names names = Names::shown);
+// `keys` are of the same FoundVolumes; null: nobody has looked for key images.
+StudyTree studyTree(const FoundVolumes& found, Names names = Names::shown, const KeyImages* keys = nullptr);
 
 // The rows to show for a search: those that hold all words, counting the words of the rows above them; all
 // rows below these, and those above. If nothing was typed, all rows.

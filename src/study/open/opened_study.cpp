@@ -20,6 +20,7 @@
 #include "study/open/found_volumes.h"
 #include "study/open/image_numbers.h"
 #include "study/open/scanned_place.h"
+#include "study/open/volumes_of_file.h"
 #include "unpack/archive_name.h"
 
 namespace macula::study {
@@ -87,9 +88,7 @@ Result<OpenedStudy> openPhantom(Progress& progress) {
                        .description = Text("Built-in phantom")};
 }
 
-// Opens a NIfTI, NRRD or MetaImage file, which has one volume and no patient name.
-Result<OpenedStudy> openVolumeFile(const std::filesystem::path& path, Progress& progress) {
-    MACULA_TRY(std::shared_ptr<const Volume> volume, formats::readVolumeFile(path, progress));
+OpenedStudy studyOf(std::shared_ptr<const Volume> volume, const std::filesystem::path& path) {
     const std::string name = path.filename().string();
     std::string digest = fingerprint(*volume);
     Quantised drawn = quantised(volume);
@@ -98,6 +97,40 @@ Result<OpenedStudy> openVolumeFile(const std::filesystem::path& path, Progress& 
                        .seriesDigest = std::move(digest),
                        .identity = {.series = Text("File {}", name)},
                        .description = Text::verbatim(name)};
+}
+
+// Opens a NIfTI, NRRD or MetaImage file, which has no patient name, at its first volume.
+Result<OpenedStudy> openVolumeFile(const std::filesystem::path& path, Progress& progress) {
+    MACULA_TRY(const formats::VolumeFileInfo info, formats::readVolumeFileInfo(path));
+    MACULA_TRY(std::shared_ptr<const Volume> volume, formats::readVolumeFile(path, progress));
+    OpenedStudy study = studyOf(std::move(volume), path);
+    if (info.volumes > kMostVolumesOfFile) {
+        study.messages.push_back(
+            Text("The file holds {} volumes; Macula can choose from {} at most, and "
+                 "shows the first alone.",
+                 info.volumes, kMostVolumesOfFile));
+    } else if (info.volumes > 1) {
+        study.ofFile =
+            std::make_shared<const VolumesOfFile>(VolumesOfFile{.file = path,
+                                                                .count = info.volumes,
+                                                                .axis = info.axis,
+                                                                .size = info.size,
+                                                                .worldFromVoxel = info.worldFromVoxel});
+    }
+    return study;
+}
+
+Result<OpenedStudy> volumeOfFile(std::shared_ptr<const VolumesOfFile> volumes, std::size_t index,
+                                 Progress& progress) {
+    MACULA_TRY(std::shared_ptr<const Volume> volume,
+               formats::readVolumeFile(volumes->file, progress, index + 1));
+    if (volume->size() != volumes->size || volume->worldFromVoxel() != volumes->worldFromVoxel)
+        return Error{ErrorCode::inputNotUsable, Text("The file is another one by now."),
+                     volumes->file.string(), Text("Open it again.")};
+    OpenedStudy study = studyOf(std::move(volume), volumes->file);
+    study.volumeIndex = index;
+    study.ofFile = std::move(volumes);
+    return study;
 }
 
 bool isMediaDirectory(const std::filesystem::path& file) {
@@ -260,6 +293,12 @@ Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, con
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                                     Progress& progress) {
     return withoutExceptions({}, [&] { return loadFound(std::move(found), index, progress); });
+}
+
+Result<OpenedStudy> openVolumeOfFile(std::shared_ptr<const VolumesOfFile> volumes, std::size_t index,
+                                     Progress& progress) {
+    return withoutExceptions(volumes->file,
+                             [&] { return volumeOfFile(std::move(volumes), index, progress); });
 }
 
 }  // namespace macula::study

@@ -17,6 +17,7 @@
 namespace macula::study {
 
 class FoundVolumes;
+struct VolumesOfFile;
 
 // An opened source. All strings are for the screen; they may name a patient.
 struct OpenedStudy {
@@ -32,6 +33,8 @@ struct OpenedStudy {
     std::shared_ptr<const FoundVolumes> found = {};
     std::vector<Text> volumeTitles = {};
     std::size_t volumeIndex = 0;
+    // All volumes of a file with several, of which this is number `volumeIndex`, from 0; otherwise null.
+    std::shared_ptr<const VolumesOfFile> ofFile = {};
     std::vector<int> imageNumbers = {};         // of its slices: see imageNumbersOf()
     bool isLowBright = false;                   // low values are drawn white: MONOCHROME1, and PET by custom
     Text joinQuestion = {};                     // see dicom::ScanOptions
@@ -67,5 +70,8 @@ Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, con
 // Decodes another volume of the folder.
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                                     Progress& progress);
+// Reads another volume of the file, and no more. inputNotUsable where the file is another one by now.
+Result<OpenedStudy> openVolumeOfFile(std::shared_ptr<const VolumesOfFile> volumes, std::size_t index,
+                                     Progress& progress);
 
 }  // namespace macula::study

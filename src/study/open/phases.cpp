@@ -138,4 +138,27 @@ std::vector<Phase> phasesOf(const FoundVolumes& found, std::size_t volume) {
     return phases.size() < 2 ? std::vector<Phase>() : phases;
 }
 
+std::vector<Phase> phasesOf(const OpenedStudy& study) {
+    if (study.found) return phasesOf(*study.found, study.volumeIndex);
+    if (!study.ofFile) return {};
+    const VolumesOfFile& of = *study.ofFile;
+    std::vector<Phase> phases;
+    std::vector<std::optional<double>> atMs;
+    for (std::size_t volume = 0; volume < of.count; ++volume) {
+        phases.push_back({.volume = volume, .label = labelOf(of, volume), .atMs = {}});
+        atMs.push_back(of.axis.isOfTimes() ? of.axis.at(volume) : std::nullopt);
+    }
+    setTimes(phases, atMs);
+    return phases;
+}
+
+PhaseSource phaseSourceOf(const OpenedStudy& study) {
+    return {.found = study.found, .file = study.ofFile};
+}
+
+Result<OpenedStudy> openPhase(const PhaseSource& source, std::size_t volume, Progress& progress) {
+    return source.found ? openFoundVolume(source.found, volume, progress)
+                        : openVolumeOfFile(source.file, volume, progress);
+}
+
 }  // namespace macula::study

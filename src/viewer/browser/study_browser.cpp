@@ -124,6 +124,7 @@ void StudyBrowser::setFound(std::shared_ptr<const study::FoundVolumes> found,
     const bool goesOn = found_ && found && !found_->isWhole();
     const int scrolledTo = tree_->verticalScrollBar()->value();
     found_ = std::move(found);
+    keys_.reset();
     if (!goesOn) endSearch();
     model_->setFound(found_);
     model_->setTree(makeRows());
@@ -139,6 +140,7 @@ void StudyBrowser::setFound(std::shared_ptr<const study::FoundVolumes> found,
     tellWhatIsMissing();
     // The rows on screen stay in place while more are found below.
     if (goesOn && !open) tree_->verticalScrollBar()->setValue(scrolledTo);
+    Q_EMIT listed();
 }
 
 void StudyBrowser::setShown(std::optional<std::size_t> open) {
@@ -151,11 +153,24 @@ void StudyBrowser::setShown(std::optional<std::size_t> open) {
 void StudyBrowser::showNames(bool shown) {
     if (shown == namesShown_) return;
     namesShown_ = shown;
-    const std::size_t current = currentRow();
     if (!shown) endSearch();  // what was typed may be a name
+    showRows();
+}
+
+void StudyBrowser::setKeyImages(std::shared_ptr<const study::KeyImages> keys) {
+    keys_ = std::move(keys);
+    showRows();
+}
+
+void StudyBrowser::showRows() {
+    const std::size_t current = currentRow();
+    const bool isSelected = tree_->selectionModel()->hasSelection();
+    const int scrolledTo = tree_->verticalScrollBar()->value();
     model_->setTexts(makeRows());
     model_->setRowsShown(study::rowsThatMatch(model_->tree(), search_->text().toStdString()));
     layOut(current);
+    if (!isSelected) tree_->selectionModel()->clearSelection();
+    tree_->verticalScrollBar()->setValue(scrolledTo);
     tellWhatIsMissing();
 }
 
@@ -177,7 +192,7 @@ void StudyBrowser::endSearch() {
 
 study::StudyTree StudyBrowser::makeRows() const {
     if (!found_) return {};
-    return study::studyTree(*found_, namesShown_ ? study::Names::shown : study::Names::hidden);
+    return study::studyTree(*found_, namesShown_ ? study::Names::shown : study::Names::hidden, keys_.get());
 }
 
 void StudyBrowser::search() {

@@ -43,10 +43,13 @@ class StudyBrowser : public QWidget {
     void showNames(bool shown);
     // Indices of the volumes that have data stored between runs.
     void setStored(std::set<std::size_t> volumes);
+    // Marks the series that have key images; of found().
+    void setKeyImages(std::shared_ptr<const study::KeyImages> keys);
     void focusSearch();
     std::optional<std::size_t> selectedOther() const;  // a volume other than the open one
 
   Q_SIGNALS:
+    void listed();                                         // another found()
     void chosen(std::size_t index);                        // a volume other than the open one
     void secondAsked(std::size_t index);                   // a volume to show beside the open one
     void openChosen();                                     // the open volume once more
@@ -68,6 +71,7 @@ class StudyBrowser : public QWidget {
     study::StudyTree makeRows() const;
     void search();
     void endSearch();
+    void showRows();  // the same ones, with other texts
     void layOut(std::size_t current);
     bool isExpanded(std::size_t row) const;
     void rememberExpanded(const QModelIndex& index, bool isExpanded);
@@ -87,6 +91,7 @@ class StudyBrowser : public QWidget {
     StudyTreeModel* model_;
 
     std::shared_ptr<const study::FoundVolumes> found_;
+    std::shared_ptr<const study::KeyImages> keys_;  // of `found_`; null: none
     bool namesShown_ = true;
     std::vector<std::string> words_;  // the words to search for
     std::vector<bool> expanded_;      // whether each row is expanded while there is no search

@@ -64,7 +64,7 @@ DocumentsController::DocumentsController(const WindowContext& context, const Use
 }
 
 void DocumentsController::connectDialog() {
-    connect(dialog_, &DocumentDialog::imageAsked, this, &DocumentsController::goTo);
+    connect(dialog_, &DocumentDialog::imageAsked, this, &DocumentsController::goToReference);
     connect(dialog_, &DocumentDialog::fileOpenAsked, this, &DocumentsController::askToOpenFile);
     connect(dialog_, &DocumentDialog::fileSaveAsked, this, &DocumentsController::saveFile);
     connect(dialog_, &DocumentDialog::textSaveAsked, this, &DocumentsController::saveText);
@@ -151,30 +151,35 @@ void DocumentsController::showNames(bool shown) {
     dialog_->setDocument({}, {});
 }
 
-void DocumentsController::goTo(int place) {
+void DocumentsController::goToReference(int place) {
     const auto at = std::size_t(place);
     if (at >= places_.size() || !places_[at])
         return context_.notifications.refuse(tr("That image is not in the open folder."),
                                              tr("Open the folder that it is in."));
-    const study::ImagePlace& to = *places_[at];
     dialog_->setImage(place);
+    goTo(found_, *places_[at]);
+}
+
+void DocumentsController::goTo(const std::shared_ptr<const study::FoundVolumes>& found,
+                               const study::ImagePlace& to) {
     if (!to.volume) {
-        if (uses_.images.stack() != to.stack) uses_.images.show(found_, to.stack);
+        if (uses_.images.stack() != to.stack) uses_.images.show(found, to.stack);
         return uses_.images.setPlace(to.frame);
     }
     const study::OpenedStudy& open = context_.session.study();
-    if (open.found == found_ && open.volumeIndex == *to.volume && !uses_.opening.loader().loading())
+    if (open.found == found && open.volumeIndex == *to.volume && !uses_.opening.loader().loading())
         return goToSlice(to);
-    uses_.opening.openFound(found_, *to.volume);
-    awaiting_ = at;
+    uses_.opening.openFound(found, *to.volume);
+    awaiting_ = to;
+    awaitedIn_ = found;
 }
 
 void DocumentsController::onStudyShown() {
     const auto awaited = std::exchange(awaiting_, {});
-    if (!awaited || *awaited >= places_.size() || !places_[*awaited]) return;
-    const study::ImagePlace& to = *places_[*awaited];
+    const auto found = std::exchange(awaitedIn_, nullptr);
+    if (!awaited) return;
     const study::OpenedStudy& open = context_.session.study();
-    if (open.found == found_ && to.volume && open.volumeIndex == *to.volume) goToSlice(to);
+    if (open.found == found && awaited->volume && open.volumeIndex == *awaited->volume) goToSlice(*awaited);
 }
 
 // The cross-hair stays where it is in the plane of the image.

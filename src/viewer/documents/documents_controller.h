@@ -46,6 +46,8 @@ class DocumentsController : public QObject {
     // folder. Returns whether there is one.
     bool openInstead(const std::shared_ptr<const study::FoundVolumes>& found,
                      const std::filesystem::path& source);
+    // Shows the image, on slices or by itself; opens its volume first where another one is open.
+    void goTo(const std::shared_ptr<const study::FoundVolumes>& found, const study::ImagePlace& place);
     // While names are hidden no document is shown: any may name the patient.
     void showNames(bool shown);
     void onStudyShown();
@@ -64,7 +66,7 @@ class DocumentsController : public QObject {
     void connectDialog();
     void show(const Result<Read>& read);
     void askForOne();
-    void goTo(int place);
+    void goToReference(int place);
     void goToSlice(const study::ImagePlace& place);
     void askToOpenFile();
     void openFile(const std::filesystem::path& file);
@@ -79,7 +81,9 @@ class DocumentsController : public QObject {
     std::shared_ptr<const study::FoundVolumes> found_;  // of the document; may be null
     int patient_ = 0;
     std::vector<std::optional<study::ImagePlace>> places_;  // of its references
-    std::optional<std::size_t> awaiting_;                   // a reference to go to once its series is open
+    // An image to go to once its series is open, and the list that it is in.
+    std::optional<study::ImagePlace> awaiting_;
+    std::shared_ptr<const study::FoundVolumes> awaitedIn_;
     std::set<std::filesystem::path> confirmed_;  // documents whose file a person wants in another program
     PrivateFiles files_;
     BackgroundJob<Read> reading_;

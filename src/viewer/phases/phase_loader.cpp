@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "study/open/found_volumes.h"
-
 namespace macula::viewer {
 
 namespace {
@@ -34,15 +32,14 @@ PhaseLoader::PhaseLoader(QObject* parent)
     : QObject(parent),
       job_(this, {.ended = [this](const Result<study::OpenedStudy>& study) { take(study); }}) {}
 
-void PhaseLoader::setPhases(std::shared_ptr<const study::FoundVolumes> found,
-                            std::vector<std::size_t> volumes) {
-    if (found == found_ && volumes == volumes_) return;
+void PhaseLoader::setPhases(study::PhaseSource source, std::vector<std::size_t> volumes) {
+    if (source == source_ && volumes == volumes_) return;
     job_.cancel();
     loading_.reset();
     loaded_.clear();
     failed_.clear();
     fits_ = true;
-    found_ = std::move(found);
+    source_ = std::move(source);
     volumes_ = std::move(volumes);
 }
 
@@ -107,8 +104,8 @@ void PhaseLoader::startNext() {
     }
     if (!makeRoom()) return Q_EMIT failed(*phase, noRoom());
     loading_ = phase;
-    job_.start([found = found_, volume = volumes_[*phase]](Progress& progress) {
-        return study::openFoundVolume(found, volume, progress);
+    job_.start([source = source_, volume = volumes_[*phase]](Progress& progress) {
+        return study::openPhase(source, volume, progress);
     });
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "study/open/opened_study.h"
+#include "study/open/phases.h"
 #include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
@@ -21,9 +22,9 @@ class PhaseLoader : public QObject {
   public:
     explicit PhaseLoader(QObject* parent = nullptr);
 
-    // `volumes`: of each phase, in `found`. Keeps what it has of the same `found`.
-    void setPhases(std::shared_ptr<const study::FoundVolumes> found, std::vector<std::size_t> volumes);
-    bool isOf(const std::shared_ptr<const study::FoundVolumes>& found) const { return found_ == found; }
+    // `volumes`: of each phase, in `source`. Keeps what it has of the same source.
+    void setPhases(study::PhaseSource source, std::vector<std::size_t> volumes);
+    bool isOf(const study::PhaseSource& source) const { return source_ == source; }
     // The open study is one of them: it need not be decoded again, and never makes room for others.
     void keepOpen(std::size_t phase, std::shared_ptr<const study::OpenedStudy> study);
     // `loaded` or `failed` follows, and `loaded` for further ones while they fit.
@@ -47,7 +48,7 @@ class PhaseLoader : public QObject {
     std::optional<std::size_t> next() const;
     void take(const Result<study::OpenedStudy>& study);
 
-    std::shared_ptr<const study::FoundVolumes> found_;
+    study::PhaseSource source_;
     std::vector<std::size_t> volumes_;
     std::map<std::size_t, std::shared_ptr<const study::OpenedStudy>> loaded_;  // by phase
     std::map<std::size_t, Error> failed_;

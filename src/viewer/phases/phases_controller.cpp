@@ -76,21 +76,21 @@ void PhasesController::onStudyShown() {
     differenceWindow_.reset();
     phases_.clear();
     const study::OpenedStudy& study = context_.session.study();
-    if (context_.session.hasStudy() && study.found)
-        phases_ = study::phasesOf(*study.found, study.volumeIndex);
+    if (context_.session.hasStudy()) phases_ = study::phasesOf(study);
     bar_->setPhases(int(phases_.size()));
     bar_->setReference(-1);
     if (phases_.empty()) {
         in3d_->begin(0, 0);
         bar_->setIn3d(false);
         bar_->setNoteOn3d({});
-        return loader_.setPhases(nullptr, {});
+        return loader_.setPhases({}, {});
     }
     std::vector<std::size_t> volumes;
     for (const study::Phase& phase : phases_) volumes.push_back(phase.volume);
     open_ = std::size_t(std::ranges::find(volumes, study.volumeIndex) - volumes.begin());
-    const bool isSameStudy = loader_.isOf(study.found);
-    loader_.setPhases(study.found, std::move(volumes));
+    study::PhaseSource source = study::phaseSourceOf(study);
+    const bool isSameStudy = loader_.isOf(source);
+    loader_.setPhases(std::move(source), std::move(volumes));
     loader_.keepOpen(open_, std::make_shared<const study::OpenedStudy>(study));
     const bool wasOn = in3d_->isOn() && isSameStudy;
     in3d_->begin(phases_.size(), open_);
@@ -252,7 +252,7 @@ void PhasesController::setImagesShown(bool shown) {
 
 void PhasesController::openShown() {
     if (shown_ >= phases_.size() || shown_ == open_) return;
-    opening_.openFound(context_.session.study().found, phases_[shown_].volume);
+    opening_.openPhase(study::phaseSourceOf(context_.session.study()), phases_[shown_].volume);
 }
 
 void PhasesController::askForCurve() {

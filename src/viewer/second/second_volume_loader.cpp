@@ -76,7 +76,7 @@ void SecondVolumeLoader::open(std::shared_ptr<const study::FoundVolumes> found, 
     asked_.reset();
     registration_.cancel();
     prepareWithStudy();
-    loader_.open(std::move(found), index);
+    loader_.open(study::PhaseSource{.found = std::move(found)}, index);
 }
 
 // Computes the digests of both volumes on the loading thread, so that they are known later.

@@ -61,6 +61,7 @@ void SegmentationKeeper::onStudyShown() {
     masking_.cancel();
     if (loading_.cancel()) Q_EMIT ended();
     found_.clear();
+    opened_.clear();
     loaded_.clear();
     troubles_.clear();
     isBeingLoaded_.clear();
@@ -86,6 +87,7 @@ void SegmentationKeeper::onStudyShown() {
 void SegmentationKeeper::onFound(const Result<Found>& outcome) {
     if (outcome) {
         found_ = *outcome;
+        found_.insert(found_.end(), opened_.begin(), opened_.end());
         listOwn();
     } else {
         Q_EMIT failed(outcome.error());
@@ -151,6 +153,25 @@ void SegmentationKeeper::changeOwn(const QString& what, Loaded next) {
     own_.add(next);
     session_.change(
         what, [&](scene::StudyState& state) { scene::chooseRevision(state.segmentations, before, *next); });
+}
+
+void SegmentationKeeper::takeOpened(const study::OpenedLabelMap& opened) {
+    const std::string& digest = opened.found.digest;
+    for (Found* list : {&found_, &opened_}) {
+        std::erase_if(*list, [&](const study::FoundSegmentation& each) { return each.digest == digest; });
+        list->push_back(opened.found);
+    }
+    std::erase_if(loaded_, [&](const Loaded& each) { return each->digest == digest; });
+    loaded_.push_back(opened.loaded);
+    maskedOf_ = 0;  // its voxels may be others than before
+    Q_EMIT listChanged();
+    session_.change(tr("Open segmentation"), [&](scene::StudyState& next) {
+        SegmentationSettings choice = scene::choiceOf(next.segmentations, digest);
+        choice.isShown = true;
+        scene::choose(next.segmentations, std::move(choice));
+    });
+    showOnSlices();
+    mask();
 }
 
 void SegmentationKeeper::setPreview(std::optional<slices::ShownSegment> preview) {

@@ -14,6 +14,7 @@
 #include "scene/segments/segment_mask.h"
 #include "slices/segment_picture.h"
 #include "study/segmentation/found_segmentation.h"
+#include "study/segmentation/label_map.h"
 #include "study/segmentation/loaded_segmentation.h"
 #include "viewer/editor/study_editor.h"
 #include "viewer/jobs/background_job.h"
@@ -46,6 +47,10 @@ class SegmentationKeeper : public QObject {
     const std::shared_ptr<const slices::ShownSegments>& shown() const { return shown_; }
     // A note on the segmentations of the study; empty: none.
     QString note() const;
+
+    // A label map that a person opened from a file: listed and shown until the next study, in place of an
+    // earlier one of the same file. One undo step.
+    void takeOpened(const study::OpenedLabelMap& opened);
 
     // Stops loading, and hides the segmentations that are not loaded.
     void cancel();
@@ -92,6 +97,7 @@ class SegmentationKeeper : public QObject {
 
     StudyEditor& session_;
     Found found_;
+    Found opened_;  // of these, label maps from files
     std::vector<Loaded> loaded_;
     std::map<std::string, QString, std::less<>> troubles_;  // the key is a digest
     std::string isBeingLoaded_;                             // digest

@@ -12,6 +12,7 @@
 #include "viewer/editor/study_editor.h"
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
+#include "viewer/segmentation/label_map_opener.h"
 #include "viewer/segmentation/segmentation_keeper.h"
 #include "viewer/segmentation/segmentation_panel.h"
 #include "viewer/settings/file_dialogs.h"
@@ -44,6 +45,7 @@ SegmentationsController::SegmentationsController(const WindowContext& context, S
       keeper_(keeper),
       slices_(slices),
       panel_(new SegmentationPanel(context.session, keeper)),
+      labelMaps_(new LabelMapOpener(context, keeper)),
       bar_(new WorkBar),
       saving_(this, {.ended = [this](const auto& notes) {
                   if (notes)
@@ -62,6 +64,10 @@ SegmentationsController::SegmentationsController(const WindowContext& context, S
     connect(&keeper_, &SegmentationKeeper::progressed, bar_, &WorkBar::setProgress);
     connect(&keeper_, &SegmentationKeeper::ended, bar_, &QWidget::hide);
     connect(bar_, &WorkBar::cancelClicked, &keeper_, &SegmentationKeeper::cancel);
+    connect(labelMaps_, &LabelMapOpener::began, this, [this] { bar_->begin(tr("Opening a segmentation")); });
+    connect(labelMaps_, &LabelMapOpener::progressed, bar_, &WorkBar::setProgress);
+    connect(labelMaps_, &LabelMapOpener::ended, bar_, &QWidget::hide);
+    connect(bar_, &WorkBar::cancelClicked, labelMaps_, &LabelMapOpener::cancel);
     connect(&keeper_, &SegmentationKeeper::failed, &context_.notifications,
             &Notifications::failUnlessCancelled);
     context_.notes.setSource(NoteOn::segments, [this] {
@@ -71,6 +77,10 @@ SegmentationsController::SegmentationsController(const WindowContext& context, S
 }
 
 void SegmentationsController::addFileAction(QMenu& file) {
+    QAction* open = file.addAction(tr("Open Segme&ntation…"), labelMaps_, &LabelMapOpener::askForFile);
+    describe(*open, "open-segmentation",
+             tr("A label map of another program, on the voxels of the open volume: NIfTI, NRRD, MetaImage. "
+                "DICOM segmentations are found by themselves in the folder"));
     QAction* save =
         file.addAction(tr("Save Se&gmentation as DICOM…"), this, &SegmentationsController::askHowToSave);
     describe(*save, "save-segmentation",

@@ -14,6 +14,7 @@ class QMenu;
 
 namespace macula::viewer {
 
+class LabelMapOpener;
 class SegmentationKeeper;
 class SegmentationPanel;
 class SliceView;
@@ -29,6 +30,7 @@ class SegmentationsController : public QObject {
                             const std::array<SliceView*, 3>& slices);
 
     SegmentationPanel& panel() const { return *panel_; }
+    LabelMapOpener& labelMaps() const { return *labelMaps_; }
     WorkBar* loadingBar() const { return bar_; }  // while segments load
     void addFileAction(QMenu& file);
 
@@ -50,6 +52,7 @@ class SegmentationsController : public QObject {
     SegmentationKeeper& keeper_;
     std::array<SliceView*, 3> slices_;
     SegmentationPanel* panel_;
+    LabelMapOpener* labelMaps_;
     WorkBar* bar_;
     QString path_;  // of the file that is being written
     BackgroundJob<std::vector<Text>> saving_;

@@ -141,6 +141,11 @@ void addPictures(QMenu& menu, const SliceMenuOf& of, QWidget* parent) {
     describe(*save, "save-slice",
              SliceMenuWords::tr("This pane as it is on screen, with its measurements and names"));
     QObject::connect(save, &QAction::triggered, parent, of.savePicture);
+    QAction* planes = menu.addAction(SliceMenuWords::tr("Save a &Batch of Planes…"));
+    describe(*planes, "save-planes",
+             SliceMenuWords::tr("Planes like this one, or about a line, as a DICOM series that keeps its "
+                                "place in the patient"));
+    QObject::connect(planes, &QAction::triggered, parent, of.savePlanes);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct SliceMenuOf {
     std::function<void()> fit;          // fits the pane that was clicked
     std::function<void()> copyPicture;  // to the clipboard
     std::function<void()> savePicture;  // to a file
+    std::function<void()> savePlanes;   // planes like the one that is shown, as DICOM
 };
 
 // Deletes itself when it is closed.

@@ -90,7 +90,8 @@ void SlicePopups::openMenu(const QPointF& place) {
                                  .setNode = std::move(setNode),
                                  .fit = [this] { parts_.zoom.fit(); },
                                  .copyPicture = [this] { copyPicture(); },
-                                 .savePicture = [this] { Q_EMIT savePictureAsked(pane_.grab().toImage()); }},
+                                 .savePicture = [this] { Q_EMIT savePictureAsked(pane_.grab().toImage()); },
+                                 .savePlanes = [this] { Q_EMIT savePlanesAsked(); }},
                                 &pane_);
     menu->installEventFilter(this);
     menu->popup(pane_.mapToGlobal(place.toPoint()));

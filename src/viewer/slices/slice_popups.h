@@ -68,6 +68,7 @@ class SlicePopups : public QObject {
 
   Q_SIGNALS:
     void savePictureAsked(const QImage& picture);  // the pane, as it is on screen
+    void savePlanesAsked();                        // planes like the one that is shown
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;  // watches the menu

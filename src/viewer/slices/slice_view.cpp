@@ -49,6 +49,7 @@ void SliceView::listen() {
     connect(&zoom_, &PaneZoom::settled, this, &SliceView::viewChanged);
     connect(&picture_, &PanePicture::arrived, this, &SliceView::onPicture);
     connect(&popups_, &SlicePopups::savePictureAsked, this, &SliceView::savePictureAsked);
+    connect(&popups_, &SlicePopups::savePlanesAsked, this, &SliceView::savePlanesAsked);
     connect(&cine_, &SliceCine::changed, this, &SliceView::cineChanged);
 }
 

@@ -93,6 +93,7 @@ class SliceView : public QWidget {
   Q_SIGNALS:
     void maximizeAsked();
     void savePictureAsked(const QImage& picture);  // the pane, as it is on screen
+    void savePlanesAsked();                        // planes like the one that is shown
     void cineChanged(bool on);
     void pictureShown();
     void viewChanged(const macula::viewer::PaneView& view);  // by a person, or by fitting

@@ -61,12 +61,17 @@ void OpeningController::open(study::StudySource source) {
 }
 
 void OpeningController::openFound(std::shared_ptr<const study::FoundVolumes> found, std::size_t index) {
+    openPhase({.found = std::move(found)}, index);
+}
+
+void OpeningController::openPhase(study::PhaseSource source, std::size_t volume) {
     states_.keep();
-    loader_.open(std::move(found), index);
+    loader_.open(std::move(source), volume);
     context_.focusPicture();
 }
 
 void OpeningController::openDropped(const Dropped& what) {
+    if (what.count == 1 && dropTaken_ && dropTaken_(what.path)) return;
     if (what.count == 1) return open(what.path.toStdString());
     showError({ErrorCode::usage,
                Text::verbatim(tr("Only one folder or file can be opened at a time.").toStdString()),

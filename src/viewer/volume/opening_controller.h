@@ -31,6 +31,7 @@ class OpeningController : public QObject {
 
     void open(study::StudySource source);
     void openFound(std::shared_ptr<const study::FoundVolumes> found, std::size_t index);
+    void openPhase(study::PhaseSource source, std::size_t volume);
     void openDropped(const Dropped& what);
 
     // When another study is shown, drops the notes on the study before, and on the store unless they are new.
@@ -41,6 +42,8 @@ class OpeningController : public QObject {
     const StudyLoader& loader() const { return loader_; }
     // Called when nothing could be opened as a volume; true: something else is shown, and no error.
     void setInstead(std::function<bool()> instead) { instead_ = std::move(instead); }
+    // Called with the only file that is dropped; true: somebody else opens it.
+    void setDropTaken(std::function<bool(const QString&)> taken) { dropTaken_ = std::move(taken); }
     void letKeeperGo() { loader_.setKeeper(nullptr); }
     WorkBar* bar() const { return bar_; }
     void addActions(QMenu& file);
@@ -61,6 +64,7 @@ class OpeningController : public QObject {
     StudyLoader loader_;
     WorkBar* bar_;
     std::function<bool()> instead_;
+    std::function<bool(const QString&)> dropTaken_;
     bool storeNoteIsNew_ = false;  // the store's note came during an opening
 };
 

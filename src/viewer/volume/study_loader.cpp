@@ -69,12 +69,13 @@ study::FoundSoFar StudyLoader::tellsOf(std::uint64_t opening) {
     });
 }
 
-void StudyLoader::open(std::shared_ptr<const study::FoundVolumes> found, std::size_t index) {
+void StudyLoader::open(study::PhaseSource source, std::size_t volume) {
     ++opening_;
     source_.reset();
-    job_.start([found = std::move(found), index, keeper = keeper_, prepare = prepare_](Progress& progress) {
-        return completed(study::openFoundVolume(found, index, progress), keeper, prepare);
-    });
+    job_.start(
+        [source = std::move(source), volume, keeper = keeper_, prepare = prepare_](Progress& progress) {
+            return completed(study::openPhase(source, volume, progress), keeper, prepare);
+        });
     Q_EMIT began();
 }
 

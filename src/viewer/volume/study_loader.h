@@ -10,6 +10,7 @@
 
 #include "live/store/study_keeper.h"
 #include "study/open/opened_study.h"
+#include "study/open/phases.h"
 #include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
@@ -29,7 +30,7 @@ class StudyLoader : public QObject {
     void setPrepare(Prepare prepare) { prepare_ = std::move(prepare); }
 
     void open(study::StudySource source, bool join = false);
-    void open(std::shared_ptr<const study::FoundVolumes> found, std::size_t index);
+    void open(study::PhaseSource source, std::size_t volume);
     void cancel();  // `cancelled` follows
     const study::StudySource& source() const {
         return source_;

@@ -22,6 +22,7 @@
 #include "viewer/curve/curve_controller.h"
 #include "viewer/curve/curve_panel.h"
 #include "viewer/documents/documents_controller.h"
+#include "viewer/documents/key_images_controller.h"
 #include "viewer/dose/dose_controller.h"
 #include "viewer/dose/dose_panel.h"
 #include "viewer/editor/undo_actions.h"
@@ -40,6 +41,7 @@
 #include "viewer/output/models_controller.h"
 #include "viewer/output/movies_controller.h"
 #include "viewer/output/pictures_controller.h"
+#include "viewer/output/planes_controller.h"
 #include "viewer/output/presentations_controller.h"
 #include "viewer/output/views_controller.h"
 #include "viewer/panes/pane_grid.h"
@@ -58,6 +60,7 @@
 #include "viewer/receive/receive_controller.h"
 #include "viewer/second/second_volume_controller.h"
 #include "viewer/second/second_volume_loader.h"
+#include "viewer/segmentation/label_map_opener.h"
 #include "viewer/segmentation/segmentation_panel.h"
 #include "viewer/segmentation/segmentations_controller.h"
 #include "viewer/segmenting/segmenting_controller.h"
@@ -182,6 +185,10 @@ void MainWindow::makePanels() {
     connect(transfer_, &TransferFunctionEditor::saveAsked, &presets_->gallery(),
             &PresetGallery::askToSaveCurve);
     segmentations_ = new SegmentationsController(context_, shown_->segments(), panes_->allSlices());
+    opening_->setDropTaken([this](const QString& path) {
+        return segmentations_->labelMaps().takesDropped(path,
+                                                        [this, path] { opening_->open(path.toStdString()); });
+    });
     segmenting_ = new SegmentingController(context_, {.keeper = shown_->segments(),
                                                       .list = segmentations_->panel(),
                                                       .slices = panes_->allSlices(),
@@ -193,6 +200,8 @@ void MainWindow::makePanels() {
     browser_->setShownAction(*studies->toggleViewAction());
     documents_ = new DocumentsController(
         context_, {.opening = *opening_, .browser = browser_->browser(), .images = *planar_});
+    keyImages_ =
+        new KeyImagesController(context_, {.documents = *documents_, .browser = browser_->browser()});
     archive_ = new ArchiveController(
         context_, {.opening = *opening_, .settings = *settings_, .recent = browser_->recent()});
     marks_ = new ReadMarks(keeper_, this);
@@ -242,6 +251,7 @@ void MainWindow::makeOthers() {
     headset_->setDock(
         *panels_->add(Qt::RightDockWidgetArea, &headset_->mirror(), tr("Headset"), "headset-panel"));
     pictures_ = new PicturesController(context_, panes_->grid(), *settings_);
+    planes_ = new PlanesController(context_, panes_->allSlices(), *settings_);
     measurements_ = new MeasurementsController(context_);
     followUp_ = new FollowUpController(context_, second_->loader(), keeper_.get());
     views_ = new ViewsController(context_, *states_);
@@ -262,6 +272,7 @@ void MainWindow::makeOthers() {
     status_ = new StatusController(context_, *panes_);
     quit_ = new QuitController(context_);
     quit_->waitFor(*pictures_);
+    quit_->waitFor(*planes_);
     quit_->waitFor(*movies_);
     quit_->waitFor(*models_);
     quit_->waitFor(*measurements_);

@@ -11,6 +11,7 @@
 #include "viewer/browser/recent_menu.h"
 #include "viewer/clip/clips_controller.h"
 #include "viewer/documents/documents_controller.h"
+#include "viewer/documents/key_images_controller.h"
 #include "viewer/dose/dose_controller.h"
 #include "viewer/editor/undo_actions.h"
 #include "viewer/followup/follow_up_controller.h"
@@ -25,6 +26,7 @@
 #include "viewer/output/models_controller.h"
 #include "viewer/output/movies_controller.h"
 #include "viewer/output/pictures_controller.h"
+#include "viewer/output/planes_controller.h"
 #include "viewer/output/presentations_controller.h"
 #include "viewer/output/views_controller.h"
 #include "viewer/panes/panels_controller.h"
@@ -75,6 +77,7 @@ void MainWindow::makeFileMenu() {
     presentations_->addActions(*file);
     file->addSeparator();
     pictures_->addActions(*file);
+    planes_->addAction(*file);
     measurements_->addFileActions(*file);
     segmentations_->addFileAction(*file);
     segmenting_->addFileActions(*file);
@@ -111,6 +114,7 @@ void MainWindow::makeViewMenu() {
     hanging_->addMenu(*view);
     second_->addViewActions(*view);
     dose_->addViewActions(*view);
+    keyImages_->addActions(*view);
     view->addSeparator();
     view->addMenu(tr("Pane&ls"))->addActions(panels_->actions());
     view->addSeparator();
@@ -140,8 +144,8 @@ void MainWindow::makeToolBar() {
 
 void MainWindow::makeStatusBar() {
     for (WorkBar* bar : {opening_->bar(), archive_->bar(), links_->bar(), manifests_->bar(), table_->bar(),
-                         segmentations_->loadingBar(), segmenting_->bar(), pictures_->bar(), send_->bar(),
-                         movies_->bar(), models_->bar(), quality_->bar(), clips_->bar()})
+                         segmentations_->loadingBar(), segmenting_->bar(), pictures_->bar(), planes_->bar(),
+                         send_->bar(), movies_->bar(), models_->bar(), quality_->bar(), clips_->bar()})
         statusBar()->addWidget(bar);
     status_->addTo(*statusBar());
     statusBar()->addPermanentWidget(receive_->label());

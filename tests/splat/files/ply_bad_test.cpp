@@ -95,7 +95,7 @@ TEST(PlyBad, EachSaysWhatIsWrong) {
         {without(without(ascii("", "1"), "property float rot_3\n"), "property float scale_2\n"),
          "lacks rot_3"},
         {"ply\nformat ascii 1.0\nelement vertex 1\nproperty uint packed_position\nend_header\n1\n",
-         "SuperSplat"},
+         "packed by"},
         {ascii(ours, "1"), "origin"},
         {ascii(ours + "comment macula origin-mm 1 2 nan\n", "1"), "origin"},
         {ascii(ours + "comment macula origin-mm 1 2 3 4\n", "1"), "origin"},

@@ -11,6 +11,7 @@
 #include "pipeline/splat/files/model_notes.h"
 #include "pipeline/splat/files/ply_header.h"
 #include "pipeline/splat/files/ply_layout.h"
+#include "pipeline/splat/files/ply_packed.h"
 #include "pipeline/splat/files/ply_values.h"
 #include "pipeline/splat/model/constant_colour.h"
 
@@ -101,6 +102,23 @@ Result<Splats> readVertices(PlyValues& values, const PlyElement& vertex, const P
     return splats;
 }
 
+Error doesNotFit() {
+    return {ErrorCode::outOfMemory,
+            Text("The model does not fit into memory."),
+            {},
+            Text("Close other programs, or export a smaller one.")};
+}
+
+Result<ModelFile> readPacked(const PlyHeader& header, PlyValues& values, BadSplats bad) {
+    try {
+        MACULA_TRY(Splats splats, readPackedPly(header, values));
+        MACULA_TRY_VOID(applyNotes(header.comments, splats));
+        return finishModel(std::move(splats), bad);
+    } catch (const std::bad_alloc&) {
+        return doesNotFit();
+    }
+}
+
 std::string headerOf(const Splats& splats) {
     std::string text = "ply\nformat binary_little_endian 1.0\n";
     for (const std::string& note : notesOf(splats)) text += fmt::format("comment {}\n", note);
@@ -123,6 +141,7 @@ std::string headerOf(const Splats& splats) {
 Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats bad) {
     MACULA_TRY(const PlyHeader header, readPlyHeader(stream));
     PlyValues values(stream, header.format, bytes - std::min(bytes, header.bytes));
+    if (isPackedPly(header)) return readPacked(header, values, bad);
     for (const PlyElement& element : header.elements) {
         // Checked before memory is allocated for the elements, or they are read.
         if (!values.canHold(element))
@@ -140,10 +159,7 @@ Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats b
             if (layout.hasFilter) splats.lowPass = LowPass::mip;
             return finishModel(std::move(splats), bad);
         } catch (const std::bad_alloc&) {
-            return Error{ErrorCode::outOfMemory,
-                         Text("The model does not fit into memory."),
-                         {},
-                         Text("Close other programs, or export a smaller one.")};
+            return doesNotFit();
         }
     }
     return unusable(Text("The PLY file holds no points."), Text("Choose a model of Gaussians."));

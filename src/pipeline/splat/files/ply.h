@@ -22,8 +22,8 @@ namespace macula::splat {
 // orders, properties in any order and of any type, and degrees 0 to 3; skips unknown elements and properties.
 // Without Macula's comments a model is foreign, and its coordinates are left as they are. Variants of the
 // convention that it reads: colours as bytes (red, green, blue: Nerfstudio), splats with two scales (2DGS;
-// drawn as flat Gaussians), and filter_3D (Mip-Splatting; folded into scale and opacity, and the model's
-// low-pass is `mip`). Errors as readModel.
+// drawn as flat Gaussians), filter_3D (Mip-Splatting; folded into scale and opacity, and the model's low-pass
+// is `mip`), and the packed form of SuperSplat (ply_packed.h). Errors as readModel.
 Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats bad = BadSplats::refuse);
 
 // Fails with inputNotUsable when the model is not valid or empty. The caller checks the stream's state.

@@ -75,10 +75,6 @@ std::string missingIn(const PlyLayout& layout, const std::vector<bool>& seen) {
 }  // namespace
 
 Result<PlyLayout> plyLayoutOf(const PlyElement& vertex) {
-    if (has(vertex, "packed_position"))
-        return unusable(
-            Text("The PLY file holds a model in the packed form of SuperSplat, which is not read."),
-            Text("Export it there as a PLY that is not compressed, or as SPZ."));
     PlyLayout layout;
     layout.hasColourBytes =
         !has(vertex, "f_dc_0") && has(vertex, "red") &&
