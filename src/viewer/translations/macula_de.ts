@@ -148,6 +148,41 @@
     </message>
 </context>
 <context>
+    <name>FollowUpDialog</name>
+    <message>
+        <source>No date</source>
+        <translation>Ohne Datum</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Ausgangsuntersuchung</translation>
+    </message>
+    <message>
+        <source>Before the baseline</source>
+        <translation>Vor der Ausgangsuntersuchung</translation>
+    </message>
+    <message>
+        <source>CR: complete response</source>
+        <translation>CR: komplette Remission</translation>
+    </message>
+    <message>
+        <source>PR: partial response</source>
+        <translation>PR: partielle Remission</translation>
+    </message>
+    <message>
+        <source>SD: stable disease</source>
+        <translation>SD: stabile Erkrankung</translation>
+    </message>
+    <message>
+        <source>PD: progressive disease</source>
+        <translation>PD: progrediente Erkrankung</translation>
+    </message>
+    <message>
+        <source>NE: not all are measured</source>
+        <translation>NE: nicht alle sind gemessen</translation>
+    </message>
+</context>
+<context>
     <name>HeadsetWords</name>
     <message>
         <source>Shift</source>
@@ -482,6 +517,10 @@
         <source>At its first start Macula compiles its programs for the graphics device. Later starts find them.</source>
         <translation>Beim ersten Start übersetzt Macula seine Programme für das Grafikgerät. Spätere Starts finden sie vor.</translation>
     </message>
+    <message>
+        <source>It began with the preview of a neighbouring phase.</source>
+        <translation>Sie begann mit der Vorschau einer benachbarten Phase.</translation>
+    </message>
 </context>
 <context>
     <name>PaneClip</name>
@@ -518,6 +557,10 @@
     <message>
         <source>Measurement moved</source>
         <translation>Messung verschoben</translation>
+    </message>
+    <message>
+        <source>Lymph node</source>
+        <translation>Lymphknoten</translation>
     </message>
 </context>
 <context>
@@ -566,6 +609,10 @@
         <source>In colours: placed for the open phase</source>
         <translation>In Farben: für die geöffnete Phase platziert</translation>
     </message>
+    <message>
+        <source>Blue is lower, orange is higher, black has no value</source>
+        <translation>Blau ist niedriger, orange höher, schwarz ist ohne Wert</translation>
+    </message>
 </context>
 <context>
     <name>PaneTurn</name>
@@ -611,6 +658,13 @@
     <message>
         <source>&amp;Open All the Same</source>
         <translation>&amp;Trotzdem öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>PhaseIn3d</name>
+    <message>
+        <source>3D shows another phase than the one that is open. Open that phase first, or show the open one.</source>
+        <translation>3D zeigt eine andere Phase als die geöffnete. Öffnen Sie zuerst diese Phase, oder zeigen Sie die geöffnete.</translation>
     </message>
 </context>
 <context>
@@ -1111,6 +1165,22 @@
         <source>&amp;Level</source>
         <translation>&amp;Lage</translation>
     </message>
+    <message>
+        <source>Save a &amp;Batch of Planes…</source>
+        <translation>E&amp;benenreihe speichern …</translation>
+    </message>
+    <message>
+        <source>Planes like this one, or about a line, as a DICOM series that keeps its place in the patient</source>
+        <translation>Ebenen wie diese, oder um eine Linie, als DICOM-Serie, die ihre Lage im Patienten behält</translation>
+    </message>
+    <message>
+        <source>Lymph &amp;Node</source>
+        <translation>&amp;Lymphknoten</translation>
+    </message>
+    <message>
+        <source>Its short axis counts in the follow-up, not its long one</source>
+        <translation>In der Verlaufskontrolle zählt seine kurze Achse, nicht die lange</translation>
+    </message>
 </context>
 <context>
     <name>SlicePainting</name>
@@ -1200,6 +1270,46 @@
     <message>
         <source>Paint, erase or grow the own segment that is selected</source>
         <translation>Das gewählte eigene Segment malen, radieren oder wachsen lassen</translation>
+    </message>
+    <message>
+        <source>Lesion</source>
+        <translation>Läsion</translation>
+    </message>
+    <message>
+        <source>Measure both axes of a lesion, in mm: the long one, then half of the short</source>
+        <translation>Beide Achsen einer Läsion in mm messen: die lange, dann die Hälfte der kurzen</translation>
+    </message>
+    <message>
+        <source>Cobb Angle</source>
+        <translation>Cobb-Winkel</translation>
+    </message>
+    <message>
+        <source>Measure between two lines, in degrees</source>
+        <translation>Zwischen zwei Linien messen, in Grad</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Draw around something by hand, or click its corners and double-click the last: its area, and values within it</source>
+        <translation>Etwas von Hand umfahren, oder seine Ecken anklicken und die letzte doppelklicken: Fläche und Werte darin</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Draw along something by hand, or click its points and double-click the last: its length, in mm</source>
+        <translation>An etwas von Hand entlangfahren, oder seine Punkte anklicken und den letzten doppelklicken: Länge in mm</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>Point at something, drag away, and type words</source>
+        <translation>Auf etwas zeigen, wegziehen und Worte tippen</translation>
     </message>
 </context>
 <context>
@@ -1295,6 +1405,10 @@
         <source>%1, turned by %2</source>
         <translation>%1, um %2 gedreht</translation>
     </message>
+    <message>
+        <source>%1, lymph node</source>
+        <translation>%1, Lymphknoten</translation>
+    </message>
 </context>
 <context>
     <name>TimeCurveDialog</name>
@@ -1305,6 +1419,10 @@
     <message>
         <source>Ellipse %1</source>
         <translation>Ellipse %1</translation>
+    </message>
+    <message>
+        <source>Outline %1</source>
+        <translation>Umriss %1</translation>
     </message>
 </context>
 <context>
@@ -2082,10 +2200,6 @@
         <translation>Das ist keine NRRD-Datei.</translation>
     </message>
     <message>
-        <source>The image has several values in each voxel, or an axis of time; a volume needs one value.</source>
-        <translation>Das Bild hat mehrere Werte in jedem Voxel oder eine Zeitachse; ein Volumen braucht einen Wert.</translation>
-    </message>
-    <message>
         <source>The position of the image is not given in millimetres.</source>
         <translation>Die Lage des Bildes ist nicht in Millimetern angegeben.</translation>
     </message>
@@ -2768,10 +2882,6 @@
     <message>
         <source>Only a folder of DICOM files can have segmentations.</source>
         <translation>Nur ein Ordner mit DICOM-Dateien kann Segmentierungen haben.</translation>
-    </message>
-    <message>
-        <source>Leave --segments out.</source>
-        <translation>Lassen Sie --segments weg.</translation>
     </message>
     <message>
         <source>Tracing</source>
@@ -3728,14 +3838,6 @@
     <message>
         <source>does not name a format</source>
         <translation>nennt kein Format</translation>
-    </message>
-    <message>
-        <source>The PLY file holds a model in the packed form of SuperSplat, which is not read.</source>
-        <translation>Die PLY-Datei enthält ein Modell in der gepackten Form von SuperSplat, die nicht gelesen wird.</translation>
-    </message>
-    <message>
-        <source>Export it there as a PLY that is not compressed, or as SPZ.</source>
-        <translation>Exportieren Sie es dort als unkomprimiertes PLY oder als SPZ.</translation>
     </message>
     <message>
         <source>The PLY file has a list in the place of {}.</source>
@@ -8690,10 +8792,6 @@
         <translation>eine Richtung senkrecht zu „right“</translation>
     </message>
     <message>
-        <source>&quot;distance&quot;, &quot;angle&quot; or &quot;ellipse&quot;</source>
-        <translation>„distance“, „angle“ oder „ellipse“</translation>
-    </message>
-    <message>
         <source>a colour as #rrggbb</source>
         <translation>eine Farbe als #rrggbb</translation>
     </message>
@@ -11826,10 +11924,6 @@
         <translation>Die Kurve wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>No ellipse is drawn.</source>
-        <translation>Es ist keine Ellipse gezeichnet.</translation>
-    </message>
-    <message>
         <source>Draw an ellipse (E) on a slice: the curve has the mean of the values in it.</source>
         <translation>Zeichnen Sie auf einer Schicht eine Ellipse (E): Die Kurve zeigt den Mittelwert darin.</translation>
     </message>
@@ -11864,10 +11958,6 @@
     <message>
         <source>There is no memory for this picture.</source>
         <translation>Für dieses Bild ist kein Speicher da.</translation>
-    </message>
-    <message>
-        <source>C, W, Z, M, D, G, E, V, U, Y</source>
-        <translation>C, W, Z, M, D, G, E, V, U, Y</translation>
     </message>
     <message>
         <source>Turn the planes about the cross-hair; with Shift, in steps of 15 degrees</source>
@@ -12458,14 +12548,6 @@
         <translation>Das Programm muss in jedes Voxel des Volumens, das es bekam, die Nummer eines Segments schreiben.</translation>
     </message>
     <message>
-        <source>The result has values that are no numbers of segments, from 0 to 65535.</source>
-        <translation>Das Ergebnis hat Werte, die keine Nummern von Segmenten von 0 bis 65535 sind.</translation>
-    </message>
-    <message>
-        <source>The result has more than {} segments.</source>
-        <translation>Das Ergebnis hat mehr als {} Segmente.</translation>
-    </message>
-    <message>
         <source>The result has other voxels than the volume, or lies elsewhere.</source>
         <translation>Das Ergebnis hat andere Voxel als das Volumen, oder es liegt woanders.</translation>
     </message>
@@ -12586,10 +12668,6 @@
         <translation>Formen auf Bildern, die nicht sagen, wo sie liegen, und die ausgelassen wurden: {}.</translation>
     </message>
     <message>
-        <source>Shapes that are no distance, angle or ellipse, and that were left out: {}.</source>
-        <translation>Formen, die keine Strecke, kein Winkel und keine Ellipse sind und ausgelassen wurden: {}.</translation>
-    </message>
-    <message>
         <source>Shapes whose points cannot be right, and that were left out: {}.</source>
         <translation>Formen, deren Punkte nicht stimmen können, und die ausgelassen wurden: {}.</translation>
     </message>
@@ -12624,10 +12702,6 @@
     <message>
         <source>The report belongs to another study than the one that is open.</source>
         <translation>Der Befund gehört zu einer anderen Studie als der geöffneten.</translation>
-    </message>
-    <message>
-        <source>The report draws no distance, angle or ellipse.</source>
-        <translation>Der Befund zeichnet keine Strecke, keinen Winkel und keine Ellipse.</translation>
     </message>
     <message>
         <source>Open the series that it was measured on.</source>
@@ -13174,10 +13248,6 @@
         <translation>Feld: Messungen</translation>
     </message>
     <message>
-        <source>Left button on slices: cross-hair, window, zoom, move, distance, angle, ellipse, probe, segment, curve</source>
-        <translation>Linke Taste auf Schichten: Fadenkreuz, Fensterung, Zoom, Verschieben, Abstand, Winkel, Ellipse, Sonde, Segment, Kurve</translation>
-    </message>
-    <message>
         <source>Drag a ring on the cross-hair, Ctrl + Left and Right on slices</source>
         <translation>Einen Ring am Fadenkreuz ziehen, Strg + Links und Rechts auf Schichten</translation>
     </message>
@@ -13284,6 +13354,286 @@
     <message>
         <source>The slices as they were acquired, in boxes, with priors beside them</source>
         <translation>Die Schichten wie aufgenommen, in Feldern, mit Voruntersuchungen daneben</translation>
+    </message>
+    <message>
+        <source>A label map has the number of a segment in each voxel, and 0 where there is none.</source>
+        <translation>Eine Label-Map hat in jedem Voxel die Nummer eines Segments, und 0, wo keines ist.</translation>
+    </message>
+    <message>
+        <source>It has values that are no numbers of segments: whole ones from 0 to 65535.</source>
+        <translation>Sie hat Werte, die keine Nummern von Segmenten sind: ganze Zahlen von 0 bis 65535.</translation>
+    </message>
+    <message>
+        <source>It has more than {} segments.</source>
+        <translation>Sie hat mehr als {} Segmente.</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>{} difference</source>
+        <translation>{} Differenz</translation>
+    </message>
+    <message>
+        <source>A plane of that size or place cannot be written as DICOM.</source>
+        <translation>Eine Ebene dieser Größe oder Lage lässt sich nicht als DICOM schreiben.</translation>
+    </message>
+    <message>
+        <source>The images of this series have no identifiers or no frame of reference, and what is written could not refer to them.</source>
+        <translation>Die Bilder dieser Serie haben keine Kennungen oder kein Koordinatensystem (Frame of Reference); das Geschriebene könnte sich nicht auf sie beziehen.</translation>
+    </message>
+    <message>
+        <source>Write the planes without patient and study.</source>
+        <translation>Schreiben Sie die Ebenen ohne Patient und Studie.</translation>
+    </message>
+    <message>
+        <source>Choose a file with a segmentation, or open this one as a volume.</source>
+        <translation>Wählen Sie eine Datei mit einer Segmentierung, oder öffnen Sie diese als Volumen.</translation>
+    </message>
+    <message>
+        <source>The file holds {} volumes, and is no label map of one.</source>
+        <translation>Die Datei enthält {} Volumen und ist keine Label-Map von einem.</translation>
+    </message>
+    <message>
+        <source>The file has more than {} layers of segments.</source>
+        <translation>Die Datei hat mehr als {} Schichten von Segmenten.</translation>
+    </message>
+    <message>
+        <source>It has no segment: all of its voxels are 0.</source>
+        <translation>Sie hat kein Segment: Alle ihre Voxel sind 0.</translation>
+    </message>
+    <message>
+        <source>read this label map</source>
+        <translation>diese Label-Map lesen</translation>
+    </message>
+    <message>
+        <source>The image has several values in each voxel, such as colours or the components of a vector, which are no times; a volume needs one value.</source>
+        <translation>Das Bild hat mehrere Werte in jedem Voxel, etwa Farben oder die Komponenten eines Vektors, die keine Zeiten sind; ein Volumen braucht einen Wert.</translation>
+    </message>
+    <message>
+        <source>Write each of them to a file of its own.</source>
+        <translation>Schreiben Sie jeden davon in eine eigene Datei.</translation>
+    </message>
+    <message>
+        <source>The file holds more volumes than Macula reads: {}.</source>
+        <translation>Die Datei enthält mehr Volumen, als Macula liest: {}.</translation>
+    </message>
+    <message>
+        <source>The file holds {} volumes along an axis in {}, which is no time; this is number {}.</source>
+        <translation>Die Datei enthält {} Volumen entlang einer Achse in {}, die keine Zeit ist; dies ist Nummer {}.</translation>
+    </message>
+    <message>
+        <source>Nothing says what to do with the segments of the label map.</source>
+        <translation>Nichts sagt, was mit den Segmenten der Label-Map geschehen soll.</translation>
+    </message>
+    <message>
+        <source>Add --segments, such as --segments colour:&quot;Label 1&quot;.</source>
+        <translation>Geben Sie --segments an, etwa --segments colour:&quot;Label 1&quot;.</translation>
+    </message>
+    <message>
+        <source>Leave --segments out, or give a file with segments by --label-map.</source>
+        <translation>Lassen Sie --segments weg, oder geben Sie mit --label-map eine Datei mit Segmenten an.</translation>
+    </message>
+    <message>
+        <source>The packed PLY file lacks what its splats are packed by.</source>
+        <translation>Der gepackten PLY-Datei fehlt, wonach ihre Splats gepackt sind.</translation>
+    </message>
+    <message>
+        <source>The packed PLY file has coefficients of colour that fit no degree.</source>
+        <translation>Die gepackte PLY-Datei hat Farbkoeffizienten, die zu keinem Grad passen.</translation>
+    </message>
+    <message>
+        <source>Lesions that were not measured at the baseline, and are in no sum: {}. A new lesion is progressive disease whatever its size.</source>
+        <translation>Läsionen, die in der Ausgangsuntersuchung nicht gemessen wurden und in keiner Summe sind: {}. Eine neue Läsion ist ein Progress, wie groß sie auch ist.</translation>
+    </message>
+    <message>
+        <source>A label stands at several measurements of one study: the longest counts.</source>
+        <translation>Eine Beschriftung steht an mehreren Messungen einer Untersuchung: Die längste zählt.</translation>
+    </message>
+    <message>
+        <source>A lesion is called a lymph node in one study and not in another: it counts as one in all.</source>
+        <translation>Eine Läsion heißt in einer Untersuchung Lymphknoten und in einer anderen nicht: Sie zählt in allen als einer.</translation>
+    </message>
+    <message>
+        <source>A lymph node was measured with a distance, which has no short axis: it counts as not measured.</source>
+        <translation>Ein Lymphknoten wurde mit einer Strecke gemessen, die keine kurze Achse hat: Er zählt als nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>RECIST 1.1 calls lesions below 10 mm, and lymph nodes below 15 mm, not measurable: at the baseline these are {}.</source>
+        <translation>RECIST 1.1 nennt Läsionen unter 10 mm und Lymphknoten unter 15 mm nicht messbar: In der Ausgangsuntersuchung sind das {}.</translation>
+    </message>
+    <message>
+        <source>RECIST 1.1 follows at most five lesions, two in an organ; here are {}.</source>
+        <translation>RECIST 1.1 verfolgt höchstens fünf Läsionen, zwei je Organ; hier sind es {}.</translation>
+    </message>
+    <message>
+        <source>Shapes that Macula does not measure, and that were left out: {}.</source>
+        <translation>Formen, die Macula nicht misst und die weggelassen wurden: {}.</translation>
+    </message>
+    <message>
+        <source>The report draws nothing that Macula measures.</source>
+        <translation>Der Bericht zeichnet nichts, was Macula misst.</translation>
+    </message>
+    <message>
+        <source>Choose other distances, or another number of planes.</source>
+        <translation>Wählen Sie andere Abstände oder eine andere Zahl von Ebenen.</translation>
+    </message>
+    <message>
+        <source>These numbers make no planes.</source>
+        <translation>Diese Zahlen ergeben keine Ebenen.</translation>
+    </message>
+    <message>
+        <source>These are more than {} planes.</source>
+        <translation>Das sind mehr als {} Ebenen.</translation>
+    </message>
+    <message>
+        <source>A plane would have more than {} pixels a side.</source>
+        <translation>Eine Ebene hätte mehr als {} Pixel an einer Seite.</translation>
+    </message>
+    <message>
+        <source>Values are rounded to steps of {:.3g}.</source>
+        <translation>Werte sind auf Stufen von {:.3g} gerundet.</translation>
+    </message>
+    <message>
+        <source>Pixels are larger than voxels: {:.3g} mm.</source>
+        <translation>Pixel sind größer als Voxel: {:.3g} mm.</translation>
+    </message>
+    <message>
+        <source>Writing {} planes</source>
+        <translation>{} Ebenen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>None of these planes meets the volume.</source>
+        <translation>Keine dieser Ebenen trifft das Volumen.</translation>
+    </message>
+    <message>
+        <source>Choose other distances.</source>
+        <translation>Wählen Sie andere Abstände.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for these planes.</source>
+        <translation>Der Speicher reicht nicht für diese Ebenen.</translation>
+    </message>
+    <message>
+        <source>Choose fewer, or close other programs.</source>
+        <translation>Wählen Sie weniger, oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>write the planes</source>
+        <translation>die Ebenen schreiben</translation>
+    </message>
+    <message>
+        <source>A report of measurements has no place for arrows and their words: of {} measurements, it leaves out {}.</source>
+        <translation>Ein Bericht von Messungen hat keinen Platz für Pfeile und ihre Worte: Von {} Messungen lässt er {} weg.</translation>
+    </message>
+    <message>
+        <source>No ellipse or outline is drawn.</source>
+        <translation>Es ist keine Ellipse und kein Umriss gezeichnet.</translation>
+    </message>
+    <message>
+        <source>&quot;distance&quot;, &quot;angle&quot;, &quot;ellipse&quot;, &quot;bidirectional&quot;, &quot;cobb angle&quot;, &quot;arrow&quot;, &quot;outline&quot; or &quot;line&quot;</source>
+        <translation>&quot;distance&quot;, &quot;angle&quot;, &quot;ellipse&quot;, &quot;bidirectional&quot;, &quot;cobb angle&quot;, &quot;arrow&quot;, &quot;outline&quot; oder &quot;line&quot;</translation>
+    </message>
+    <message>
+        <source>The two phases do not lie on one grid in one unit: there is no difference of their values.</source>
+        <translation>Die beiden Phasen liegen nicht auf einem Gitter in einer Einheit: Es gibt keine Differenz ihrer Werte.</translation>
+    </message>
+    <message>
+        <source>Choose another phase.</source>
+        <translation>Wählen Sie eine andere Phase.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the difference of two phases.</source>
+        <translation>Der Speicher reicht nicht für die Differenz zweier Phasen.</translation>
+    </message>
+    <message>
+        <source>Rejected images: {}</source>
+        <translation>Zurückgewiesene Bilder: {}</translation>
+    </message>
+    <message>
+        <source>★ 1 key image</source>
+        <translation>★ 1 Schlüsselbild</translation>
+    </message>
+    <message>
+        <source>★ {} key images</source>
+        <translation>★ {} Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>Reading the key images was cancelled.</source>
+        <translation>Das Lesen der Schlüsselbilder wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>read the key images</source>
+        <translation>die Schlüsselbilder lesen</translation>
+    </message>
+    <message>
+        <source>The file holds {} volumes; Macula can choose from {} at most, and shows the first alone.</source>
+        <translation>Die Datei enthält {} Volumen; Macula kann aus höchstens {} wählen und zeigt nur das erste.</translation>
+    </message>
+    <message>
+        <source>The file is another one by now.</source>
+        <translation>Die Datei ist inzwischen eine andere.</translation>
+    </message>
+    <message>
+        <source>Open it again.</source>
+        <translation>Öffnen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the file does not say when</source>
+        <translation>die Datei sagt nicht, wann</translation>
+    </message>
+    <message>
+        <source>time {:.6g} s</source>
+        <translation>Zeit {:.6g} s</translation>
+    </message>
+    <message>
+        <source>time {:.6g} ms</source>
+        <translation>Zeit {:.6g} ms</translation>
+    </message>
+    <message>
+        <source>at {:.6g}, in a unit that the file does not name</source>
+        <translation>bei {:.6g}, in einer Einheit, die die Datei nicht nennt</translation>
+    </message>
+    <message>
+        <source>at {:.6g} {}, which is no time</source>
+        <translation>bei {:.6g} {}, was keine Zeit ist</translation>
+    </message>
+    <message>
+        <source>The file names no patient and no frame of reference: it was taken to be of this patient, and to lie in the coordinate system of this volume.</source>
+        <translation>Die Datei nennt weder Patient noch Koordinatensystem (Frame of Reference): Angenommen wurde, dass sie von diesem Patienten ist und im Koordinatensystem dieses Volumens liegt.</translation>
+    </message>
+    <message>
+        <source>The file has the numbers of segments, not their names.</source>
+        <translation>Die Datei hat die Nummern der Segmente, nicht ihre Namen.</translation>
+    </message>
+    <message>
+        <source>Placing the segments</source>
+        <translation>Segmente werden eingeordnet</translation>
+    </message>
+    <message>
+        <source>No voxel of this segmentation lies in the volume that is open.</source>
+        <translation>Kein Voxel dieser Segmentierung liegt im geöffneten Volumen.</translation>
+    </message>
+    <message>
+        <source>Open the volume that it was drawn on first.</source>
+        <translation>Öffnen Sie zuerst das Volumen, auf dem sie gezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>open this segmentation</source>
+        <translation>diese Segmentierung öffnen</translation>
+    </message>
+    <message>
+        <source>Next key image of the folder</source>
+        <translation>Nächstes Schlüsselbild des Ordners</translation>
+    </message>
+    <message>
+        <source>C, W, Z, M, D, Shift+D, G, Shift+G, E, Shift+E, Shift+Y, H, V, U, Y</source>
+        <translation>C, W, Z, M, D, Umschalt+D, G, Umschalt+G, E, Umschalt+E, Umschalt+Y, H, V, U, Y</translation>
+    </message>
+    <message>
+        <source>Left button on slices: cross-hair, window, zoom, move, distance, lesion, angle, Cobb angle, ellipse, outline, line, arrow, probe, segment, curve</source>
+        <translation>Linke Taste auf Schichten: Fadenkreuz, Fenster, Zoom, Verschieben, Strecke, Läsion, Winkel, Cobb-Winkel, Ellipse, Umriss, Linie, Pfeil, Sonde, Segment, Kurve</translation>
     </message>
 </context>
 <context>
@@ -14098,6 +14448,13 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::DistanceIn3d</name>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::DocumentDialog</name>
     <message>
         <source>Text of the document</source>
@@ -14597,6 +14954,146 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::FollowUpController</name>
+    <message>
+        <source>Follow-up of &amp;Lesions…</source>
+        <translation>Verlauf der &amp;Läsionen…</translation>
+    </message>
+    <message>
+        <source>Sizes of lesions with the same label in the studies of this patient, sums and their changes</source>
+        <translation>Größen der gleich beschrifteten Läsionen in den Untersuchungen dieses Patienten, Summen und ihre Änderung</translation>
+    </message>
+    <message>
+        <source>No study is open.</source>
+        <translation>Es ist keine Untersuchung offen.</translation>
+    </message>
+    <message>
+        <source>Open a study first.</source>
+        <translation>Öffnen Sie zuerst eine Untersuchung.</translation>
+    </message>
+    <message numerus="yes">
+        <source>What was measured before could not be read everywhere; left out were %n states.</source>
+        <translation>
+            <numerusform>Was früher gemessen wurde, war nicht überall lesbar; weggelassen wurde %n Stand.</numerusform>
+            <numerusform>Was früher gemessen wurde, war nicht überall lesbar; weggelassen wurden %n Stände.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies have no date, and are left out.</source>
+        <translation>
+            <numerusform>%n Untersuchung hat kein Datum und ist weggelassen.</numerusform>
+            <numerusform>%n Untersuchungen haben kein Datum und sind weggelassen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::FollowUpDialog</name>
+    <message>
+        <source>&amp;Gone</source>
+        <translation>Ver&amp;schwunden</translation>
+    </message>
+    <message>
+        <source>Follow-up</source>
+        <translation>Verlauf der Läsionen</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Ausgangsuntersuchung</translation>
+    </message>
+    <message>
+        <source>The study that the later ones are compared with: the last before the treatment</source>
+        <translation>Die Untersuchung, mit der die späteren verglichen werden: die letzte vor der Behandlung</translation>
+    </message>
+    <message>
+        <source>Lesions in each study, in mm</source>
+        <translation>Läsionen in jeder Untersuchung, in mm</translation>
+    </message>
+    <message>
+        <source>Sizes in mm</source>
+        <translation>Größen in mm</translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation>Verschwunden</translation>
+    </message>
+    <message>
+        <source>The lesion of the chosen field is no longer seen in that study: its size is 0</source>
+        <translation>Die Läsion des gewählten Feldes ist in dieser Untersuchung nicht mehr zu sehen: Ihre Größe ist 0</translation>
+    </message>
+    <message>
+        <source>&amp;Baseline</source>
+        <translation>&amp;Ausgangsuntersuchung</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as a Table</source>
+        <translation>Als Tabelle &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Save as a Table…</source>
+        <translation>Als Tabelle &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>%1 (lymph node, short axis)</source>
+        <translation>%1 (Lymphknoten, kurze Achse)</translation>
+    </message>
+    <message>
+        <source>%1 (not at the baseline)</source>
+        <translation>%1 (nicht in der Ausgangsuntersuchung)</translation>
+    </message>
+    <message>
+        <source>0 (gone)</source>
+        <translation>0 (verschwunden)</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Sum in mm</source>
+        <translation>Summe in mm</translation>
+    </message>
+    <message>
+        <source>From the baseline</source>
+        <translation>Gegen die Ausgangsuntersuchung</translation>
+    </message>
+    <message>
+        <source>From the smallest sum before</source>
+        <translation>Gegen die kleinste Summe davor</translation>
+    </message>
+    <message>
+        <source>RECIST 1.1</source>
+        <translation>RECIST 1.1</translation>
+    </message>
+    <message>
+        <source>The categories are what RECIST 1.1 gives for these sizes alone. New lesions and lesions that are not measured (non-target lesions) are not in them. A physician decides.</source>
+        <translation>Die Kategorien sind, was RECIST 1.1 für diese Größen allein ergibt. Neue Läsionen und Läsionen, die nicht gemessen werden (Non-Target-Läsionen), sind nicht darin. Eine Ärztin oder ein Arzt entscheidet.</translation>
+    </message>
+    <message>
+        <source>Measure lesions with both axes (Shift+D), and give the same lesion the same label in each study.</source>
+        <translation>Messen Sie Läsionen mit beiden Achsen (Umschalt+D), und geben Sie derselben Läsion in jeder Untersuchung dieselbe Beschriftung.</translation>
+    </message>
+    <message>
+        <source>Only this study is known. Open a prior in its place, measure there, and come back: what is measured is kept. Priors of this folder are known, and those of the folder that is open beside it (Ctrl+B).</source>
+        <translation>Nur diese Untersuchung ist bekannt. Öffnen Sie eine Voruntersuchung an ihrer Stelle, messen Sie dort, und kommen Sie zurück: Was gemessen ist, wird behalten. Bekannt sind die Voruntersuchungen dieses Ordners und des Ordners, der daneben offen ist (Strg+B).</translation>
+    </message>
+    <message>
+        <source>The size of the pixels of the open study is not calibrated: its lengths are estimates.</source>
+        <translation>Die Pixelgröße der offenen Untersuchung ist nicht kalibriert: Ihre Längen sind Schätzungen.</translation>
+    </message>
+    <message>
+        <source>Save the follow-up</source>
+        <translation>Den Verlauf speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>The follow-up is written to %1.</source>
+        <translation>Der Verlauf ist nach %1 geschrieben.</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::FoundStudyList</name>
     <message>
         <source>Enter or a double click opens the selected study</source>
@@ -14944,6 +15441,29 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::KeyImagesController</name>
+    <message>
+        <source>Next &amp;Key Image</source>
+        <translation>Nächstes S&amp;chlüsselbild</translation>
+    </message>
+    <message>
+        <source>The next image that a selection of key images names</source>
+        <translation>Das nächste Bild, das eine Auswahl von Schlüsselbildern nennt</translation>
+    </message>
+    <message>
+        <source>Previous Key Image</source>
+        <translation>Voriges Schlüsselbild</translation>
+    </message>
+    <message>
+        <source>The key image before</source>
+        <translation>Das Schlüsselbild davor</translation>
+    </message>
+    <message>
+        <source>Key image %1 of %2: %3</source>
+        <translation>Schlüsselbild %1 von %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::KeysPage</name>
     <message>
         <source>&amp;No Key</source>
@@ -15023,6 +15543,48 @@
     <message>
         <source>Label</source>
         <translation>Beschriftung</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::LabelMapOpener</name>
+    <message>
+        <source>A segmentation is shown on a volume.</source>
+        <translation>Eine Segmentierung wird auf einem Volumen gezeigt.</translation>
+    </message>
+    <message>
+        <source>Open the volume first that it was drawn on.</source>
+        <translation>Öffnen Sie zuerst das Volumen, auf dem sie gezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>Open a segmentation of this volume</source>
+        <translation>Eine Segmentierung dieses Volumens öffnen</translation>
+    </message>
+    <message>
+        <source>Label maps: NIfTI, NRRD, MetaImage (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.hdr)</source>
+        <translation>Label-Maps: NIfTI, NRRD, MetaImage (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.hdr)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n segments are shown; the panel Segmentations (F11) lists them.</source>
+        <translation>
+            <numerusform>%n Segment ist zu sehen; das Feld Segmentierungen (F11) führt es auf.</numerusform>
+            <numerusform>%n Segmente sind zu sehen; das Feld Segmentierungen (F11) führt sie auf.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A segmentation?</source>
+        <translation>Eine Segmentierung?</translation>
+    </message>
+    <message>
+        <source>%1 lies on the voxels of the volume that is open. Is it a segmentation of this volume?</source>
+        <translation>%1 liegt auf den Voxeln des geöffneten Volumens. Ist es eine Segmentierung dieses Volumens?</translation>
+    </message>
+    <message>
+        <source>Show It as a &amp;Segmentation</source>
+        <translation>Als &amp;Segmentierung zeigen</translation>
+    </message>
+    <message>
+        <source>Open It as a &amp;Volume</source>
+        <translation>Als &amp;Volumen öffnen</translation>
     </message>
 </context>
 <context>
@@ -16211,10 +16773,6 @@
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>Play the phases on slices, or stop</source>
-        <translation>Die Phasen auf Schichten abspielen oder anhalten</translation>
-    </message>
-    <message>
         <source>Phase</source>
         <translation>Phase</translation>
     </message>
@@ -16235,10 +16793,6 @@
         <translation>Diese Phase öffnen</translation>
     </message>
     <message>
-        <source>3D shows this phase too; measurements and changes are then those of this phase</source>
-        <translation>3D zeigt auch diese Phase; Messungen und Änderungen sind dann die dieser Phase</translation>
-    </message>
-    <message>
         <source>Curve over Phases…</source>
         <translation>Verlauf über die Phasen…</translation>
     </message>
@@ -16253,6 +16807,62 @@
     <message>
         <source>Phase on slices</source>
         <translation>Phase auf Schichten</translation>
+    </message>
+    <message>
+        <source>Play the phases, or stop</source>
+        <translation>Die Phasen abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Measurements and changes are then those of this phase, and 3D shows it too</source>
+        <translation>Messungen und Änderungen gehören dann zu dieser Phase, und auch 3D zeigt sie</translation>
+    </message>
+    <message>
+        <source>3D Too</source>
+        <translation>Auch 3D</translation>
+    </message>
+    <message>
+        <source>3D too</source>
+        <translation>Auch 3D</translation>
+    </message>
+    <message>
+        <source>3D shows the phase of the slices, and plays it</source>
+        <translation>3D zeigt die Phase der Schnitte und spielt sie ab</translation>
+    </message>
+    <message>
+        <source>Learn Phases</source>
+        <translation>Phasen lernen</translation>
+    </message>
+    <message>
+        <source>Learn phases</source>
+        <translation>Phasen lernen</translation>
+    </message>
+    <message>
+        <source>While the 3D picture rests, a preview of each phase is learnt and stored; learnt phases play without being traced</source>
+        <translation>Solange das 3D-Bild ruht, lernt Macula von jeder Phase eine Vorschau und speichert sie; gelernte Phasen spielen, ohne dass Strahlen verfolgt werden</translation>
+    </message>
+    <message>
+        <source>Values or difference</source>
+        <translation>Werte oder Differenz</translation>
+    </message>
+    <message>
+        <source>Whether slices show the values of the phase, or how they differ from those of another phase</source>
+        <translation>Ob Schnitte die Werte der Phase zeigen oder deren Unterschied zu einer anderen Phase</translation>
+    </message>
+    <message>
+        <source>Largest difference with a colour of its own</source>
+        <translation>Größte Differenz mit eigener Farbe</translation>
+    </message>
+    <message>
+        <source>Differences beyond this have the same colour</source>
+        <translation>Größere Differenzen haben dieselbe Farbe</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Difference to phase %1</source>
+        <translation>Differenz zu Phase %1</translation>
     </message>
 </context>
 <context>
@@ -16277,12 +16887,75 @@
         <source>%1 is being decoded</source>
         <translation>%1 wird dekodiert</translation>
     </message>
+    <message>
+        <source>%1; saved values: phase %2</source>
+        <translation>%1; gespeicherte Werte: Phase %2</translation>
+    </message>
+    <message>
+        <source>Difference of values: phase %1 − phase %2 (of %3); saved values: phase %4</source>
+        <translation>Differenz der Werte: Phase %1 − Phase %2 (von %3); gespeicherte Werte: Phase %4</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PhasesIn3d</name>
+    <message>
+        <source>%1; saved values: phase %2</source>
+        <translation>%1; gespeicherte Werte: Phase %2</translation>
+    </message>
+    <message>
+        <source>Colours of segments are of phase %1, and not shown here</source>
+        <translation>Farben der Segmente gehören zu Phase %1 und werden hier nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Voxels are hidden where phase %1 has them hidden</source>
+        <translation>Voxel sind dort verborgen, wo Phase %1 sie verbirgt</translation>
+    </message>
+    <message>
+        <source>The second volume is placed for phase %1</source>
+        <translation>Das zweite Volumen ist für Phase %1 platziert</translation>
+    </message>
+    <message>
+        <source>All phases are learnt for 3D</source>
+        <translation>Alle Phasen sind für 3D gelernt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 phases learnt for 3D</source>
+        <translation>%1 von %2 Phasen für 3D gelernt</translation>
+    </message>
+    <message>
+        <source>%1; the device has no memory for more</source>
+        <translation>%1; der Grafikspeicher reicht nicht für weitere</translation>
+    </message>
+    <message>
+        <source>%1; phase %2, step %3</source>
+        <translation>%1; Phase %2, Schritt %3</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::PickController</name>
     <message>
         <source>Cross-hair</source>
         <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Measure a &amp;Distance in 3D</source>
+        <translation>Eine &amp;Strecke in 3D messen</translation>
+    </message>
+    <message>
+        <source>Double-click two places of what is seen in 3D: the straight line between them, in mm</source>
+        <translation>Zwei Stellen dessen doppelklicken, was in 3D zu sehen ist: die gerade Linie dazwischen, in mm</translation>
+    </message>
+    <message>
+        <source>Double-click both ends of the distance in 3D.</source>
+        <translation>Doppelklicken Sie in 3D beide Enden der Strecke.</translation>
+    </message>
+    <message>
+        <source>Turn the picture as you like, and double-click the other end.</source>
+        <translation>Drehen Sie das Bild, wie Sie möchten, und doppelklicken Sie das andere Ende.</translation>
+    </message>
+    <message>
+        <source>%1 in a straight line. It is in the list of measurements (Ctrl+Shift+M).</source>
+        <translation>%1 in gerader Linie. Sie steht in der Liste der Messungen (Strg+Umschalt+M).</translation>
     </message>
 </context>
 <context>
@@ -16685,6 +17358,158 @@
     <message>
         <source>Table (*.csv)</source>
         <translation>Tabelle (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PlanesController</name>
+    <message>
+        <source>Writing planes</source>
+        <translation>Ebenen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Save a &amp;Batch of Planes…</source>
+        <translation>E&amp;benenreihe speichern …</translation>
+    </message>
+    <message>
+        <source>Planes like that of the slice pane with the focus, or about a line, as a DICOM series that keeps its place in the patient</source>
+        <translation>Ebenen wie die des aktiven Schichtfeldes, oder um eine Linie, als DICOM-Serie, die ihre Lage im Patienten behält</translation>
+    </message>
+    <message>
+        <source>A batch of planes is still being written.</source>
+        <translation>Eine Reihe von Ebenen wird noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>No slice is shown whose plane could be taken.</source>
+        <translation>Es ist keine Schicht zu sehen, deren Ebene genommen werden könnte.</translation>
+    </message>
+    <message>
+        <source>Open a study, and show slices: F5.</source>
+        <translation>Öffnen Sie eine Studie, und zeigen Sie Schichten: F5.</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder for the planes</source>
+        <translation>Leeren Ordner für die Ebenen wählen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n planes are written to %1.</source>
+        <translation>
+            <numerusform>%n Ebene ist nach %1 geschrieben.</numerusform>
+            <numerusform>%n Ebenen sind nach %1 geschrieben.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PlanesDialog</name>
+    <message>
+        <source>None: each plane alone</source>
+        <translation>Keine: jede Ebene für sich</translation>
+    </message>
+    <message>
+        <source>Mean over %1 mm, as in the panes</source>
+        <translation>Mittel über %1 mm, wie in den Feldern</translation>
+    </message>
+    <message>
+        <source>Maximum over %1 mm, as in the panes</source>
+        <translation>Maximum über %1 mm, wie in den Feldern</translation>
+    </message>
+    <message>
+        <source>Minimum over %1 mm, as in the panes</source>
+        <translation>Minimum über %1 mm, wie in den Feldern</translation>
+    </message>
+    <message>
+        <source>Distance of the first plane from the one in the pane, along its normal</source>
+        <translation>Abstand der ersten Ebene von der im Feld, entlang ihrer Normalen</translation>
+    </message>
+    <message>
+        <source>Distance of the last plane</source>
+        <translation>Abstand der letzten Ebene</translation>
+    </message>
+    <message>
+        <source>Distance from plane to plane</source>
+        <translation>Abstand von Ebene zu Ebene</translation>
+    </message>
+    <message>
+        <source>&amp;Without patient and study</source>
+        <translation>&amp;Ohne Patient und Studie</translation>
+    </message>
+    <message>
+        <source>Save a Batch of Planes</source>
+        <translation>Ebenenreihe speichern</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>How the planes lie to each other</source>
+        <translation>Wie die Ebenen zueinander liegen</translation>
+    </message>
+    <message>
+        <source>Parallel to this plane</source>
+        <translation>Parallel zu dieser Ebene</translation>
+    </message>
+    <message>
+        <source>About the line through the cross-hair, across this plane</source>
+        <translation>Um die Linie durch das Fadenkreuz, quer zu dieser Ebene</translation>
+    </message>
+    <message>
+        <source>About the curve, near the cross-hair</source>
+        <translation>Um die Kurve, beim Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Number of planes</source>
+        <translation>Zahl der Ebenen</translation>
+    </message>
+    <message>
+        <source>So many in half a turn</source>
+        <translation>So viele in einer halben Drehung</translation>
+    </message>
+    <message>
+        <source>Without patient and study</source>
+        <translation>Ohne Patient und Studie</translation>
+    </message>
+    <message>
+        <source>Nothing of the patient is written, and all UIDs are other ones. A face can still be seen.</source>
+        <translation>Vom Patienten wird nichts geschrieben, und alle UIDs sind andere. Ein Gesicht kann trotzdem zu sehen sein.</translation>
+    </message>
+    <message>
+        <source>&amp;Choose Folder…</source>
+        <translation>&amp;Ordner wählen …</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder for the images; then they are written</source>
+        <translation>Wählen Sie einen leeren Ordner für die Bilder; dann werden sie geschrieben</translation>
+    </message>
+    <message>
+        <source>&amp;Planes</source>
+        <translation>&amp;Ebenen</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>&amp;Bis</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Schritt</translation>
+    </message>
+    <message>
+        <source>&amp;Number</source>
+        <translation>&amp;Anzahl</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Slab</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n images of %1 × %2 pixels of %3 mm, over the area that the pane shows.</source>
+        <translation>
+            <numerusform>%n Bild von %1 × %2 Pixeln von %3 mm, über die Fläche, die das Feld zeigt.</numerusform>
+            <numerusform>%n Bilder von %1 × %2 Pixeln von %3 mm, über die Fläche, die das Feld zeigt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -18118,6 +18943,10 @@
         <source>Own segments</source>
         <translation>Eigene Segmente</translation>
     </message>
+    <message>
+        <source>Open segmentation</source>
+        <translation>Segmentierung öffnen</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::SegmentationPanel</name>
@@ -18322,6 +19151,18 @@
     <message>
         <source>DICOM files (*.dcm)</source>
         <translation>DICOM-Dateien (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Opening a segmentation</source>
+        <translation>Eine Segmentierung wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Open Segme&amp;ntation…</source>
+        <translation>Segme&amp;ntierung öffnen …</translation>
+    </message>
+    <message>
+        <source>A label map of another program, on the voxels of the open volume: NIfTI, NRRD, MetaImage. DICOM segmentations are found by themselves in the folder</source>
+        <translation>Eine Label-Map eines anderen Programms, auf den Voxeln des geöffneten Volumens: NIfTI, NRRD, MetaImage. DICOM-Segmentierungen im Ordner findet Macula von selbst</translation>
     </message>
 </context>
 <context>

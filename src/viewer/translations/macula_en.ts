@@ -169,6 +169,33 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::FollowUpController</name>
+    <message numerus="yes">
+        <source>What was measured before could not be read everywhere; left out were %n states.</source>
+        <translation>
+            <numerusform>What was measured before could not be read everywhere; left out was %n state.</numerusform>
+            <numerusform>What was measured before could not be read everywhere; left out were %n states.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies have no date, and are left out.</source>
+        <translation>
+            <numerusform>%n study has no date, and is left out.</numerusform>
+            <numerusform>%n studies have no date, and are left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::LabelMapOpener</name>
+    <message numerus="yes">
+        <source>%n segments are shown; the panel Segmentations (F11) lists them.</source>
+        <translation>
+            <numerusform>%n segment is shown; the panel Segmentations (F11) lists it.</numerusform>
+            <numerusform>%n segments are shown; the panel Segmentations (F11) lists them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::LinkChoice</name>
     <message numerus="yes">
         <source>%n studies fit the link. Choose the one to fetch and open.</source>
@@ -225,6 +252,26 @@
         <translation>
             <numerusform>%n sample</numerusform>
             <numerusform>%n samples</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PlanesController</name>
+    <message numerus="yes">
+        <source>%n planes are written to %1.</source>
+        <translation>
+            <numerusform>%n plane is written to %1.</numerusform>
+            <numerusform>%n planes are written to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PlanesDialog</name>
+    <message numerus="yes">
+        <source>%n images of %1 × %2 pixels of %3 mm, over the area that the pane shows.</source>
+        <translation>
+            <numerusform>%n image of %1 × %2 pixels of %3 mm, over the area that the pane shows.</numerusform>
+            <numerusform>%n images of %1 × %2 pixels of %3 mm, over the area that the pane shows.</numerusform>
         </translation>
     </message>
 </context>
