@@ -130,8 +130,8 @@ TEST_F(RendererOfPhases, PhasesAreLearntAndPlayWithoutTheTracerNextTimeAtOnce) {
         middles.at(std::size_t(phase) - 1) = litColumn();
     }
     EXPECT_EQ(preparing_, before) << "no volume was brought to the device";
-    // Splats lie where the block of their own phase is, though the second began with those of the first. To
-    // the right on screen is the patient's left. 3 cm are more than two pixels.
+    // Splats lie where the block of their own phase is. To the right on screen is the patient's left. 3 cm
+    // are more than two pixels.
     EXPECT_GT(middles[1], middles[0] + 1.5);
     // At rest the phase is traced.
     input_.playsPhases = false;

@@ -75,15 +75,6 @@ std::optional<std::size_t> PhaseModels::nextToLearn(const FrameInput& input) con
     return nearest;
 }
 
-std::shared_ptr<const splat::Splats> PhaseModels::nearestLearnt(std::size_t index) const {
-    std::optional<std::size_t> nearest;
-    for (std::size_t i = 0; i < phases_.size(); ++i) {
-        if (!phases_[i].isLearnt) continue;
-        if (!nearest || apart(i, index, phases_.size()) < apart(*nearest, index, phases_.size())) nearest = i;
-    }
-    return nearest ? phases_[*nearest].drawable->splats : nullptr;
-}
-
 bool PhaseModels::hasWork(const FrameInput& input, const std::string& onScreen) {
     takeWanted(input);
     onScreen_ = onScreen;
@@ -157,7 +148,7 @@ Result<void> PhaseModels::begin(std::size_t index) {
                                              hybrid::liveModelOptions(*device_.device())));
     }
     learning_ = index;
-    return model_->show(names_[index], phase.scene.drawing.settings, nearestLearnt(index));
+    return model_->show(names_[index], phase.scene.drawing.settings);
 }
 
 // As AppliedScene does on screen: a part that is there already stays.

@@ -23,16 +23,17 @@
 
 namespace macula::live {
 
-// Learns the phases of FrameInput::phases beside the scene on screen, with a tracer of its own, so
-// that two volumes are on the device while it works; both are freed when nothing is left to learn. A phase is
-// first looked for on the shelf and in the store, and else begins with the splats of the nearest phase that
-// is learnt. Names, shelf and keeper are those of `scenes`.
+// Learns the phases of FrameInput::phases beside the scene on screen, with a tracer of its own, so that two
+// volumes are on the device while it works; both are freed when nothing is left to learn. A phase is first
+// looked for on the shelf and in the store, and else begins with points: with the splats of a neighbour
+// (LiveModel::show) it took more steps until it was fit to be shown, and was mottled
+// (docs/measurements/window.md). Names, shelf and keeper are those of `scenes`.
 //
 // Used by the render thread alone. Methods that learn or draw require a device that is ready.
 class PhaseModels {
   public:
-    // A phase is learnt once its model is fit to be shown and has taken so many steps: a model that began
-    // with another phase may be sharp, and still show where matter was in that one.
+    // A phase is learnt once its model is fit to be shown and has taken so many steps, so that phases that
+    // follow each other are equally sharp.
     static constexpr std::uint64_t kStepsOfLearnt = 240;
 
     // What can be drawn of a phase.
@@ -84,7 +85,6 @@ class PhaseModels {
     void takeWanted(const FrameInput& input);
     std::optional<std::size_t> indexOf(const std::string& name) const;
     std::optional<std::size_t> nextToLearn(const FrameInput& input) const;
-    std::shared_ptr<const splat::Splats> nearestLearnt(std::size_t index) const;
     void seek(std::size_t index, const std::function<bool()>& goesOn);
     void takeFound(Phase& phase, const hybrid::StoredModel& found);
     Result<void> begin(std::size_t index);
