@@ -77,12 +77,21 @@ void writeGeneral(ItemWriter to, const PlaneSeries& series, const PlaneImage& im
     if (!series.isFromLossyImages) to.text(DCM_LossyImageCompression, "00");
 }
 
+// Where a direction leads, as PS3.3 C.7.6.1.1.1 has it: H and F for head and feet.
+std::string sideOf(const glm::dvec3& direction) {
+    std::string letters = orientationLetters(direction);
+    std::ranges::replace(letters, 'S', 'H');
+    std::ranges::replace(letters, 'I', 'F');
+    return letters;
+}
+
 void writePlane(ItemWriter to, const PlaneSeries& series, const PlaneImage& image) {
     const glm::dvec3& p = image.positionMm;
     const glm::dvec3& r = image.rowDirection;
     const glm::dvec3& c = image.columnDirection;
     to.text(DCM_FrameOfReferenceUID, series.frameOfReferenceUid);
     to.text(DCM_PositionReferenceIndicator, "");
+    to.text(DCM_PatientOrientation, sideOf(r) + "\\" + sideOf(c));
     to.text(DCM_ImagePositionPatient, decimals({p.x, p.y, p.z}));
     to.text(DCM_ImageOrientationPatient, decimals({r.x, r.y, r.z, c.x, c.y, c.z}));
     to.text(DCM_PixelSpacing, decimals({series.spacingMm, series.spacingMm}));
