@@ -166,7 +166,35 @@ TEST(FollowUpTest, TheTableForOtherProgramsHasEveryNumber) {
               "nadir_before_mm,,,,70.000\r\n"
               "change_from_baseline_percent,,,,-57.1\r\n"
               "change_from_nadir_percent,,,,-57.1\r\n"
-              "recist_1_1_of_these_numbers,,,baseline,PR\r\n");
+              "recist_1_1_of_these_numbers,,,baseline,PR\r\n"
+              "new_lesions,,,,1\r\n");
+}
+
+TEST(FollowUpTest, OfANodeTheLongestShortAxisCounts) {
+    const std::vector<FollowedExam> exams{
+        {"20240101", {lesion("N", 25.0, 16.0, true)}},
+        {"20240401", {lesion("N", 25.0, 8.0, true), lesion("N", 22.0, 14.0, true), lesion("N", 40.0, 1)}}};
+    const FollowUp table = followUp(exams, 0);
+    EXPECT_DOUBLE_EQ(table.lesions.at(0).sizes.at(1).mm, 14.0);
+    EXPECT_EQ(table.sums.at(1).response, Response::stable);
+}
+
+TEST(FollowUpTest, ALesionThatIsBackAfterAllWereGoneIsProgress) {
+    const std::vector<FollowedExam> exams{
+        {"20240101", {lesion("A", 40.0, 1)}}, {"20240401", {}}, {"20240701", {lesion("A", 4.0, 1)}}};
+    const FollowUp table = followUp(exams, 0, {{"a", 1}});
+    EXPECT_EQ(table.sums.at(1).response, Response::complete);
+    EXPECT_EQ(table.sums.at(2).response, Response::progress);
+}
+
+TEST(FollowUpTest, ALesionOfBeforeTheBaselineIsNotNew) {
+    const std::vector<FollowedExam> exams{{"20230101", {lesion("Old", 20.0, 1)}},
+                                          {"20240101", {lesion("A", 40.0, 1)}},
+                                          {"20240401", {lesion("A", 40.0, 1), lesion("Old", 20.0, 1)}}};
+    const FollowUp table = followUp(exams, 1);
+    ASSERT_EQ(table.notes.size(), 1u);
+    EXPECT_NE(table.notes.front().english().find("before the baseline"), std::string::npos);
+    EXPECT_NE(toCsv(table).find("new_lesions,,,,0"), std::string::npos);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ constexpr double kMeasurableNodeMm = 15.0;
 constexpr std::size_t kMostTargets = 5;
 constexpr double kRounding = 1e-9;
 
-// What was measured of a lesion in one exam.
+// What was measured of a lesion in one exam: the longest of each axis.
 struct Found {
     std::string label;
     double longMm = 0.0;
@@ -59,13 +59,19 @@ FoundByKey foundIn(const FollowedExam& exam) {
         const auto [at, isFirst] = all.try_emplace(keyOfLesion(found->label), *found);
         if (isFirst) continue;
         Found& kept = at->second;
-        const std::size_t times = kept.times + 1;
-        const bool isNode = kept.isNode || found->isNode;
-        if (found->longMm > kept.longMm) kept = *found;
-        kept.times = times;
-        kept.isNode = isNode;
+        ++kept.times;
+        kept.isNode |= found->isNode;
+        kept.longMm = std::max(kept.longMm, found->longMm);
+        if (found->shortMm) kept.shortMm = std::max(*found->shortMm, kept.shortMm.value_or(0.0));
     }
     return all;
+}
+
+// Found first after the baseline.
+bool isAfterBaseline(const FollowedLesion& lesion, std::size_t baseline) {
+    const auto isMeasured = [](const LesionSize& size) { return size.is == LesionSize::Is::measured; };
+    const auto end = lesion.sizes.begin() + std::ptrdiff_t(baseline) + 1;
+    return lesion.isNew && std::none_of(lesion.sizes.begin(), end, isMeasured);
 }
 
 // Makes the table from what was found in each exam.
@@ -157,6 +163,11 @@ class Maker {
             return lesion.isNew || (lesion.isNode ? mm < kNormalNodeMm : mm == 0.0);
         });
         if (isNormal) return Response::complete;
+        const auto wasComplete = [](const ExamSum& before) { return before.response == Response::complete; };
+        const bool isBack = std::ranges::any_of(table_.lesions, [&](const FollowedLesion& lesion) {
+            return !lesion.isNew && !lesion.isNode && lesion.sizes[exam].mm > 0.0;
+        });
+        if (isBack && std::ranges::any_of(table_.sums, wasComplete)) return Response::progress;
         const double moreMm = *sum.sumMm - *sum.nadirMm;
         const bool isLarger = !sum.fromNadir || *sum.fromNadir >= kProgress - kRounding;
         if (isLarger && moreMm >= kProgressMm - kRounding) return Response::progress;
@@ -168,10 +179,10 @@ class Maker {
         const auto say = [this](std::size_t count, Text sentence) {
             if (count > 0) table_.notes.push_back(std::move(sentence));
         };
-        std::size_t targets = 0, small = 0, isNew = 0;
+        std::size_t targets = 0, small = 0, isNew = 0, isOld = 0;
         for (const FollowedLesion& lesion : table_.lesions) {
             if (lesion.isNew) {
-                ++isNew;
+                ++(isAfterBaseline(lesion, table_.baseline) ? isNew : isOld);
                 continue;
             }
             ++targets;
@@ -183,6 +194,8 @@ class Maker {
             Text("Lesions that were not measured at the baseline, and are in no sum: {}. A new lesion is "
                  "progressive disease whatever its size.",
                  isNew));
+        say(isOld,
+            Text("Lesions that were measured before the baseline and not at it are in no sum: {}.", isOld));
         say(repeated_, Text("A label stands at several measurements of one study: the longest counts."));
         say(nodesByOthers_,
             Text(
@@ -262,11 +275,19 @@ std::string toCsv(const FollowUp& table) {
     line("nadir_before_mm", [](const ExamSum& sum) { return mmText(sum.nadirMm); });
     line("change_from_baseline_percent", [](const ExamSum& sum) { return percentText(sum.fromBaseline); });
     line("change_from_nadir_percent", [](const ExamSum& sum) { return percentText(sum.fromNadir); });
+    std::string fresh = "new_lesions,,";
+    for (std::size_t exam = 0; exam < table.sums.size(); ++exam) {
+        const auto count = std::ranges::count_if(table.lesions, [&](const FollowedLesion& lesion) {
+            return isAfterBaseline(lesion, table.baseline) &&
+                   lesion.sizes[exam].is == LesionSize::Is::measured;
+        });
+        fresh += exam > table.baseline ? fmt::format(",{}", count) : std::string(",");
+    }
     line("recist_1_1_of_these_numbers", [](const ExamSum& sum) {
         return sum.response == Response::baseline ? std::string("baseline")
                                                   : std::string(nameOf(sum.response));
     });
-    return csv;
+    return csv + fresh + "\r\n";
 }
 
 }  // namespace macula::scene

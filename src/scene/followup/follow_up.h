@@ -44,8 +44,10 @@ enum class Response {
     complete,  // CR: all lesions are gone, and the short axes of nodes below 10 mm
     partial,   // PR: the sum is smaller than at baseline by 30 % or more
     stable,    // SD: none of the others
-    progress,  // PD: the sum is larger than the smallest before by 20 % or more, and by 5 mm or more
-    unknown    // NE: a lesion of the baseline was neither measured nor called gone
+    // PD: the sum is larger than the smallest before by 20 % or more, and by 5 mm or more; or a lesion is
+    // back after all were gone
+    progress,
+    unknown  // NE: a lesion of the baseline was neither measured nor called gone
 };
 
 struct ExamSum {
@@ -71,9 +73,9 @@ using GoneLesions = std::set<std::pair<std::string, std::size_t>>;  // labels as
 std::string keyOfLesion(std::string_view label);
 
 // `exams` are in the order of their dates. Lesions are both axes, and plain distances, with a label; of
-// several with one label in an exam the longest counts. A lesion is a node if it is called one in any exam.
-// `gone` says which lesions that were not measured are gone: their size is 0. `baseline` is the index of an
-// exam; at most kMostFollowedLesions lesions.
+// several with one label in an exam the longest counts, of nodes the longest short axis. A lesion is a node
+// if it is called one in any exam. `gone` says which lesions that were not measured are gone: their size is
+// 0. `baseline` is the index of an exam; at most kMostFollowedLesions lesions.
 inline constexpr std::size_t kMostFollowedLesions = 500;
 FollowUp followUp(std::span<const FollowedExam> exams, std::size_t baseline, const GoneLesions& gone = {});
 
@@ -81,8 +83,8 @@ FollowUp followUp(std::span<const FollowedExam> exams, std::size_t baseline, con
 std::string_view nameOf(Response response);
 
 // RFC 4180: a line for each lesion with its axis and its size in mm in each exam, then lines with the sum,
-// both changes in percent, and the category. Nothing is in a field that is not known; a lesion that is gone
-// has 0.
+// both changes in percent, the category, and how many new lesions there are. Nothing is in a field that is
+// not known; a lesion that is gone has 0.
 std::string toCsv(const FollowUp& table);
 
 }  // namespace macula::scene

@@ -54,6 +54,8 @@ void ReadMarks::ask(const std::vector<std::string>& studyInstanceUids) {
         post(home, [home, marks = marksIn(*store, uids)] {
             // What a person marked meanwhile stays.
             home->marks_.insert(marks.begin(), marks.end());
+            for (const std::string& uid : home->opened_)
+                if (home->of(uid) == ReadMark::unseen) home->marks_[uid] = ReadMark::seen;
             Q_EMIT home->changed();
         });
     });
@@ -79,6 +81,7 @@ void ReadMarks::setRead(const std::string& studyInstanceUid, bool isRead) {
 }
 
 void ReadMarks::noteOpened(const std::string& studyInstanceUid) {
+    opened_.insert(studyInstanceUid);
     const auto found = marks_.find(studyInstanceUid);
     if (found == marks_.end()) return ask({studyInstanceUid});
     if (found->second == ReadMark::unseen) found->second = ReadMark::seen;

@@ -5,6 +5,7 @@
 #include <QString>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ class ReadMarks : public QObject {
   private:
     std::shared_ptr<live::StudyKeeper> keeper_;
     std::map<std::string, ReadMark> marks_;
+    std::set<std::string> opened_;  // in this run
 };
 
 }  // namespace macula::viewer

@@ -108,6 +108,13 @@ void FollowUpController::show(const std::vector<Known>& studies,
         }
         followed.others.push_back(std::move(study));
     }
+    if (followed.open.exam.date.empty() && !followed.others.empty()) {
+        followed.others.clear();
+        followed.notes << tr(
+            "The open study has no date: others cannot be compared with it, and are left out.");
+    }
+    if (!followed.others.empty())
+        followed.notes << tr("Whether the sizes of other studies are calibrated is not known here.");
     if (unreadable > 0)
         followed.notes << tr(
             "What was measured before could not be read everywhere; left out were %n states.", nullptr,

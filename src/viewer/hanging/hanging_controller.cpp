@@ -20,6 +20,8 @@
 #include "viewer/language/window_language.h"
 #include "viewer/menus/controls.h"
 #include "viewer/planar/planar_controller.h"
+#include "viewer/planar/planar_measuring.h"
+#include "viewer/planar/planar_presenting.h"
 #include "viewer/status/notifications.h"
 
 namespace macula::viewer {
@@ -66,7 +68,10 @@ HangingController::HangingController(const WindowContext& context, PlanarControl
         scrollEnds_.start();
     });
     connect(&scrollEnds_, &QTimer::timeout, this, &HangingController::keep);
-    connect(&images_, &PlanarController::aboutToClose, this, &HangingController::keep);
+    connect(&images_, &PlanarController::aboutToClose, this, [this] {
+        keep();
+        kept_->close();
+    });
     connect(&images_, &PlanarController::shownChanged, this, [this] {
         if (images_.isShown()) return;
         kept_->close();
@@ -132,6 +137,10 @@ void HangingController::take(const Result<std::shared_ptr<const Facts>>& facts) 
 void HangingController::hangFirst() {
     if (!images_.isShown() || !isUntouched_ || !isAnswered_) return;
     const ImageBox& first = images_.box();
+    if (!first.isShown() || first.measuring().isDrawing() || first.presenting().isWanted()) {
+        isUntouched_ = false;
+        return;
+    }
     const auto hasFirst = [&](const BoxArrangement& arrangement) {
         return std::ranges::any_of(arrangement.boxes, [&](const BoxArrangement::Box& box) {
             return box.stack == first.series().stack;
@@ -159,7 +168,7 @@ void HangingController::hangFirst() {
     isUntouched_ = false;
     if (!wanted || *wanted == images_.boxes().arrangement()) return;
     isHanging_ = true;
-    images_.showBoxes(*wanted);
+    images_.boxes().hang(*wanted);
     isHanging_ = false;
 }
 
@@ -180,9 +189,12 @@ BoxArrangement HangingController::hung(const study::HangingProtocol& protocol) c
 void HangingController::apply(const study::HangingProtocol& protocol) {
     if (!facts_) return;
     const BoxArrangement made = hung(protocol);
-    if (images_.isShown() && images_.box().found() == facts_->found)
+    const ImageBox* shown = images_.boxes().firstShown();
+    const int patient = facts_->images.studies.front()->patient;
+    if (shown != nullptr && shown->found() == facts_->found && shown->series().study->patient == patient)
         return images_.boxes().arrange(tr("Hanging protocol"), made);
     isUntouched_ = false;
+    kept_->close();
     images_.showBoxes(made);
     kept_->open(*facts_->images.studies.front());
 }

@@ -164,6 +164,10 @@ void ModelsController::askWhereToSave() {
     connect(dialog, &QFileDialog::filterSelected, dialog,
             [dialog, chosen] { dialog->setDefaultSuffix(QLatin1String(chosen().suffix)); });
     context_.files.ask(dialog, FolderKind::models, [this, chosen](const QString& file) {
+        // Phases may have played on meanwhile.
+        if (!context_.notifications.refuseUnless(!context_.viewport.showsOtherPhase(),
+                                                 whyNotOfOpenPhase(context_.viewport)))
+            return;
         const bool holdsTraining = file.endsWith(QLatin1String(".macula"), Qt::CaseInsensitive);
         // Takes the drawing of this moment, because the model will be that of this moment, too.
         export_->expect({.path = file.toStdString(),

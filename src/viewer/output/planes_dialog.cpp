@@ -75,7 +75,7 @@ QDoubleSpinBox* PlanesDialog::makeMm(const char* name, const QString& what, doub
     auto* box = new QDoubleSpinBox(this);
     describe(*box, name, what, what);
     box->setRange(-kFarthestMm, kFarthestMm);
-    box->setDecimals(2);
+    box->setDecimals(4);  // slices 0.625 mm apart stay that
     box->setSuffix(QStringLiteral(" mm"));
     box->setValue(value);
     return box;

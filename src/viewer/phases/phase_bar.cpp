@@ -9,6 +9,8 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "viewer/menus/controls.h"
 #include "viewer/status/status_widgets.h"
@@ -19,7 +21,7 @@ namespace {
 
 constexpr double kUsualRate = 10.0;
 constexpr double kMostRate = 30.0;
-constexpr double kLeastReach = 0.001;
+constexpr double kLeastReach = 1e-9;
 constexpr double kMostReach = 1e9;
 
 }  // namespace
@@ -92,6 +94,7 @@ QHBoxLayout* PhaseBar::makeSecondRow() {
     reach_ = new QDoubleSpinBox(this);
     describe(*reach_, "phases-reach", tr("Largest difference with a colour of its own"),
              tr("Differences beyond this have the same colour"));
+    reach_->setDecimals(9);  // a range is rounded to them
     reach_->setRange(kLeastReach, kMostReach);
     reach_->setPrefix(QStringLiteral("± "));
     reach_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -163,7 +166,8 @@ void PhaseBar::setReference(int phase) {
 
 void PhaseBar::setReach(double reach, const QString& unit) {
     const QSignalBlocker quiet(reach_);
-    reach_->setDecimals(reach < 10.0 ? 3 : 0);
+    // Three digits, as small as values may be.
+    reach_->setDecimals(std::clamp(2 - int(std::floor(std::log10(std::max(reach, kLeastReach)))), 0, 9));
     reach_->setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
     reach_->setValue(reach);
 }

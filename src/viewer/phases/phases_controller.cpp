@@ -248,6 +248,9 @@ void PhasesController::step() {
 void PhasesController::setImagesShown(bool shown) {
     if (shown) setPlaying(false);
     bar_->setPhases(shown ? 0 : int(phases_.size()));
+    if (shown || phases_.empty()) return;
+    bar_->setReference(reference_ ? int(*reference_) : -1);
+    bar_->setShown(int(shown_), textOf(shown_));
 }
 
 void PhasesController::openShown() {

@@ -8,6 +8,11 @@
 namespace macula::viewer {
 
 void BoxLinks::link(const std::vector<ImageBox*>& boxes) {
+    const auto isStarted = [this](const ImageBox* box) {
+        return !box->isShown() || startOf(*box) != nullptr;
+    };
+    const auto shown = std::ranges::count_if(boxes, &ImageBox::isShown);
+    if (isOn_ && std::size_t(shown) == starts_.size() && std::ranges::all_of(boxes, isStarted)) return;
     isOn_ = true;
     starts_.clear();
     for (const ImageBox* box : boxes)
@@ -36,7 +41,7 @@ void BoxLinks::follow(const ImageBox& moved, const std::vector<ImageBox*>& boxes
         if (fromStart.plane && toStart.plane) {
             const auto shift = study::shiftMm(fromStart, toStart);
             if (!shift) continue;  // across each other: nothing to scroll to
-            if (const auto place = study::linkedFrame(moved.shownFrame(), *to->stack, *shift))
+            if (const auto place = study::linkedFrame(moved.placeFrame(), *to->stack, *shift))
                 box->follow(*place);
         } else {
             const auto steps = std::ptrdiff_t(moved.place()) - std::ptrdiff_t(from->place);

@@ -16,7 +16,8 @@ class ImageBox;
 class BoxLinks {
   public:
     bool isOn() const { return isOn_; }
-    // What lies at one place is what the boxes show now.
+    // What lies at one place is what the boxes show now; while they show the same series as when they were
+    // linked, what they showed then.
     void link(const std::vector<ImageBox*>& boxes);
     void unlink();
     // The other boxes go where `moved` is. Does nothing while they are not linked.

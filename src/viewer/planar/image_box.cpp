@@ -3,6 +3,7 @@
 #include "viewer/planar/image_box.h"
 
 #include <QDragEnterEvent>
+#include <QMainWindow>
 #include <QMimeData>
 #include <algorithm>
 #include <array>
@@ -40,7 +41,8 @@ ImageBox::ImageBox(const WindowContext& context, QObject* parent)
       bar_(new PlanarBar),
       pane_(new PlanarPane(*view_, *bar_, this)),
       loader_(new PlanarLoader(this)),
-      kept_(new KeptImages(this)) {
+      // Jobs of the store refer to it until the store ends, which is after the boxes.
+      kept_(new KeptImages(&context.window)) {
     view_->addLayer(line_);
     view_->setAcceptDrops(true);
     view_->installEventFilter(this);
@@ -68,6 +70,11 @@ void ImageBox::connectParts() {
     connect(bar_, &PlanarBar::saveAsked, this, &ImageBox::saveAsked);
     connect(bar_, &PlanarBar::backAsked, this, &ImageBox::closeAsked);
     connect(&player_, &PlanarPlayer::due, this, &ImageBox::playNext);
+    // In a window of their own images stay while the volume changes.
+    connect(&context_.session, &StudyEditor::studyShown, this, &ImageBox::showLocalizer);
+    connect(&context_.session, &StudyEditor::changed, this, [this](const scene::StudyState& before) {
+        if (before.slices.crosshairMm != context_.session.state().slices.crosshairMm) showLocalizer();
+    });
     connect(kept_, &KeptImages::found, this, [this](const study::ImagesState& state) {
         left_ = state;
         restore();
@@ -96,7 +103,7 @@ void ImageBox::show(std::shared_ptr<const study::FoundVolumes> found, const stud
     bar_->setCanGoBack(context_.session.hasStudy());
     pane_->tellChoices(namesShown_);
     Q_EMIT shownChanged();
-    follow(place.value_or(0));
+    request(place.value_or(0));
     if (keeps_) kept_->open(series_);
 }
 
@@ -121,14 +128,26 @@ void ImageBox::showNames(bool shown) {
 }
 
 void ImageBox::setLineOf(const dicom::Frame* other) {
-    line_.show(other != nullptr && isShown() ? study::outlineOn(shownFrame(), *other) : std::nullopt);
+    const bool wasEmpty = line_.isEmpty();
+    const dicom::Frame* own = shownFrame();
+    line_.show(own != nullptr && other != nullptr ? study::outlineOn(*own, *other) : std::nullopt);
     view_->update();
+    if (line_.isEmpty() != wasEmpty) tell();
 }
 
 void ImageBox::takeMeasurements(const std::vector<study::ImageMeasurement>& all) {
     measuring().follow(all);
     bar_->setHasMeasurements(!all.empty());
     keep();
+}
+
+const dicom::Frame* ImageBox::shownFrame() const {
+    return isShown() && pane_->hasImage() ? &series_.stack->frames[pane_->image().place] : nullptr;
+}
+
+void ImageBox::setPrior(const std::string& date) {
+    priorDate_ = date;
+    tell();
 }
 
 void ImageBox::setLinked(bool linked) {
@@ -161,6 +180,11 @@ void ImageBox::setPlace(std::size_t place) {
 }
 
 void ImageBox::follow(std::size_t place) {
+    isPlaceGiven_ = true;
+    request(place);
+}
+
+void ImageBox::request(std::size_t place) {
     if (!isShown()) return;
     place_ = std::min(place, series_.stack->frames.size() - 1);
     bar_->setPlaces(int(series_.stack->frames.size()), int(place_));
@@ -181,12 +205,18 @@ void ImageBox::take(const LoadedImage& image) {
     if (!isShown() || image.place != place_) return;
     const bool isFirst = !pane_->hasImage();
     const bool isOfSameLoop = !isFirst && loopAt(pane_->image().place).begin == loopAt(place_).begin;
-    pane_->localizer().show(series_.stack->frames[place_], context_.session.study(),
-                            context_.session.state().slices.crosshairMm);
     pane_->take(image, series_.stack->frames[place_], isOfSameLoop);
+    showLocalizer();
     if (isFirst || !isPlaying()) pane_->tellChoices(namesShown_);
     if (isFirst) restore();
     Q_EMIT imageShown();
+}
+
+void ImageBox::showLocalizer() {
+    const dicom::Frame* frame = shownFrame();
+    if (frame == nullptr) return;
+    pane_->localizer().show(*frame, context_.session.study(), context_.session.state().slices.crosshairMm);
+    view_->update();
 }
 
 // A state that is chosen may be of other images than the one on screen.
@@ -219,6 +249,8 @@ QStringList ImageBox::warnings() const {
     if (hasLoop && pane_->image().header->cine.frameMs.empty())
         warnings += tr("the file says no rate: %1 frames per second").arg(1000.0 / kUsualMs);
     if (!line_.isEmpty()) warnings += tr("line: the image of the box that is chosen");
+    if (!priorDate_.empty())
+        warnings += tr("an older study, of %1").arg(QString::fromStdString(study::dateForPeople(priorDate_)));
     if (isLinked_) warnings += tr("scrolls with the others");
     return warnings;
 }
@@ -346,9 +378,10 @@ void ImageBox::restore() {
     if (!isShown() || !left_ || !pane_->hasImage()) return;
     const study::ImagesState state = *left_;
     pane_->restore(state);
-    if (pane_->presenting().state() == nullptr && !isPlaceGiven_) follow(state.place);
+    if (pane_->presenting().state() == nullptr && !isPlaceGiven_) request(state.place);
     left_.reset();
     keep();
+    Q_EMIT restored();
 }
 
 }  // namespace macula::viewer

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "study/planar/images_state.h"
@@ -63,19 +64,22 @@ class ImageBox : public QObject {
     void setPlace(std::size_t place);  // as a person does
     void follow(std::size_t place);    // as another box does
     std::size_t place() const { return place_; }
-    const dicom::Frame& shownFrame() const { return series_.stack->frames[place_]; }
+    const dicom::Frame& placeFrame() const { return series_.stack->frames[place_]; }  // may not be read yet
+    const dicom::Frame* shownFrame() const;  // of the image on screen; null: none
     void setPlaying(bool plays);
     bool isPlaying() const { return player_.isPlaying(); }
     const study::PlanarDisplay& display() const { return pane_->shown().display(); }
     bool isUpToDate() const { return pane_->hasImage() && pane_->image().place == place_; }
     // The line of the image of another box; null: none.
     void setLineOf(const dicom::Frame* other);
-    void setLinked(bool linked);  // said beside the image
+    void setLinked(bool linked);             // said beside the image
+    void setPrior(const std::string& date);  // likewise: YYYYMMDD of an older study; empty: it is the newest
 
   Q_SIGNALS:
     void shownChanged();
     void imageShown();
     void placeChosen();                      // by a person
+    void restored();                         // it shows what was left
     void activated();                        // it got the keyboard focus
     void closeAsked();                       // Esc
     void aloneAsked();                       // alone, or with the others again
@@ -88,6 +92,8 @@ class ImageBox : public QObject {
 
   private:
     void connectParts();
+    void request(std::size_t place);
+    void showLocalizer();
     void onKey(PlanarKey key);
     bool chooseTool(PlanarKey key);
     void onEscape();
@@ -120,6 +126,7 @@ class ImageBox : public QObject {
     bool isPlaceGiven_ = false;               // the place that was left does not count
     bool keeps_ = false;
     bool isLinked_ = false;
+    std::string priorDate_;
     bool namesShown_ = true;
 
     PlanarPlayer player_;

@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "base/check.h"
+#include "study/planar/linked_frames.h"
 #include "viewer/browser/series_mime.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/planar/image_box.h"
 #include "viewer/planar/planar_bar.h"
 #include "viewer/planar/planar_measuring.h"
+#include "viewer/status/notifications.h"
 
 namespace macula::viewer {
 
@@ -71,6 +73,10 @@ void ImageBoxes::connectBox(ImageBox& box) {
         links_.follow(box, boxes());
         Q_EMIT scrolled();
     });
+    // What is kept of its place came: that is where it lies now.
+    connect(&box, &ImageBox::restored, this, [this] {
+        if (isLinked()) links_.link(boxes());
+    });
     connect(&box, &ImageBox::dropped, this, [this, &box](const QByteArray& series) { onDrop(box, series); });
     connect(&box, &ImageBox::imageShown, this, [this, &box] {
         showLines();
@@ -94,8 +100,9 @@ std::vector<ImageBox*> ImageBoxes::boxes() const {
     return {boxes_.begin(), boxes_.begin() + std::ptrdiff_t(countOf(rows_, columns_))};
 }
 
-bool ImageBoxes::isShown() const {
-    return std::ranges::any_of(boxes_, &ImageBox::isShown);
+const ImageBox* ImageBoxes::firstShown() const {
+    const auto found = std::ranges::find_if(boxes_, &ImageBox::isShown);
+    return found == boxes_.end() ? nullptr : *found;
 }
 
 void ImageBoxes::keepIn(const std::shared_ptr<live::StudyKeeper>& keeper) {
@@ -116,7 +123,8 @@ void ImageBoxes::choose(ImageBox& box) {
     const auto found = std::ranges::find(boxes_, &box);
     MACULA_CHECK(found != boxes_.end());
     const auto index = std::size_t(found - boxes_.begin());
-    if (index == chosen_) return;
+    // As boxes are hidden, the focus goes through them.
+    if (isLayingOut_ || index == chosen_ || index >= countOf(rows_, columns_)) return;
     chosen_ = index;
     layOut();
     showLines();
@@ -139,6 +147,16 @@ void ImageBoxes::begin(const BoxArrangement& first) {
     apply(first);
     done_.clear();
     undone_.clear();
+    Q_EMIT stepsChanged();
+}
+
+void ImageBoxes::hang(const BoxArrangement& next) {
+    const dicom::Stack* opened = chosen().series().stack;
+    isAlone_ = false;
+    apply(next);
+    const std::vector<ImageBox*> all = boxes();
+    const auto has = [&](const ImageBox* box) { return box->isShown() && box->series().stack == opened; };
+    if (const auto found = std::ranges::find_if(all, has); found != all.end()) choose(**found);
     Q_EMIT stepsChanged();
 }
 
@@ -190,7 +208,8 @@ void ImageBoxes::apply(const BoxArrangement& next) {
         links_.link(boxes());
     else
         links_.unlink();
-    for (ImageBox* box : boxes_) box->setLinked(isLinked() && count > 1);
+    tellLinks();
+    tellPriors();
     isApplying_ = false;
     for (const ImageBox* box : boxes_) forgetStepsOf(box->measuring());
     layOut();
@@ -239,11 +258,14 @@ void ImageBoxes::showInChosen(std::shared_ptr<const study::FoundVolumes> found,
 
 // A series that another box shows changes places with what the box shows.
 void ImageBoxes::onDrop(ImageBox& box, const QByteArray& text) {
-    const auto shown = std::ranges::find_if(boxes_, &ImageBox::isShown);
-    if (shown == boxes_.end()) return;
-    const auto found = (*shown)->found();
+    const ImageBox* shown = firstShown();
+    if (shown == nullptr) return;
+    const auto found = shown->found();
     const study::PlanarSeries series = seriesOfText(text, *found);
     if (series.stack == nullptr) return;
+    if (series.study->patient != shown->series().study->patient)
+        return context_.notifications.showNote(
+            tr("That series is of another patient. Boxes show one patient; a double click opens it."));
     choose(box);
     BoxArrangement next = arrangement();
     const auto elsewhere = std::ranges::find(next.boxes, series.stack, &BoxArrangement::Box::stack);
@@ -278,7 +300,10 @@ void ImageBoxes::clear() {
 }
 
 void ImageBoxes::layOut() {
+    isLayingOut_ = true;
     const std::size_t count = countOf(rows_, columns_);
+    const bool hadFocus =
+        std::ranges::any_of(boxes_, [](const ImageBox* box) { return box->view().hasFocus(); });
     const bool isMany = count > 4 && !isAlone_;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         PaneFrame& frame = boxes_[i]->frame();
@@ -295,12 +320,38 @@ void ImageBoxes::layOut() {
         grid_->setColumnStretch(
             column, column < columns_ && (!isAlone_ || column == int(chosen_) % columns_) ? 1 : 0);
     bars_->setCurrentWidget(&chosen().bar());
+    if (hadFocus) chosen().view().setFocus();
+    isLayingOut_ = false;
+}
+
+// A box scrolls with others unless it lies across all of them.
+void ImageBoxes::tellLinks() {
+    const std::vector<ImageBox*> all = boxes();
+    for (ImageBox* box : boxes_) {
+        const bool follows = std::ranges::any_of(all, [&](const ImageBox* other) {
+            if (other == box || !other->isShown() || !box->isShown()) return false;
+            const dicom::Frame& a = box->placeFrame();
+            const dicom::Frame& b = other->placeFrame();
+            return !a.plane || !b.plane || study::shiftMm(a, b).has_value();
+        });
+        box->setLinked(isLinked() && follows);
+    }
+}
+
+// Which of two studies is the older one is said also where names are hidden.
+void ImageBoxes::tellPriors() {
+    std::string newest;
+    for (const ImageBox* box : boxes())
+        if (box->isShown()) newest = std::max(newest, box->series().study->date);
+    for (ImageBox* box : boxes()) {
+        const std::string date = box->isShown() ? box->series().study->date : std::string();
+        box->setPrior(!date.empty() && date < newest ? date : std::string());
+    }
 }
 
 void ImageBoxes::showLines() {
     if (isApplying_) return;
-    for (ImageBox* box : boxes())
-        box->setLineOf(box != &chosen() && chosen().isShown() ? &chosen().shownFrame() : nullptr);
+    for (ImageBox* box : boxes()) box->setLineOf(box != &chosen() ? chosen().shownFrame() : nullptr);
 }
 
 // Boxes of one stack have the same measurements, and so has the next one that shows it.

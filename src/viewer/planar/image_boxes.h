@@ -59,7 +59,9 @@ class ImageBoxes : public QWidget, public UndoSteps {
     int columns() const { return columns_; }
     bool isAlone() const { return isAlone_; }  // only the chosen one is visible
     bool isLinked() const { return links_.isOn(); }
-    bool isShown() const;  // whether any box shows something
+    bool isShown() const { return firstShown() != nullptr; }
+    const ImageBox* firstShown() const;  // null: all are empty
+    void choose(ImageBox& box);          // does nothing for one that is not in the grid
 
     void keepIn(const std::shared_ptr<live::StudyKeeper>& keeper);
     void showNames(bool shown);
@@ -68,6 +70,8 @@ class ImageBoxes : public QWidget, public UndoSteps {
     BoxArrangement arrangement() const;
     void begin(const BoxArrangement& first);  // another study: nothing to undo is left
     void arrange(const QString& what, const BoxArrangement& next);
+    // No step to undo: what a person opened stays chosen, and what was drawn meanwhile stays.
+    void hang(const BoxArrangement& next);
     // Boxes keep what they show, as far as there is room; the chosen one always. New ones show what follows
     // in the study of the chosen one.
     void setGrid(int rows, int columns);
@@ -99,10 +103,11 @@ class ImageBoxes : public QWidget, public UndoSteps {
     };
     ImageBox& addBox();
     void connectBox(ImageBox& box);
-    void choose(ImageBox& box);
     void onDrop(ImageBox& box, const QByteArray& series);
     void apply(const BoxArrangement& next);
     void layOut();
+    void tellLinks();
+    void tellPriors();
     void showLines();
     void shareMeasurements(const ImageBox& from);
     void forgetStepsOf(const PlanarMeasuring& measuring);
@@ -121,6 +126,7 @@ class ImageBoxes : public QWidget, public UndoSteps {
     bool isAlone_ = false;
     bool namesShown_ = true;
     bool isApplying_ = false;
+    bool isLayingOut_ = false;
     std::map<const dicom::Stack*, std::vector<study::ImageMeasurement>> measured_;  // of all that was shown
     std::vector<Step> done_;
     std::vector<Step> undone_;

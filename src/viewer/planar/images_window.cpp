@@ -10,6 +10,7 @@ namespace macula::viewer {
 
 ImagesWindow::ImagesWindow(QWidget& content, QWidget& main) : content_(content) {
     setObjectName(QStringLiteral("images-window-of-its-own"));
+    setAttribute(Qt::WA_QuitOnClose, false);  // the program ends with the main window
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(&content);

@@ -53,6 +53,7 @@ void PlanarController::show(const std::shared_ptr<const study::FoundVolumes>& fo
     const std::vector<ImageBox*> boxes = boxes_->boxes();
     if (!isShown() || std::ranges::none_of(
                           boxes, [&](const ImageBox* box) { return box->isShown() && isOfPatient(box); })) {
+        if (isShown()) Q_EMIT aboutToClose();
         boxes_->begin({.rows = 1, .columns = 1, .boxes = {{found, stack, {}}}, .isLinked = false});
         present();
         return Q_EMIT begun();
@@ -60,7 +61,7 @@ void PlanarController::show(const std::shared_ptr<const study::FoundVolumes>& fo
     const auto has = [&](const ImageBox* box) { return box->isShown() && box->series().stack == stack; };
     const auto shown = std::ranges::find_if(boxes, has);
     if (shown != boxes.end())
-        (*shown)->view().setFocus();
+        boxes_->choose(**shown);
     else
         boxes_->showInChosen(found, series);
     present();
@@ -98,7 +99,8 @@ void PlanarController::giveWay() {
 }
 
 void PlanarController::onStudyShown() {
-    if (hidesPanes() || box().found() != context_.session.study().found) close();
+    const ImageBox* shown = boxes_->firstShown();
+    if (shown != nullptr && (hidesPanes() || shown->found() != context_.session.study().found)) close();
 }
 
 bool PlanarController::hidesPanes() const {
@@ -132,10 +134,15 @@ void PlanarController::setDetached(bool detached) {
 
 std::optional<study::Identity> PlanarController::identity() const {
     if (!hidesPanes()) return {};
-    if (box().isShown()) return study::identityOf(box().series());
+    return study::identityOf((box().isShown() ? box() : *boxes_->firstShown()).series());
+}
+
+std::optional<study::Identity> PlanarController::identityOfNewest() const {
+    if (!hidesPanes()) return {};
+    const ImageBox* newest = boxes_->firstShown();
     for (const ImageBox* each : boxes_->boxes())
-        if (each->isShown()) return study::identityOf(each->series());
-    return {};
+        if (each->isShown() && each->series().study->date > newest->series().study->date) newest = each;
+    return study::identityOf(newest->series());
 }
 
 bool PlanarController::savePicture() {

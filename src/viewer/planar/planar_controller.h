@@ -38,7 +38,7 @@ class PlanarController : public QObject {
     // From the first image, or as it was left: alone where nothing of that patient was shown, else in the
     // chosen box. Does nothing for a stack that is not in the folder.
     void show(const std::shared_ptr<const study::FoundVolumes>& found, const dicom::Stack* stack);
-    // Boxes of that folder; it must show something.
+    // Boxes of one patient; they must show something.
     void showBoxes(const BoxArrangement& arrangement);
     void close();         // shows the panes again
     void giveWay();       // closes what hides the panes
@@ -51,6 +51,9 @@ class PlanarController : public QObject {
     const dicom::Stack* stack() const { return box().series().stack; }
     void showNames(bool shown) { boxes_->showNames(shown); }
     std::optional<study::Identity> identity() const;  // of the images; nothing: none hide the panes
+
+    // Likewise, of the newest study of them: the one that is read.
+    std::optional<study::Identity> identityOfNewest() const;
 
     void setPlace(std::size_t place) { box().setPlace(place); }
     std::size_t place() const { return box().place(); }
@@ -68,7 +71,7 @@ class PlanarController : public QObject {
     // Images of another patient or folder are shown, the first in a box alone.
     void begun();
     void imageShown();
-    void aboutToClose();
+    void aboutToClose();  // or to show images of another patient or folder
 
   private:
     void present();

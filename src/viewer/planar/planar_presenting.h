@@ -25,6 +25,7 @@ class PlanarPresenting : public QObject {
     // none to choose.
     QStringList names(bool withNames) const;
     int chosen() const { return chosen_; }           // in names()
+    bool isWanted() const { return wanted_ != 0; }   // another than "As stored" is chosen, or is being read
     void choose(int index);                          // `chosenChanged` or `failed` follows, later or at once
     void choose(const std::filesystem::path& file);  // does nothing for a file that is not listed
     const dicom::SoftcopyState* state() const { return state_ ? &*state_ : nullptr; }  // null: as stored

@@ -13635,6 +13635,10 @@
         <source>Left button on slices: cross-hair, window, zoom, move, distance, lesion, angle, Cobb angle, ellipse, outline, line, arrow, probe, segment, curve</source>
         <translation>Linke Taste auf Schichten: Fadenkreuz, Fenster, Zoom, Verschieben, Strecke, Läsion, Winkel, Cobb-Winkel, Ellipse, Umriss, Linie, Pfeil, Sonde, Segment, Kurve</translation>
     </message>
+    <message>
+        <source>Lesions that were measured before the baseline and not at it are in no sum: {}.</source>
+        <translation>Läsionen, die vor dem Ausgangsbefund gemessen wurden und nicht bei ihm, sind in keiner Summe: {}.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
@@ -14985,6 +14989,14 @@
             <numerusform>%n Untersuchungen haben kein Datum und sind weggelassen.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The open study has no date: others cannot be compared with it, and are left out.</source>
+        <translation>Die offene Untersuchung hat kein Datum: Andere können nicht mit ihr verglichen werden und sind weggelassen.</translation>
+    </message>
+    <message>
+        <source>Whether the sizes of other studies are calibrated is not known here.</source>
+        <translation>Ob die Größen anderer Untersuchungen kalibriert sind, ist hier nicht bekannt.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::FollowUpDialog</name>
@@ -15394,6 +15406,10 @@
         <source>scrolls with the others</source>
         <translation>blättert mit den anderen</translation>
     </message>
+    <message>
+        <source>an older study, of %1</source>
+        <translation>eine ältere Untersuchung, vom %1</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ImageBoxes</name>
@@ -15412,6 +15428,10 @@
     <message>
         <source>Scroll alone</source>
         <translation>Allein blättern</translation>
+    </message>
+    <message>
+        <source>That series is of another patient. Boxes show one patient; a double click opens it.</source>
+        <translation>Diese Serie ist von einem anderen Patienten. Felder zeigen einen Patienten; ein Doppelklick öffnet sie.</translation>
     </message>
 </context>
 <context>

@@ -318,7 +318,7 @@ void MainWindow::connectImages() {
     connect(planar_, &PlanarController::shownChanged, this, [this] {
         phases_->setImagesShown(planar_->hidesPanes());
         status_->setImagesShown(planar_->identity());
-        archive_->onImagesShown(planar_->identity());
+        archive_->onImagesShown(planar_->identityOfNewest());
         panes_->tools().setEnabled(!planar_->hidesPanes());
         undo_->actOn(planar_->isInFront() ? &planar_->boxes() : nullptr);
         // The notes are about the open study.

@@ -173,8 +173,10 @@ Result<Splats> readPackedPly(const PlyHeader& header, PlyValues& values) {
     MACULA_TRY(const Layout layout, layoutOf(header));
     std::vector<Chunk> chunks;
     Splats splats;
+    // Before memory is allocated for any of them.
+    if (!std::ranges::all_of(header.elements, [&](const PlyElement& each) { return values.canHold(each); }))
+        return cutOff();
     for (const PlyElement& element : header.elements) {
-        if (!values.canHold(element)) return cutOff();  // before memory is allocated for the elements
         if (&element == layout.chunk) {
             for (std::uint64_t n = 0; n < element.count; ++n) {
                 std::array<double, kBounds.size()> row{};
