@@ -15,6 +15,7 @@
 #include "viewer/editor/study_editor.h"
 #include "viewer/language/window_language.h"
 #include "viewer/panes/pane_grid.h"
+#include "viewer/planar/box_keys.h"
 #include "viewer/planar/kept_images.h"
 #include "viewer/planar/planar_bar.h"
 #include "viewer/planar/planar_measuring.h"
@@ -51,7 +52,7 @@ ImageBox::ImageBox(const WindowContext& context, QObject* parent)
 
 void ImageBox::connectParts() {
     auto* keys = new PlanarKeys(*view_, *bar_, this);
-    connect(keys, &PlanarKeys::pressed, this, &ImageBox::onKey);
+    connect(keys, &PlanarKeys::pressed, this, [this](PlanarKey key) { pressKey(*this, key); });
     connect(loader_, &PlanarLoader::loaded, this, &ImageBox::take);
     connect(loader_, &PlanarLoader::failed, this, &ImageBox::tellFailure);
     connect(view_, &PlanarView::steppedBy, this, &ImageBox::stepBy);
@@ -298,71 +299,6 @@ void ImageBox::playNext() {
     if (next == of.end) next = of.begin;
     setPlace(next);
     player_.holdFor(msOf(place_));
-}
-
-// An unfinished measurement ends first, then the tool, then the images.
-void ImageBox::onEscape() {
-    if (measuring().isDrawing()) return measuring().dropDrawing();
-    if (measuring().tool()) return measuring().setTool({});
-    Q_EMIT closeAsked();
-}
-
-bool ImageBox::chooseTool(PlanarKey key) {
-    using Kind = study::ImageMeasurement::Kind;
-    constexpr std::array<std::pair<PlanarKey, std::optional<Kind>>, 5> kTools{
-        {{PlanarKey::window, std::nullopt},
-         {PlanarKey::distance, Kind::distance},
-         {PlanarKey::angle, Kind::angle},
-         {PlanarKey::ellipse, Kind::ellipse},
-         {PlanarKey::cobb, Kind::cobb}}};
-    const auto* tool = std::ranges::find(kTools, key, &std::pair<PlanarKey, std::optional<Kind>>::first);
-    if (tool == kTools.end()) return false;
-    measuring().setTool(tool->second);
-    return true;
-}
-
-void ImageBox::onKey(PlanarKey key) {
-    constexpr double kZoomOfKey = 1.2;
-    const QPointF middle(0.5 * view_->width(), 0.5 * view_->height());
-    if (!isShown() || chooseTool(key)) return;
-    switch (key) {
-        case PlanarKey::play:
-            return setPlaying(!isPlaying());
-        case PlanarKey::back:
-            return stepBy(-1);
-        case PlanarKey::forward:
-            return stepBy(1);
-        case PlanarKey::first:
-            return stepBy(-int(place_));
-        case PlanarKey::last:
-            return stepBy(int(series_.stack->frames.size()));
-        case PlanarKey::remove:
-            return measuring().removeSelected();
-        case PlanarKey::label:
-            return measuring().editLabelOfSelected();
-        case PlanarKey::invert:
-            return pane_->invert(!display().isInverted);
-        case PlanarKey::turn:
-            return pane_->turn(false);
-        case PlanarKey::mirror:
-            return pane_->turn(true);
-        case PlanarKey::fit:
-            return view_->fit();
-        case PlanarKey::closer:
-            return view_->zoomBy(kZoomOfKey, middle);
-        case PlanarKey::farther:
-            return view_->zoomBy(1.0 / kZoomOfKey, middle);
-        case PlanarKey::overlays:
-            return pane_->showOverlays(!pane_->shown().overlaysAreShown());
-        case PlanarKey::alone:
-            return Q_EMIT aloneAsked();
-        case PlanarKey::link:
-            return Q_EMIT linkAsked();
-        case PlanarKey::escape:
-            return onEscape();
-        default:
-            return;
-    }
 }
 
 // Until what was left is applied, what is on screen is not what a person left.

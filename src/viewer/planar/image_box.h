@@ -16,7 +16,6 @@
 #include "study/planar/planar_images.h"
 #include "viewer/context/window_context.h"
 #include "viewer/planar/line_layer.h"
-#include "viewer/planar/planar_keys.h"
 #include "viewer/planar/planar_loader.h"
 #include "viewer/planar/planar_pane.h"
 #include "viewer/planar/planar_player.h"
@@ -41,6 +40,7 @@ class ImageBox : public QObject {
 
     PaneFrame& frame() const { return *frame_; }
     PlanarBar& bar() const { return *bar_; }
+    PlanarPane& pane() const { return *pane_; }
     PlanarView& view() const { return *view_; }
     PlanarMeasuring& measuring() const { return pane_->measuring(); }
     PlanarPresenting& presenting() const { return pane_->presenting(); }
@@ -62,6 +62,7 @@ class ImageBox : public QObject {
     void setMostBytes(std::size_t bytes) { loader_->setMostBytes(bytes); }
 
     void setPlace(std::size_t place);  // as a person does
+    void stepBy(int images);           // likewise, and stops the loop
     void follow(std::size_t place);    // as another box does
     std::size_t place() const { return place_; }
     const dicom::Frame& placeFrame() const { return series_.stack->frames[place_]; }  // may not be read yet
@@ -94,10 +95,6 @@ class ImageBox : public QObject {
     void connectParts();
     void request(std::size_t place);
     void showLocalizer();
-    void onKey(PlanarKey key);
-    bool chooseTool(PlanarKey key);
-    void onEscape();
-    void stepBy(int images);
     void take(const LoadedImage& image);
     void goToPresented();
     void tellFailure(std::size_t place, const Error& error);

@@ -33,6 +33,30 @@ std::size_t countOf(int rows, int columns) {
     return std::size_t(rows) * std::size_t(columns);
 }
 
+// A box scrolls with others unless it lies across all of them.
+void tellLinks(const std::vector<ImageBox*>& boxes, bool areLinked) {
+    for (ImageBox* box : boxes) {
+        const bool follows = std::ranges::any_of(boxes, [&](const ImageBox* other) {
+            if (other == box || !other->isShown() || !box->isShown()) return false;
+            const dicom::Frame& a = box->placeFrame();
+            const dicom::Frame& b = other->placeFrame();
+            return !a.plane || !b.plane || study::shiftMm(a, b).has_value();
+        });
+        box->setLinked(areLinked && follows);
+    }
+}
+
+// Which of two studies is the older one is said also where names are hidden.
+void tellPriors(const std::vector<ImageBox*>& boxes) {
+    std::string newest;
+    for (const ImageBox* box : boxes)
+        if (box->isShown()) newest = std::max(newest, box->series().study->date);
+    for (ImageBox* box : boxes) {
+        const std::string date = box->isShown() ? box->series().study->date : std::string();
+        box->setPrior(!date.empty() && date < newest ? date : std::string());
+    }
+}
+
 }  // namespace
 
 ImageBoxes::ImageBoxes(const WindowContext& context, QWidget* parent)
@@ -208,8 +232,8 @@ void ImageBoxes::apply(const BoxArrangement& next) {
         links_.link(boxes());
     else
         links_.unlink();
-    tellLinks();
-    tellPriors();
+    tellLinks(boxes(), isLinked());
+    tellPriors(boxes());
     isApplying_ = false;
     for (const ImageBox* box : boxes_) forgetStepsOf(box->measuring());
     layOut();
@@ -322,31 +346,6 @@ void ImageBoxes::layOut() {
     bars_->setCurrentWidget(&chosen().bar());
     if (hadFocus) chosen().view().setFocus();
     isLayingOut_ = false;
-}
-
-// A box scrolls with others unless it lies across all of them.
-void ImageBoxes::tellLinks() {
-    const std::vector<ImageBox*> all = boxes();
-    for (ImageBox* box : boxes_) {
-        const bool follows = std::ranges::any_of(all, [&](const ImageBox* other) {
-            if (other == box || !other->isShown() || !box->isShown()) return false;
-            const dicom::Frame& a = box->placeFrame();
-            const dicom::Frame& b = other->placeFrame();
-            return !a.plane || !b.plane || study::shiftMm(a, b).has_value();
-        });
-        box->setLinked(isLinked() && follows);
-    }
-}
-
-// Which of two studies is the older one is said also where names are hidden.
-void ImageBoxes::tellPriors() {
-    std::string newest;
-    for (const ImageBox* box : boxes())
-        if (box->isShown()) newest = std::max(newest, box->series().study->date);
-    for (ImageBox* box : boxes()) {
-        const std::string date = box->isShown() ? box->series().study->date : std::string();
-        box->setPrior(!date.empty() && date < newest ? date : std::string());
-    }
 }
 
 void ImageBoxes::showLines() {

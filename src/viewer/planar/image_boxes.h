@@ -106,8 +106,6 @@ class ImageBoxes : public QWidget, public UndoSteps {
     void onDrop(ImageBox& box, const QByteArray& series);
     void apply(const BoxArrangement& next);
     void layOut();
-    void tellLinks();
-    void tellPriors();
     void showLines();
     void shareMeasurements(const ImageBox& from);
     void forgetStepsOf(const PlanarMeasuring& measuring);
