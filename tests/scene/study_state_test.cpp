@@ -328,9 +328,13 @@ TEST(StudyState, DirectionsBecomeUnitVectors) {
     ellipse["down"] = {0.0, 0.001, -2.0};
     ellipse["normal"] = {0.0, 0.0, 5.0};
     const StudyState state = read(json.dump());
-    ASSERT_EQ(state.measurements.size(), 3u);
-    EXPECT_EQ(state.measurements[2].normal, glm::dvec3(0.0, 0.0, 1.0));
-    const auto& plane = std::get<slices::Ellipse>(state.measurements[2].shape).plane;
+    const auto isEllipse = [](const slices::Measurement& each) {
+        return std::holds_alternative<slices::Ellipse>(each.shape);
+    };
+    const auto found = std::ranges::find_if(state.measurements, isEllipse);
+    ASSERT_NE(found, state.measurements.end());
+    EXPECT_EQ(found->normal, glm::dvec3(0.0, 0.0, 1.0));
+    const auto& plane = std::get<slices::Ellipse>(found->shape).plane;
     EXPECT_LT(glm::length(plane.right - glm::dvec3(0.6, 0.8, 0.0)), 1e-12);
     EXPECT_NEAR(glm::length(plane.down), 1.0, 1e-12);
     EXPECT_NEAR(glm::dot(plane.right, plane.down), 0.0, 1e-12);

@@ -50,12 +50,21 @@ DisplayWindow aWindow(Dice& dice) {
 
 slices::Measurement aMeasurement(Dice& dice) {
     slices::Measurement made{.label = dice.coin() ? "Läsion \"1\"\n" : "", .shape = slices::Distance{}};
-    switch (dice.below(3)) {
+    switch (dice.below(5)) {
         case 0:
             made.shape = slices::Distance{.endsMm = {dice.pointMm(), dice.pointMm()}};
             break;
         case 1:
             made.shape = slices::Angle{.pointsMm = {dice.pointMm(), dice.pointMm(), dice.pointMm()}};
+            break;
+        case 2:
+            made.shape = slices::Bidirectional{.firstMm = {dice.pointMm(), dice.pointMm()},
+                                               .secondMm = {dice.pointMm(), dice.pointMm()},
+                                               .isNode = dice.coin()};
+            break;
+        case 3:
+            made.shape = slices::CobbAngle{
+                .pointsMm = {dice.pointMm(), dice.pointMm(), dice.pointMm(), dice.pointMm()}};
             break;
         default: {
             slices::Ellipse ellipse;

@@ -68,6 +68,8 @@ TEST_F(FoundStudyListTest, SpaceMarksTheSelectedStudyAsRead) {
     EXPECT_FALSE(mark->isEnabled()) << "no marks yet";
     list_->setMarks(&marks);
     list_->show();
+    list_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&*list_));
     list_->view().setFocus();
     const auto shown = [&](int row) {
         return list_->view().model()->index(row, FoundStudyModel::mark).data().toString();

@@ -50,6 +50,8 @@ class LabelMapsWindowTest : public WindowTest {
     void drop(const QString& path) {
         QMimeData files;
         files.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&*window_, &enter);
         QDropEvent event(QPointF(10, 10), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&*window_, &event);
     }

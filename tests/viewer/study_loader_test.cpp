@@ -115,7 +115,7 @@ TEST_F(StudyLoaderTest, TellsOfTheWholeFolderBeforeTheVolumeIsThere) {
     EXPECT_TRUE(found.back()->isWhole());
     EXPECT_EQ(found.back(), ofStudy);
 
-    loader.open(ofStudy, 0);
+    loader.open(study::PhaseSource{.found = ofStudy}, 0);
     EXPECT_FALSE(loader.source());
 }
 
