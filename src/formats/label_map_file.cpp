@@ -106,6 +106,16 @@ void addOthers(LabelMapFile& file, std::vector<LayerSets>& layers) {
         }
 }
 
+// A segmentation leaves something out, or has few numbers.
+bool isAnImage(const LayerSets& sets, const glm::ivec3& size) {
+    constexpr std::size_t kManyNumbers = 200;
+    constexpr double kMostLabelled = 0.99;
+    if (sets.size() < kManyNumbers) return false;
+    double labelled = 0.0;
+    for (const auto& each : sets) labelled += double(each.second.count());
+    return labelled > kMostLabelled * double(size.x) * size.y * size.z;
+}
+
 Result<LabelMapFile> read(const fs::path& path, Progress& progress) {
     MACULA_TRY(const VolumeFileInfo info, readVolumeFileInfo(path));
     std::vector<Described> described;
@@ -126,6 +136,9 @@ Result<LabelMapFile> read(const fs::path& path, Progress& progress) {
         MACULA_TRY(const auto labels, readVolumeFile(path, progress, layer));
         MACULA_TRY(LayerSets sets, labelSets(*labels, most, progress.token()));
         most -= sets.size();
+        if (described.empty() && isAnImage(sets, info.size))
+            return notALabelMap(Text(
+                "It has {} numbers and hardly a voxel that is 0: it seems to be an image.", sets.size()));
         layers.push_back(std::move(sets));
     }
     addDescribed(file, std::move(described), layers);

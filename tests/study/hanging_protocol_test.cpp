@@ -81,6 +81,9 @@ TEST_F(SlicesWithPriors, ComeNewestFirstOfThePatientAndTheModality) {
     EXPECT_EQ(images_.studies[1]->date, "20220101");
     EXPECT_EQ(images_.studies[3]->date, "20200101");
     EXPECT_EQ(images_.images.size(), 3u + 3u * 2u);
+    for (const std::size_t study : {0u, 2u, 4u})
+        EXPECT_EQ(&studyToRead(found_->scan().studies.at(study), *found_), images_.studies[0]);
+    EXPECT_EQ(studyToRead(found_->scan().studies.at(3), *found_).date, "20220601") << "of another patient";
     EXPECT_TRUE(priorsOf(found_->scan().studies.at(0), *found_).empty())
         << "none is older, and the MR is none";
 }

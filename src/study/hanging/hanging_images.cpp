@@ -40,6 +40,19 @@ bool areAlike(const std::string& modality, const std::string& other) {
     return modality == other || (isXray(modality) && isXray(other));
 }
 
+const dicom::Study& studyToRead(const dicom::Study& study, const FoundVolumes& found) {
+    const dicom::Study* newest = &study;
+    if (study.date.empty()) return study;
+    const std::set<std::string> own = modalitiesOf(study);
+    for (const dicom::Study& other : found.scan().studies) {
+        const std::set<std::string> theirs = modalitiesOf(other);
+        const bool isAlike =
+            std::ranges::any_of(theirs, [&](const auto& each) { return own.contains(each); });
+        if (other.patient == study.patient && isAlike && other.date > newest->date) newest = &other;
+    }
+    return *newest;
+}
+
 std::vector<const dicom::Study*> priorsOf(const dicom::Study& study, const FoundVolumes& found) {
     std::vector<const dicom::Study*> priors;
     if (study.date.empty()) return priors;

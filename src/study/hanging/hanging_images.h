@@ -35,6 +35,10 @@ struct HangingImages {
 inline constexpr std::size_t kMostPriors = 8;
 std::vector<const dicom::Study*> priorsOf(const dicom::Study& study, const FoundVolumes& found);
 
+// The newest study of the same patient with such images, which is the one that is read: `study` itself where
+// none is newer.
+const dicom::Study& studyToRead(const dicom::Study& study, const FoundVolumes& found);
+
 // Whether the two count as one modality: those of X-rays do.
 bool areAlike(const std::string& modality, const std::string& other);
 

@@ -1,6 +1,7 @@
 #include "study/planar/planar_images.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "unpack/archive_name.h"
 
@@ -36,8 +37,9 @@ PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::p
     const bool isOfOne = std::ranges::all_of(
         all, [&](const PlanarSeries& each) { return each.study->patient == all.front().study->patient; });
     if (isFile || !isOfOne) return {};
-    return *std::ranges::max_element(all, {},
-                                     [](const PlanarSeries& each) { return each.stack->frames.size(); });
+    return *std::ranges::max_element(all, {}, [](const PlanarSeries& each) {
+        return std::pair(each.study->date, each.stack->frames.size());
+    });
 }
 
 PlanarSeries seriesOf(const FoundVolumes& found, const dicom::Stack* stack) {

@@ -22,7 +22,8 @@ bool canBeShownAsImages(const dicom::Stack& stack);
 // In the order of the scan.
 std::vector<PlanarSeries> planarSeriesOf(const FoundVolumes& found);
 // What opening `source` shows: of an image its series, of a folder or a DICOMDIR the series with the most
-// images. stack is null without any, for a file that is no image, and for a folder of several patients.
+// images of the newest study. stack is null without any, for a file that is no image, and for a folder of
+// several patients.
 PlanarSeries planarSeriesFor(const FoundVolumes& found, const std::filesystem::path& source);
 // Whether the file is one of its images. False without a stack.
 bool holds(const PlanarSeries& series, const std::filesystem::path& file);

@@ -104,7 +104,8 @@ void HangingController::onStudyShown() {
     const study::OpenedStudy& open = context_.session.study();
     acquired_->setEnabled(open.found != nullptr);
     if (open.found != nullptr && !images_.isShown())
-        prepare(open.found, *open.found->volumes().at(open.volumeIndex).study);
+        prepare(open.found,
+                study::studyToRead(*open.found->volumes().at(open.volumeIndex).study, *open.found));
 }
 
 // The images of another patient or folder are shown.
@@ -113,8 +114,9 @@ void HangingController::begin() {
     isUntouched_ = true;
     isAnswered_ = false;
     left_.reset();
-    prepare(first.found(), *first.series().study);
-    kept_->open(*first.series().study);
+    const dicom::Study& read = study::studyToRead(*first.series().study, *first.found());
+    prepare(first.found(), read);
+    kept_->open(read);
 }
 
 void HangingController::prepare(std::shared_ptr<const study::FoundVolumes> found, const dicom::Study& study) {

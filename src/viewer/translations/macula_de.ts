@@ -13639,6 +13639,10 @@
         <source>Lesions that were measured before the baseline and not at it are in no sum: {}.</source>
         <translation>Läsionen, die vor dem Ausgangsbefund gemessen wurden und nicht bei ihm, sind in keiner Summe: {}.</translation>
     </message>
+    <message>
+        <source>It has {} numbers and hardly a voxel that is 0: it seems to be an image.</source>
+        <translation>Sie hat {} Zahlen und kaum einen Bildpunkt mit 0: Sie scheint ein Bild zu sein.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ArchiveController</name>
