@@ -46,6 +46,7 @@ class FoundStudyListTest : public test::OffscreenTest {
         return study ? study->study.studyInstanceUid : std::string();
     }
 
+    std::optional<ReadMarks> marks_;  // outlives the list
     std::optional<FoundStudyList> list_;
 };
 
@@ -62,7 +63,7 @@ TEST_F(FoundStudyListTest, TheLatestIsSelectedAndStaysSo) {
 }
 
 TEST_F(FoundStudyListTest, SpaceMarksTheSelectedStudyAsRead) {
-    ReadMarks marks(nullptr);
+    ReadMarks& marks = marks_.emplace(nullptr);
     list_->setStudies({listed("1", "20240101"), listed("2", "20260101")});
     auto* mark = list_->findChild<QAction*>(QStringLiteral("mark-study-read"));
     EXPECT_FALSE(mark->isEnabled()) << "no marks yet";
