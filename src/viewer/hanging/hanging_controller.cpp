@@ -103,6 +103,9 @@ void HangingController::addMenu(QMenu& view) {
 void HangingController::onStudyShown() {
     const study::OpenedStudy& open = context_.session.study();
     acquired_->setEnabled(open.found != nullptr);
+    // What is known of another folder would keep that, and the copy of an archive that it came from.
+    if (!images_.isShown() && facts_ && facts_->found != open.found) facts_.reset();
+    if (!images_.isShown()) reading_.cancel();
     if (open.found != nullptr && !images_.isShown())
         prepare(open.found,
                 study::studyToRead(*open.found->volumes().at(open.volumeIndex).study, *open.found));
