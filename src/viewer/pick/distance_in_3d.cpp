@@ -14,7 +14,8 @@ constexpr double kDotsEveryPx = 7.0;  // logical
 constexpr std::size_t kMostDots = 60;
 constexpr std::size_t kMostLines = 6;  // the latest: the picture holds kMostToolMarks
 
-// Of a plane with the line that is as level as it can be, so that slices can be turned to show all of it.
+// The normal of a plane that holds the line and is as level as such a plane can be: slices turned into it
+// show all of the line.
 glm::dvec3 normalBeside(const glm::dvec3& line) {
     const glm::dvec3 along = glm::normalize(line);
     const glm::dvec3 up = std::abs(along.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);

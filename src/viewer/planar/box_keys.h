@@ -1,4 +1,4 @@
-// What the keys over a box of images do.
+// Carries out the keys that a person presses over a box of images.
 #pragma once
 
 #include "viewer/planar/planar_keys.h"

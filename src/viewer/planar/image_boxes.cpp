@@ -99,7 +99,9 @@ void ImageBoxes::connectBox(ImageBox& box) {
     });
     // What is kept of its place came: that is where it lies now.
     connect(&box, &ImageBox::restored, this, [this] {
-        if (isLinked()) links_.link(boxes());
+        if (!isLinked()) return;
+        links_.unlink();
+        links_.link(boxes());
     });
     connect(&box, &ImageBox::dropped, this, [this, &box](const QByteArray& series) { onDrop(box, series); });
     connect(&box, &ImageBox::imageShown, this, [this, &box] {
